@@ -7,7 +7,7 @@
 program adhesion
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
-   use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
@@ -124,7 +124,7 @@ contains
       real(dp), intent(in) :: shape(:, :)
       type(periodic_adhesion_t), intent(in) :: law
       integer, intent(in) :: n
-      type(pull_off_t) :: pull_off
+      type(periodic_pull_off_t) :: pull_off
       type(error_t), allocatable :: error
       real(dp) :: seconds
 

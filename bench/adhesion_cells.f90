@@ -10,7 +10,7 @@ program adhesion_cells
    use adfric_plane_adhesive_wave_events, only: new_adhesive_wave
    use adfric_plane_adhesive_wave_load, only: state_of_load, branch_adhered, branch_approach
    use adfric_plane_adhesive_wave_state, only: wave_adhesion_t
-   use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
@@ -194,7 +194,7 @@ contains
       real(dp), intent(in) :: cells
       type(periodic_solver_t) :: solver
       type(periodic_adhesion_t) :: adhesion
-      type(pull_off_t) :: pull_off
+      type(periodic_pull_off_t) :: pull_off
       type(adhesive_wave_t) :: wave
       type(error_t), allocatable :: error
       real(dp) :: shape(cells_of_pull_off/2, 1), lowest
@@ -221,7 +221,7 @@ contains
       integer, parameter :: n = 128
       type(periodic_solver_t) :: solver
       type(periodic_adhesion_t) :: adhesion
-      type(pull_off_t) :: pull_off
+      type(periodic_pull_off_t) :: pull_off
       type(error_t), allocatable :: error
       real(dp) :: shape(n, n), energy
       integer :: i, j

@@ -17,41 +17,44 @@ program c_calls
    implicit none (type, external)
 
    interface
-      integer(c_int) function c_sphere(n, lambda, held, flags, first, second, third, status) bind(c, name='adfric_sphere_load')
+      integer(c_int) function c_sphere(n, lambda, prescribed, flags, first, second, third, status) bind(c, &
+         & name='adfric_sphere_load')
          import :: c_double, c_int, c_int32_t, c_int64_t, c_int8_t
          implicit none (type, external)
          integer(c_int64_t), intent(in), value :: n
-         real(c_double), intent(in) :: lambda(*), held(*)
+         real(c_double), intent(in) :: lambda(*), prescribed(*)
          integer(c_int8_t), intent(in) :: flags(*)
          real(c_double), intent(inout) :: first(*), second(*), third(*)
          integer(c_int32_t), intent(inout) :: status(*)
       end function c_sphere
-      integer(c_int) function c_approach(n, lambda, held, flags, first, second, third, status) &
+      integer(c_int) function c_approach(n, lambda, prescribed, flags, first, second, third, status) &
          & bind(c, name='adfric_sphere_approach')
          import :: c_double, c_int, c_int32_t, c_int64_t, c_int8_t
          implicit none (type, external)
          integer(c_int64_t), intent(in), value :: n
-         real(c_double), intent(in) :: lambda(*), held(*)
+         real(c_double), intent(in) :: lambda(*), prescribed(*)
          integer(c_int8_t), intent(in) :: flags(*)
          real(c_double), intent(inout) :: first(*), second(*), third(*)
          integer(c_int32_t), intent(inout) :: status(*)
       end function c_approach
-      integer(c_int) function c_strip(n, phase, ratio, stress, range, held, jumps, loads, first, second, third, fourth, status) &
+      integer(c_int) function c_strip(n, phase, ratio, stress, range, prescribed, jumps, loads, first, second, third, fourth, &
+         & status) &
          & bind(c, name='adfric_strip_load')
          import :: c_double, c_int, c_int32_t, c_int64_t, c_int8_t
          implicit none (type, external)
          integer(c_int64_t), intent(in), value :: n
-         real(c_double), intent(in) :: phase(*), ratio(*), stress(*), range(*), held(*)
+         real(c_double), intent(in) :: phase(*), ratio(*), stress(*), range(*), prescribed(*)
          integer(c_int8_t), intent(in) :: jumps(*), loads(*)
          real(c_double), intent(inout) :: first(*), second(*), third(*), fourth(*)
          integer(c_int32_t), intent(inout) :: status(*)
       end function c_strip
-      integer(c_int) function c_penetration(n, phase, ratio, stress, range, held, jumps, loads, first, second, third, fourth, &
+      integer(c_int) function c_penetration(n, phase, ratio, stress, range, prescribed, jumps, loads, first, second, third, &
+         & fourth, &
          & status) bind(c, name='adfric_strip_penetration')
          import :: c_double, c_int, c_int32_t, c_int64_t, c_int8_t
          implicit none (type, external)
          integer(c_int64_t), intent(in), value :: n
-         real(c_double), intent(in) :: phase(*), ratio(*), stress(*), range(*), held(*)
+         real(c_double), intent(in) :: phase(*), ratio(*), stress(*), range(*), prescribed(*)
          integer(c_int8_t), intent(in) :: jumps(*), loads(*)
          real(c_double), intent(inout) :: first(*), second(*), third(*), fourth(*)
          integer(c_int32_t), intent(inout) :: status(*)
@@ -91,7 +94,7 @@ program c_calls
    end interface
 
    integer, parameter :: n_repeats = 41, n_points = 4000, n_cases = 200
-   real(dp), dimension(n_points) :: lambda, held, ones, tens, stress, range, first, second, third, fourth
+   real(dp), dimension(n_points) :: lambda, prescribed, ones, tens, stress, range, first, second, third, fourth
    integer(c_int8_t) :: no(n_points)
    integer :: status(n_points), table, k
 
@@ -104,13 +107,13 @@ program c_calls
    stress = 0.05_dp
    range = 0.1_dp
    no = 0
-   held = [(-1 + 5.0_dp*k/n_points, k=1, n_points)]
+   prescribed = [(-1 + 5.0_dp*k/n_points, k=1, n_points)]
    call report('sphere_load')
-   held = [(-0.5_dp + 2.0_dp*k/n_points, k=1, n_points)]
+   prescribed = [(-0.5_dp + 2.0_dp*k/n_points, k=1, n_points)]
    call report('sphere_approach')
-   held = [(0.5_dp*k/n_points, k=1, n_points)]
+   prescribed = [(0.5_dp*k/n_points, k=1, n_points)]
    call report('strip_load')
-   held = [(1.0_dp*k/n_points, k=1, n_points)]
+   prescribed = [(1.0_dp*k/n_points, k=1, n_points)]
    call report('strip_penetration')
    call report_cases()
    close (table)
@@ -148,13 +151,13 @@ contains
 
       select case (name)
       case ('sphere_load')
-         call solve_sphere_load(lambda, held, first, second, third, status, no /= 0)
+         call solve_sphere_load(lambda, prescribed, first, second, third, status, no /= 0)
       case ('sphere_approach')
-         call solve_sphere_approach(lambda, held, first, second, third, status, no /= 0)
+         call solve_sphere_approach(lambda, prescribed, first, second, third, status, no /= 0)
       case ('strip_load')
-         call solve_strip_load(ones, tens, stress, range, held, first, second, third, fourth, status, no /= 0, no /= 0)
+         call solve_strip_load(ones, tens, stress, range, prescribed, first, second, third, fourth, status, no /= 0, no /= 0)
       case default
-         call solve_strip_penetration(ones, tens, stress, range, held, first, second, third, fourth, status, no /= 0, no /= 0)
+         call solve_strip_penetration(ones, tens, stress, range, prescribed, first, second, third, fourth, status, no /= 0, no /= 0)
       end select
    end subroutine call_fortran
 
@@ -166,13 +169,13 @@ contains
 
       select case (name)
       case ('sphere_load')
-         outcome = c_sphere(n, lambda, held, no, first, second, third, status)
+         outcome = c_sphere(n, lambda, prescribed, no, first, second, third, status)
       case ('sphere_approach')
-         outcome = c_approach(n, lambda, held, no, first, second, third, status)
+         outcome = c_approach(n, lambda, prescribed, no, first, second, third, status)
       case ('strip_load')
-         outcome = c_strip(n, ones, tens, stress, range, held, no, no, first, second, third, fourth, status)
+         outcome = c_strip(n, ones, tens, stress, range, prescribed, no, no, first, second, third, fourth, status)
       case default
-         outcome = c_penetration(n, ones, tens, stress, range, held, no, no, first, second, third, fourth, status)
+         outcome = c_penetration(n, ones, tens, stress, range, prescribed, no, no, first, second, third, fourth, status)
       end select
       if (outcome /= 0) error stop 'a batch is refused'
    end subroutine call_c

@@ -12,14 +12,15 @@ program error_estimates
    use adfric_base_kinds, only: dp
    use adfric_describe_status, only: status_solved
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_round_sphere_variables
+   use adfric_round_sphere_variables, only: n_sphere_results, n_sphere_variables, units_reduced, in => sphere_input, &
+      & out => sphere_output
    use adfric_foundation_crosswise, only: memory_t
    use adfric_foundation_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load
    use adfric_foundation_foundation, only: new_foundation
    use adfric_foundation_surface, only: surface_t, negligible
    use estimate_counts, only: counts_t, count_case, report_counts
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
-   use marched_estimates, only: count_cosines, count_lines, count_maps
+   use stepped_estimates, only: count_cosines, count_lines, count_maps
    use measure, only: print_heading, text_argument, integer_argument, open_table
    use periodic_estimates, only: count_waves_1d, count_waves_2d
    use quad_dugdale, only: state_t, of_radius, of_load, of_approach, pull_off_of_load, pull_off_of_approach, &
@@ -201,7 +202,8 @@ contains
       type(sphere_model_t) :: model
       type(dice_t) :: dice
       type(state_t) :: truth, fold
-      real(dp) :: values(n_sphere_variables, 1), results(n_sphere_results, 1), estimate(1), lambda, held, digits, control, limits(1)
+      real(dp) :: values(n_sphere_variables, 1), results(n_sphere_results, 1), estimate(1), lambda, prescribed, digits, control, &
+         & limits(1)
       integer :: status(1), k
 
       counts%name = name
@@ -212,32 +214,32 @@ contains
          call dice%decades(-6.0_dp, 6.0_dp, lambda)
          call dice%between(-12.0_dp, -2.0_dp, digits)
          call dice%between(0.0_dp, 3.0_dp, control)
-         call dice%decades(-2.0_dp, 2.0_dp, held)
-         values([v_units, v_theory], 1) = [units_reduced, theory]
-         values(v_lambda, 1) = lambda
-         values(v_relative_tolerance, 1) = max(10**digits, model%variables(v_relative_tolerance)%lower)
+         call dice%decades(-2.0_dp, 2.0_dp, prescribed)
+         values([in%units, in%theory], 1) = [units_reduced, theory]
+         values(in%lambda, 1) = lambda
+         values(in%relative_tolerance, 1) = max(10**digits, model%variables(in%relative_tolerance)%lower)
          if (control < 1) then
-            values(v_contact_radius, 1) = held
-            truth = of_radius(lambda, held)
+            values(in%contact_radius, 1) = prescribed
+            truth = of_radius(lambda, prescribed)
          else if (control < 2) then
             fold = pull_off_of_load(lambda)
-            held = real(fold%value(2), dp) + held
-            values(v_load, 1) = held
-            truth = of_load(lambda, held)
+            prescribed = real(fold%value(2), dp) + prescribed
+            values(in%load, 1) = prescribed
+            truth = of_load(lambda, prescribed)
          else
             fold = pull_off_of_approach(lambda)
-            held = max(real(fold%value(3), dp), touching_approach(lambda)) + held
-            values(v_approach, 1) = held
-            truth = of_approach(lambda, held)
+            prescribed = max(real(fold%value(3), dp), touching_approach(lambda)) + prescribed
+            values(in%approach, 1) = prescribed
+            truth = of_approach(lambda, prescribed)
          end if
          call model%solve_block(values, results, estimate, status, limits)
          if (status(1) /= status_solved) then
             counts%n_unsolved = counts%n_unsolved + 1
             cycle
          end if
-         call count_case(counts, estimate(1), max(relative(results(r_load, 1), truth%value(2)), &
-            relative(results(r_approach, 1), truth%value(3)), &
-            real(abs(results(r_contact_radius, 1) - truth%value(1))/truth%value(1), dp)), 'sphere')
+         call count_case(counts, estimate(1), max(relative(results(out%load, 1), truth%value(2)), &
+            relative(results(out%approach, 1), truth%value(3)), &
+            real(abs(results(out%contact_radius, 1) - truth%value(1))/truth%value(1), dp)), 'sphere')
       end do
    end subroutine count_spheres
 

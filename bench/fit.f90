@@ -11,7 +11,7 @@ program fit
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: unset
    use adfric_fit_course, only: course_t, begin_course
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_fit_problem, only: fit_t, free_t, data_set_t, event_t, event_pull_off_load
    use adfric_fit_solution, only: solution_t, fit_solved
    use adfric_fit_solve, only: solve_fit
@@ -20,7 +20,8 @@ program fit
    use adfric_numerics_random_numbers, only: random_t, new_random, next_normal
    use adfric_round_sphere_contact, only: theory_maugis_dugdale
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_round_sphere_variables
+   use adfric_round_sphere_variables, only: n_sphere_results, n_sphere_variables, state_sliding, units_si, &
+      & in => sphere_input, out => sphere_output
    use measure, only: print_heading, integer_argument, text_argument, open_table
    implicit none (type, external)
 
@@ -56,26 +57,26 @@ contains
       integer, intent(in) :: n_points, kind
       type(fit_t), intent(out) :: problem
       type(data_set_t) :: data
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: values(n_sphere_variables, n_points), results(n_sphere_results, n_points), error(n_points), counts(1), pull_off
       integer :: status(n_points), k
 
       problem%model => model
       problem%base = model%variables%default
-      problem%base([v_units, v_state, v_theory]) = [units_si, state_sliding, theory_maugis_dugdale + 2]
-      problem%base([v_radius, v_contact_modulus, v_edge_fraction]) = [radius, modulus, edge]
-      problem%base([v_work_of_adhesion, v_shear_strength, v_lambda]) = [truth, lambda]
+      problem%base([in%units, in%state, in%theory]) = [units_si, state_sliding, theory_maugis_dugdale + 2]
+      problem%base([in%radius, in%contact_modulus, in%edge_fraction]) = [radius, modulus, edge]
+      problem%base([in%work_of_adhesion, in%shear_strength, in%lambda]) = [truth, lambda]
       call set_path(path, theory_maugis_dugdale, .false., lambda, 0.0_dp)
       pull_off = pi*truth(1)*radius*path%fold%p
       do k = 1, n_points
          values(:, k) = problem%base
-         values(v_load, k) = pull_off*(0.9_dp - 3.9_dp*(k - 1)/(n_points - 1))
+         values(in%load, k) = pull_off*(0.9_dp - 3.9_dp*(k - 1)/(n_points - 1))
       end do
       call model%solve_block(values, results, error, status, counts)
-      data%abscissa = v_load
-      data%ordinate = r_friction_force
-      data%x = values(v_load, :)
-      data%y = results(r_friction_force, :)
+      data%abscissa = in%load
+      data%ordinate = out%friction_force
+      data%x = values(in%load, :)
+      data%y = results(out%friction_force, :)
       allocate (data%sigma(n_points), source=0.01_dp*data%y(minloc(abs(data%x), 1)))
       if (kind == latent) allocate (data%x_sigma(n_points), source=0.02_dp*abs(pull_off))
       problem%data_sets = [data]
@@ -83,18 +84,18 @@ contains
       if (kind /= unknown) problem%events = [event_t(1, event_pull_off_load, pull_off, 0.01_dp*abs(pull_off))]
       problem%wants_curves = .false.
       allocate (problem%frees(merge(2, 3, kind == unknown)))
-      problem%frees(1) = new_free(v_work_of_adhesion)
-      problem%frees(2) = new_free(v_shear_strength)
-      if (kind /= unknown) problem%frees(3) = new_free(v_lambda)
+      problem%frees(1) = new_free(in%work_of_adhesion)
+      problem%frees(2) = new_free(in%shear_strength)
+      if (kind /= unknown) problem%frees(3) = new_free(in%lambda)
    end subroutine new_curve
 
    !> A free variable without bounds of its own.
-   type(free_t) function new_free(place)
-      integer, intent(in) :: place
+   type(free_t) function new_free(index)
+      integer, intent(in) :: index
 
-      new_free%name = model%variables(place)%name
-      new_free%unit = model%variables(place)%unit
-      new_free%variable = place
+      new_free%name = model%variables(index)%name
+      new_free%unit = model%variables(index)%unit
+      new_free%variable = index
    end function new_free
 
    !> The same with noise.
@@ -179,7 +180,7 @@ contains
       integer, intent(in) :: k
       real(dp), intent(in) :: value
       integer, intent(inout) :: hits(4)
-      type(fit_t) :: held
+      type(fit_t) :: prescribed
       type(solution_t) :: there
       integer :: i, level
       real(dp) :: reach(2), limit(2), excess, variance
@@ -192,10 +193,10 @@ contains
          limit = f_quantile(levels, 1, found%degrees_of_freedom)
          variance = found%sigma_estimate**2
       end if
-      held = problem
-      held%frees = pack(problem%frees, [(i /= k, i=1, size(problem%frees))])
-      held%base(problem%frees(k)%variable) = value
-      call solve_fit(held, there)
+      prescribed = problem
+      prescribed%frees = pack(problem%frees, [(i /= k, i=1, size(problem%frees))])
+      prescribed%base(problem%frees(k)%variable) = value
+      call solve_fit(prescribed, there)
       excess = (there%chi2 - found%chi2)/variance
       do level = 1, 2
          if (abs(log(found%estimate(k)/value)) <= reach(level)*found%error_internal(k)) hits(level) = hits(level) + 1
@@ -237,7 +238,8 @@ contains
       end do
    end subroutine time_fits
 
-   !> Time of an evaluation of all points with their derivatives, from the places of the one before, about as far as a step of a search.
+   !> Time of an evaluation of all points with their derivatives, from the indices of the one before, about as far as a step of a
+   !> search.
    real(dp) function time_of_evaluation(problem) result(time)
       type(fit_t), intent(in) :: problem
       integer, parameter :: n_repeats = 200

@@ -22,7 +22,7 @@ program indenter
    implicit none (type, external)
 
    !> Points of a sweep; those that have a way of their own are fewer.
-   integer, parameter :: n_repeats = 5, n_points = 2048, n_ways = 64
+   integer, parameter :: n_repeats = 5, n_points = 2048, n_paths = 64
    character(*), parameter :: kinds = 'flat cone paraboloid power sphere flat_cone flat_paraboloid rounded_punch '// &
       & 'rounded_cone polynomial'
    type(trial_case_t) :: case
@@ -116,9 +116,9 @@ contains
       call case%give('interaction', 0.5_dp)
       call report('interaction jkr', 'tangential_force', 1.0e-6_dp, 0.03_dp)
       call case%give('adhesion_stress', 0.2_dp)
-      call report('interaction', 'tangential_force', 1.0e-6_dp, 0.03_dp, n_ways)
+      call report('interaction', 'tangential_force', 1.0e-6_dp, 0.03_dp, n_paths)
       call case%give('events', 1.0_dp)
-      call report('lateral spring', 'lateral_stiffness', 1.0e-2_dp, 10.0_dp, n_ways)
+      call report('lateral spring', 'lateral_stiffness', 1.0e-2_dp, 10.0_dp, n_paths)
       case = plain
    end subroutine report_interaction
 

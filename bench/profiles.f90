@@ -1,28 +1,28 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A rough profile under a load: the march with blocks and safe steps beside a plain march of the same accuracy.
+!> A rough profile under a load: the time stepping with blocks and safe steps beside a plain time stepping of the same accuracy.
 !>
 !>     profiles [TABLE.csv]
 !>
-!> The plain march visits every sample, goes round until the state repeats itself, and finds the penetration by regula falsi. Both have the
-!> same tables of endless contact, whose preparation is timed apart. See bench/README.md.
+!> The plain time stepping visits every sample, goes round until the state repeats itself, and finds the penetration by regula
+!> falsi. Both have the same tables of endless contact, whose preparation is timed apart. See bench/README.md.
 program profiles
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_solid_prony, only: prony_t, new_prony
    use adfric_shape_height_line, only: height_line_t, new_sampled_line, cubic_pieces
    use adfric_foundation_adhesion, only: edge_instantaneous
-   use adfric_foundation_stepping_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_load, march_solved
-   use adfric_foundation_stepping_forces, only: march_forces_t, get_march_forces
-   use adfric_foundation_stepping_law, only: new_march_law
-   use adfric_foundation_stepping_period, only: column_state_t, period_t, march_period
+   use adfric_foundation_stepping_equilibrium, only: stepping_surface_t, stepping_equilibrium_t, find_at_load, stepping_solved
+   use adfric_foundation_stepping_forces, only: stepping_forces_t, get_stepping_forces
+   use adfric_foundation_stepping_law, only: new_stepping_law
+   use adfric_foundation_stepping_period, only: column_state_t, stepped_period_t, step_period
    use adfric_foundation_stepping_solid, only: solid_t, new_solid
-   use adfric_foundation_stepping_path, only: new_way
+   use adfric_foundation_stepping_path, only: new_path
    use measure, only: print_heading, text_argument, open_table
    implicit none (type, external)
 
    integer, parameter :: n_samples = 10000, n_waves = 1000, n_repeats = 20
    integer, parameter :: arms(*) = [1, 4, 10, 20]
-   !> Load and penetration of the plain march are known to this.
+   !> Load and penetration of the plain time stepping are known to this.
    real(dp), parameter :: tolerance = 1.0e-12_dp
    type(height_line_t) :: line
    integer :: table, k, which
@@ -41,7 +41,7 @@ program profiles
 
 contains
 
-   !> A random line with a roll-off at ten waves, one high, from its highest place.
+   !> A random line with a roll-off at ten waves, one high, from its highest position.
    subroutine make_line(line)
       type(height_line_t), intent(out) :: line
       real(dp) :: heights(n_samples), phases(n_waves), lowest, highest
@@ -69,8 +69,8 @@ contains
       real(dp), parameter :: load = 0.02_dp
       type(prony_t) :: prony
       type(solid_t) :: solid
-      type(march_surface_t) :: surface
-      type(march_equilibrium_t) :: equilibrium
+      type(stepping_surface_t) :: surface
+      type(stepping_equilibrium_t) :: equilibrium
       real(dp) :: start, finish, prepare, seconds, plain_seconds, friction
       integer :: i, plain_periods
 
@@ -79,11 +79,11 @@ contains
       allocate (surface%rows(1))
       call cpu_time(start)
       do i = 1, n_repeats
-         call new_way(surface%rows(1), line, solid)
+         call new_path(surface%rows(1), line, solid)
       end do
       call cpu_time(finish)
       prepare = (finish - start)/(n_repeats*real(n_samples, dp))
-      if (which > 1) call new_march_law(surface%law, 0.05_dp, 0.01_dp, edge_instantaneous, solid%glassy)
+      if (which > 1) call new_stepping_law(surface%law, 0.05_dp, 0.01_dp, edge_instantaneous, solid%glassy)
       surface%is_approach = which == 3
       call cpu_time(start)
       do i = 1, n_repeats
@@ -91,7 +91,7 @@ contains
       end do
       call cpu_time(finish)
       seconds = (finish - start)/n_repeats
-      if (equilibrium%status /= march_solved) error stop 'profiles: not solved'
+      if (equilibrium%status /= stepping_solved) error stop 'profiles: not solved'
       plain_seconds = 0
       plain_periods = 0
       friction = equilibrium%forces(1)%friction
@@ -108,28 +108,28 @@ contains
          & 1.0e9_dp*prepare, 1.0e6_dp*seconds, equilibrium%n_periods, 1.0e6_dp*plain_seconds, plain_periods, friction
    end subroutine report
 
-   !> The same by a march that visits every sample, plain iteration, and regula falsi (Illinois).
+   !> The same by a time stepping that visits every sample, plain iteration, and regula falsi (Illinois).
    subroutine find_plainly(surface, load, friction, n_periods)
-      type(march_surface_t), intent(in) :: surface
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
       real(dp), intent(out) :: friction
       integer, intent(out) :: n_periods
-      type(march_surface_t) :: plain
+      type(stepping_surface_t) :: plain
       type(column_state_t) :: state
-      type(period_t) :: period
-      type(march_forces_t) :: forces
+      type(stepped_period_t) :: period
+      type(stepping_forces_t) :: forces
       real(dp) :: low, high, middle, at_low, at_high, excess
       integer :: k, side
 
       plain = surface
-      associate (way => plain%rows(1))
-         do k = 2, size(way%bounds)
-            way%bounds(k)%pressure = -huge(1.0_dp)
-            way%bounds(k)%lowest = -huge(1.0_dp)
-            way%bounds(k)%highest = huge(1.0_dp)
+      associate (path => plain%rows(1))
+         do k = 2, size(path%bounds)
+            path%bounds(k)%pressure = -huge(1.0_dp)
+            path%bounds(k)%lowest = -huge(1.0_dp)
+            path%bounds(k)%highest = huge(1.0_dp)
          end do
          n_periods = 0
-         high = load - way%mean
+         high = load - path%mean
          low = 0
          call settle(plain, low, state, period, n_periods)
          at_low = period%load - load
@@ -153,24 +153,24 @@ contains
                side = -1
             end if
          end do
-         call get_march_forces(way, plain%law, middle, period, forces)
+         call get_stepping_forces(path, plain%law, middle, period, forces)
       end associate
       friction = forces%friction
    end subroutine find_plainly
 
    !> Go round until the state repeats itself, from below.
    subroutine settle(surface, depth, state, period, n_periods)
-      type(march_surface_t), intent(in) :: surface
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: depth
       type(column_state_t), intent(inout) :: state
-      type(period_t), intent(inout) :: period
+      type(stepped_period_t), intent(inout) :: period
       integer, intent(inout) :: n_periods
       integer :: k
 
       state%length = spread(-surface%law%stress - 1.0e-3_dp, 1, surface%rows(1)%solid%n)
       state%is_attached = .true.
       do k = 1, 1000000
-         call march_period(surface%rows(1), surface%law, depth, state, period)
+         call step_period(surface%rows(1), surface%law, depth, state, period)
          n_periods = n_periods + 1
          if (maxval(abs(period%growth)) <= tolerance .and. (period%is_attached .eqv. state%is_attached)) return
          state%length = state%length + period%growth

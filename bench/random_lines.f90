@@ -4,9 +4,10 @@
 !> random_lines [NUMBER [SEED]]
 program random_lines
    use adfric_base_kinds, only: dp
-   use adfric_foundation_stepping_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, march_solved
-   use march_cases, only: march_case_t, march_sums_t, make_surface, sum_of
-   use march_judge, only: draw_case, judge_case, words_of_case, verdict_right, verdict_wrong
+   use adfric_foundation_stepping_equilibrium, only: stepping_surface_t, stepping_equilibrium_t, find_at_penetration, &
+      & find_at_load, stepping_solved
+   use stepping_cases, only: stepping_case_t, stepping_sums_t, make_surface, sum_of
+   use stepping_judge, only: draw_case, judge_case, words_of_case, verdict_right, verdict_wrong
    use measure, only: print_heading, integer_argument
    use random_dice, only: dice_t, new_dice
    implicit none (type, external)
@@ -34,9 +35,9 @@ contains
    subroutine search(n_lines, seed)
       integer, intent(in) :: n_lines, seed
       type(dice_t) :: dice
-      type(march_case_t) :: trial
-      type(march_surface_t) :: surface
-      type(march_equilibrium_t) :: found
+      type(stepping_case_t) :: trial
+      type(stepping_surface_t) :: surface
+      type(stepping_equilibrium_t) :: found
       real(dp) :: depth, load
       integer :: k
 
@@ -49,7 +50,7 @@ contains
          ! every positive load has a state
          call dice%decades(-3.0_dp, 0.0_dp, load)
          call find_at_load(surface, load, found)
-         if (found%status == march_solved) under_load%mismatch = max(under_load%mismatch, abs(found%forces(1)%load - load))
+         if (found%status == stepping_solved) under_load%mismatch = max(under_load%mismatch, abs(found%forces(1)%load - load))
          call judge(k, trial, found, under_load)
       end do
    end subroutine search
@@ -58,17 +59,17 @@ contains
    subroutine judge(k, trial, found, counts)
       !> Number of the line.
       integer, intent(in) :: k
-      type(march_case_t), intent(in) :: trial
-      type(march_equilibrium_t), intent(in) :: found
+      type(stepping_case_t), intent(in) :: trial
+      type(stepping_equilibrium_t), intent(in) :: found
       type(counts_t), intent(inout) :: counts
-      type(march_sums_t) :: sums
+      type(stepping_sums_t) :: sums
       character(300) :: words
       real(dp) :: difference
       integer :: verdict
 
       counts%n = counts%n + 1
       call words_of_case(k, trial, found%depth, words)
-      if (found%status /= march_solved) then
+      if (found%status /= stepping_solved) then
          counts%not_solved = counts%not_solved + 1
          print '(2a)', 'no state: ', trim(words)
          return

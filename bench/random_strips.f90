@@ -106,7 +106,7 @@ contains
       warm = spread_of(warm_means)
    end subroutine solve_all
 
-   !> Judge every strip by the brute-force march and by its balances.
+   !> Judge every strip by the brute-force time stepping and by its balances.
    subroutine judge_all(cases)
       type(case_t), intent(inout) :: cases(:)
       type(balance_t) :: cold, warm

@@ -14,14 +14,10 @@ program scenes
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_round_sphere_variables, only: s_units => v_units, s_lambda => v_lambda, s_load => v_load, s_theory => v_theory, &
-      s_tolerance => v_relative_tolerance, s_events => v_events, s_strength => v_shear_strength, s_poisson => v_poisson_ratio, &
-      s_edge => v_edge_fraction, s_interaction => v_interaction, s_energy => v_slip_energy_ratio, &
-      s_force => v_tangential_force, units_reduced, &
-      n_sphere_variables
+   use adfric_round_sphere_variables, only: units_reduced, n_sphere_variables, sphere_input
    use adfric_system_clock, only: wall_clock
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
-   use adfric_foundation_variables
+   use adfric_foundation_variables, only: foundation_input, out => foundation_output
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use taken_profiles, only: taken_profiles_t
    use trial_surfaces, only: wave
@@ -31,7 +27,7 @@ program scenes
    !> A number that is as good as nothing, and yet not 0.
    real(dp), parameter :: hardly = 1.0e-9_dp
    real(dp), parameter :: tolerance = 1.0e-8_dp
-   !> Place of the mean pressure among the variables of `wave_2d_elastic`.
+   !> Position of the mean pressure among the variables of `wave_2d_elastic`.
    integer, parameter :: w_pressure = 6
    integer :: table
 
@@ -59,53 +55,54 @@ contains
    function surface(dimensions, stress) result(values)
       integer, intent(in) :: dimensions
       real(dp), intent(in) :: stress
-      real(dp) :: values(v_n_y, n_points)
+      real(dp) :: values(foundation_input%n_y, n_points)
       type(wavy_model_t) :: model
       integer :: k
 
       call new_wavy_model(model)
       do k = 1, n_points
          values(:, k) = model%variables%default
-         values(v_penetration, k) = 0.1_dp + 0.5_dp*k/n_points
+         values(foundation_input%penetration, k) = 0.1_dp + 0.5_dp*k/n_points
       end do
-      values(v_kind, :) = dimensions - 1
-      values([v_period, v_height, v_stiffness, v_velocity], :) = 1
-      values(v_relaxation_time, :) = 0.3_dp/two_pi
-      values(v_retardation_ratio, :) = 10
-      values(v_stress, :) = stress
-      values(v_range, :) = 0.1_dp
-      values(v_relative_tolerance, :) = tolerance
+      values(foundation_input%kind, :) = dimensions - 1
+      values([foundation_input%period, foundation_input%height, foundation_input%stiffness, foundation_input%velocity], :) = 1
+      values(foundation_input%relaxation_time, :) = 0.3_dp/two_pi
+      values(foundation_input%retardation_ratio, :) = 10
+      values(foundation_input%stress, :) = stress
+      values(foundation_input%range, :) = 0.1_dp
+      values(foundation_input%relative_tolerance, :) = tolerance
    end function surface
 
    !> The same on a foundation that hardly relaxes.
    function elastic(ratio) result(values)
       real(dp), intent(in) :: ratio
-      real(dp) :: values(v_n_y, n_points)
+      real(dp) :: values(foundation_input%n_y, n_points)
 
       values = surface(3, 0.0_dp)
-      values(v_retardation_ratio, :) = ratio
+      values(foundation_input%retardation_ratio, :) = ratio
    end function elastic
 
    !> So deep that contact is everywhere; a finite slope, however small, has no closed form. Of that slope this is the height
    !> over the period, and the period is so long that the foundation stays the same.
    function deep(height) result(values)
       real(dp), intent(in) :: height
-      real(dp) :: values(v_n_y, n_points)
+      real(dp) :: values(foundation_input%n_y, n_points)
       integer :: k
 
       values = surface(3, 0.0_dp)
-      values(v_penetration, :) = [(3 + 0.5_dp*k/n_points, k=1, n_points)]
+      values(foundation_input%penetration, :) = [(3 + 0.5_dp*k/n_points, k=1, n_points)]
       if (.not. height > 0) return
-      values(v_slope, :) = 2
-      values([v_period, v_relaxation_time], :) = values([v_period, v_relaxation_time], :)/height
+      values(foundation_input%slope, :) = 2
+      values([foundation_input%period, foundation_input%relaxation_time], :) = values([foundation_input%period, &
+         & foundation_input%relaxation_time], :)/height
    end function deep
 
    !> As published: equal strips, in 3-D.
    function many_strips() result(values)
-      real(dp) :: values(v_n_y, n_points)
+      real(dp) :: values(foundation_input%n_y, n_points)
 
       values = surface(3, 0.1_dp)
-      values(v_strips, :) = 1024
+      values(foundation_input%strips, :) = 1024
    end function many_strips
 
    !> Time of a point with and without a saving, and the largest relative change of load and friction coefficient.
@@ -125,17 +122,17 @@ contains
          call solve(model, without, n_points, other, times(2, r))
       end do
       ! per area, which differs where the period does
-      one(r_load, :) = one(r_load, :)/one(r_contact_area, :)
-      other(r_load, :) = other(r_load, :)/other(r_contact_area, :)
-      change = largest_change(one(r_load, :), other(r_load, :))
-      if (abs(with(v_period, 1) - without(v_period, 1)) > 0) then
+      one(out%load, :) = one(out%load, :)/one(out%contact_area, :)
+      other(out%load, :) = other(out%load, :)/other(out%contact_area, :)
+      change = largest_change(one(out%load, :), other(out%load, :))
+      if (abs(with(foundation_input%period, 1) - without(foundation_input%period, 1)) > 0) then
          ! friction goes like the slope
-         one(r_friction_coefficient, :) = one(r_friction_coefficient, :)*with(v_period, 1)
-         other(r_friction_coefficient, :) = other(r_friction_coefficient, :)*without(v_period, 1)
+         one(out%friction_coefficient, :) = one(out%friction_coefficient, :)*with(foundation_input%period, 1)
+         other(out%friction_coefficient, :) = other(out%friction_coefficient, :)*without(foundation_input%period, 1)
       end if
-      if (maxval(abs(one(r_friction_coefficient, :))) > tolerance) change = max(change, &
-         largest_change(one(r_friction_coefficient, :), other(r_friction_coefficient, :)))
-      if (.not. allowed < unset) change = largest_change(one(r_contact_width, :), other(r_contact_width, :))
+      if (maxval(abs(one(out%friction_coefficient, :))) > tolerance) change = max(change, &
+         largest_change(one(out%friction_coefficient, :), other(out%friction_coefficient, :)))
+      if (.not. allowed < unset) change = largest_change(one(out%contact_width, :), other(out%contact_width, :))
       call report(saving, scene, times, change, merge(allowed, tolerance, allowed < unset))
    end subroutine compare_wavy
 
@@ -153,8 +150,8 @@ contains
          call solve(model, values, n_points, one, times(1, r))
          call solve(model, values, 1, other, times(2, r))
       end do
-      call report(saving, scene, times, max(largest_change(one(r_load, :), other(r_load, :)), &
-         largest_change(one(r_friction_force, :), other(r_friction_force, :))), tolerance)
+      call report(saving, scene, times, max(largest_change(one(out%load, :), other(out%load, :)), &
+         largest_change(one(out%friction_force, :), other(out%friction_force, :))), tolerance)
    end subroutine compare_blocks
 
    !> A sphere of a lambda where a limit theory will do.
@@ -170,14 +167,14 @@ contains
 
       call new_sphere_model(model)
       values = spread(model%variables%default, 2, n_points)
-      values(s_units, :) = units_reduced
-      values(s_lambda, :) = lambda
-      values(s_edge, :) = edge_fraction
-      values(s_tolerance, :) = wanted
-      values(s_load, :) = [(100.0_dp*k/n_points, k=1, n_points)]
+      values(sphere_input%units, :) = units_reduced
+      values(sphere_input%lambda, :) = lambda
+      values(sphere_input%edge_fraction, :) = edge_fraction
+      values(sphere_input%relative_tolerance, :) = wanted
+      values(sphere_input%load, :) = [(100.0_dp*k/n_points, k=1, n_points)]
       full = values
-      values(s_theory, :) = 1
-      full(s_theory, :) = 5
+      values(sphere_input%theory, :) = 1
+      full(sphere_input%theory, :) = 5
       do r = 1, n_repeats
          call solve(model, values, n_points, one, times(1, r))
          call solve(model, full, n_points, other, times(2, r))
@@ -198,10 +195,12 @@ contains
 
       call new_sphere_model(model)
       values = spread(model%variables%default, 2, n_points)
-      values([s_units, s_theory], :) = spread([units_reduced, 5], 2, n_points)
-      values([s_lambda, s_load, s_strength, s_poisson], :) = spread([0.8_dp, 0.0_dp, 0.6_dp, 0.3_dp], 2, n_points)
-      values([s_interaction, s_energy, s_events], :) = spread([0.3_dp, 1.2_dp, 1.0_dp], 2, n_points)
-      values(s_force, :) = [(0.2_dp*k/n_points, k=1, n_points)]
+      values([sphere_input%units, sphere_input%theory], :) = spread([units_reduced, 5], 2, n_points)
+      values([sphere_input%lambda, sphere_input%load, sphere_input%shear_strength, sphere_input%poisson_ratio], &
+         & :) = spread([0.8_dp, 0.0_dp, 0.6_dp, 0.3_dp], 2, n_points)
+      values([sphere_input%interaction, sphere_input%slip_energy_ratio, sphere_input%events], :) = spread([0.3_dp, 1.2_dp, &
+         & 1.0_dp], 2, n_points)
+      values(sphere_input%tangential_force, :) = [(0.2_dp*k/n_points, k=1, n_points)]
       do r = 1, n_repeats
          call solve(model, values, n_points, one, times(1, r))
          call solve(model, values, 1, other, times(2, r))

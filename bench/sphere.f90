@@ -6,11 +6,12 @@ program sphere
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
    use adfric_describe_status, only: status_solved
-   use adfric_round_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
+   use adfric_round_sphere_contact, only: sphere_contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
       control_radius, branch_stable
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_round_sphere_variables
+   use adfric_round_sphere_variables, only: choose_auto, n_sphere_results, n_sphere_variables, units_reduced, &
+      & in => sphere_input, out => sphere_output
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use plain_dugdale, only: solve_plain
@@ -79,11 +80,11 @@ contains
       allocate (values(n_sphere_variables, block), results(n_sphere_results, block))
       do choice = theory_maugis_dugdale + 2, choose_auto, choose_auto - theory_maugis_dugdale - 2
          values = spread(case_values(0.8_dp), 2, block)
-         values(v_theory, :) = choice
+         values(in%theory, :) = choice
          do r = 1, n_repeats
             times(r) = 0
             do first = 1, n_curve, block
-               values(v_contact_radius, :) = radii(first:first + block - 1)
+               values(in%contact_radius, :) = radii(first:first + block - 1)
                start = wall_clock()
                call model%solve_block(values, results, error_estimate, status, counts)
                times(r) = times(r) + (wall_clock() - start)
@@ -119,17 +120,17 @@ contains
 
       call new_sphere_model(model)
       values = [(model%variables(k)%default, k=1, n_sphere_variables)]
-      values(v_units) = units_reduced
-      values(v_lambda) = lambda
+      values(in%units) = units_reduced
+      values(in%lambda) = lambda
    end function case_values
 
    !> Times against lambda: radius, load and approach held, and pull-off.
    subroutine report_times(folder)
       character(*), intent(in) :: folder
       character(9), parameter :: names(3) = ['load     ', 'approach ', 'radius   ']
-      real(dp) :: lambda, held(n_times), shuffled(n_times), low(3), times(n_repeats)
+      real(dp) :: lambda, prescribed(n_times), shuffled(n_times), low(3), times(n_repeats)
       type(maugis_t) :: theory
-      type(contact_t) :: fold
+      type(sphere_contact_t) :: fold
       integer :: table, k, control, n_failed
 
       table = open_table(folder//'/sphere_times.csv', 'lambda,held,order,us,us_least,us_most')
@@ -146,9 +147,9 @@ contains
          low(control_radius) = 1.0e-3_dp
          write (output_unit, '(es8.1)', advance='no') lambda
          do control = 1, 3
-            held = even(low(control), merge(3.0_dp, low(control) + 10, control == control_radius), n_times)
-            shuffled = shuffle(held)
-            call time_theory(lambda, control, held, .true., times, n_failed)
+            prescribed = even(low(control), merge(3.0_dp, low(control) + 10, control == control_radius), n_times)
+            shuffled = shuffle(prescribed)
+            call time_theory(lambda, control, prescribed, .true., times, n_failed)
             call judge(n_failed == 0, 'times: not converged')
             call report_time(table, lambda, trim(names(control)), 'swept', times)
             call time_theory(lambda, control, shuffled, .true., times, n_failed)
@@ -221,7 +222,7 @@ contains
       real(dp), intent(in) :: lambda
       type(errors_t), intent(out) :: e
       type(maugis_t) :: theory
-      type(contact_t) :: contact, fold
+      type(sphere_contact_t) :: contact, fold
       type(state_t) :: truth
       real(dp), dimension(n_errors) :: radii, excess
       real(dp) :: least
@@ -316,17 +317,17 @@ contains
          worst = 0
          do decade = -usual_decades, usual_decades
             values = spread(case_values(10.0_dp**decade), 2, n_auto)
-            values(v_load, :) = loads
-            values(v_relative_tolerance, :) = max(tolerance, 1.0e-15_dp)
+            values(in%load, :) = loads
+            values(in%relative_tolerance, :) = max(tolerance, 1.0e-15_dp)
             ! last: what auto is compared with in time
-            if (k == 8) values(v_theory, :) = theory_maugis_dugdale + 2
+            if (k == 8) values(in%theory, :) = theory_maugis_dugdale + 2
             do r = 1, n_repeats
                start = wall_clock()
                call model%solve_block(values, results, error_estimate, status, counts)
                times(r) = times(r) + (wall_clock() - start)
             end do
             call judge(all(status == status_solved), 'auto: unsolved')
-            share = share + count(nint(results(r_theory_used, :)) /= theory_maugis_dugdale)
+            share = share + count(nint(results(out%theory_used, :)) /= theory_maugis_dugdale)
             worst = max(worst, worst_of(10.0_dp**decade, results))
          end do
          share = share/(n_auto*(2*usual_decades + 1))
@@ -349,10 +350,10 @@ contains
 
       worst = 0
       do k = 1, size(results, 2), 20
-         if (nint(results(r_theory_used, k)) == theory_maugis_dugdale) cycle
-         truth = of_load(lambda, results(r_load, k))
-         worst = max(worst, real(abs(results(r_contact_radius, k)/truth%value(1) - 1), dp), &
-            relative(results(r_approach, k), truth%value(3)))
+         if (nint(results(out%theory_used, k)) == theory_maugis_dugdale) cycle
+         truth = of_load(lambda, results(out%load, k))
+         worst = max(worst, real(abs(results(out%contact_radius, k)/truth%value(1) - 1), dp), &
+            relative(results(out%approach, k), truth%value(3)))
       end do
    end function worst_of
 

@@ -14,11 +14,11 @@ program strip_methods
    use plain_edges, only: get_residuals
    use strip_cases, only: case_t, snap, names, elsewhere, from_lengths, from_rest, start_names, collect_cases, start_of, error_of, &
       error_of_edges, load_scale, friction_scale
-   use time_march, only: march_forces
+   use time_stepping, only: stepping_forces
    implicit none (type, external)
 
    integer, parameter :: n_strips = 300, n_repeats = 9, n_calls = 50
-   !> Steps that a regime is marched in all, for the time of a run.
+   !> Steps that a regime is stepped in all, for the time of a run.
    integer, parameter :: steps_in_all = 20000000
 
    !> What a method did on the strips of a regime.
@@ -50,7 +50,7 @@ program strip_methods
          end do
       end if
       do k = 2, 6
-         call report(regime, 'time march', 10.0_dp**k, run_march(cases, 10**k))
+         call report(regime, 'time march', 10.0_dp**k, run_stepping(cases, 10**k))
       end do
    end do
    close (table)
@@ -138,8 +138,8 @@ contains
       call free_solver(solver)
    end function run_gsl
 
-   !> One period in steps of time, from the answer's own column: less than any march from rest needs.
-   function run_march(cases, steps) result(outcome)
+   !> One period in steps of time, from the answer's own column: less than any time stepping from rest needs.
+   function run_stepping(cases, steps) result(outcome)
       type(case_t), intent(in) :: cases(:)
       integer, intent(in) :: steps
       type(outcome_t) :: outcome
@@ -151,14 +151,14 @@ contains
          anchors(r) = time_of_equations(cases)
          start = wall_clock()
          do k = 1, n
-            call march_forces(cases(k)%strip, cases(k)%answer, steps, load, friction)
+            call stepping_forces(cases(k)%strip, cases(k)%answer, steps, load, friction)
             if (r == 1) call keep(error_of(cases(k), load, friction), k, outcome)
          end do
          times(r) = (wall_clock() - start)/n
       end do
       outcome%n = n
       call set_times(times, anchors, outcome)
-   end function run_march
+   end function run_stepping
 
    !> Time of one evaluation of the edge equations [s].
    real(dp) function time_of_equations(cases) result(time)
@@ -193,12 +193,12 @@ contains
    end subroutine set_times
 
    !> Note an error; a large one is another answer.
-   subroutine keep(error, place, outcome)
+   subroutine keep(error, position, outcome)
       real(dp), intent(in) :: error
-      integer, intent(in) :: place
+      integer, intent(in) :: position
       type(outcome_t), intent(inout) :: outcome
 
-      outcome%errors(place) = error
+      outcome%errors(position) = error
       if (.not. error < elsewhere) outcome%n_elsewhere = outcome%n_elsewhere + 1
    end subroutine keep
 

@@ -17,7 +17,7 @@ program surface_3d
    use adfric_foundation_strip, only: strip_t, steady_state_t
    use adfric_foundation_surface, only: surface_t, totals_t, new_surface_strip, add_strip
    use adfric_foundation_wave_shape, only: share_at
-   use adfric_foundation_variables
+   use adfric_foundation_variables, only: n_wavy_results, in => foundation_input, out => foundation_output
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    implicit none (type, external)
 
@@ -89,20 +89,20 @@ contains
    !> The variables of the model, such that its units are l = h = K = 1.
    pure function values_of(c) result(values)
       type(case_t), intent(in) :: c
-      real(dp) :: values(v_n_y)
+      real(dp) :: values(in%n_y)
 
       values = unset
-      values(v_kind) = 2
-      values(v_slope) = 1
-      values([v_period, v_height, v_stiffness, v_velocity]) = 1
-      values(v_relaxation_time) = c%u/two_pi
-      values(v_retardation_ratio) = c%beta
-      values(v_stress) = c%stress
-      values(v_range) = c%range
-      values(v_edge) = c%edge
-      values(v_branch) = c%branch
-      values(v_relative_tolerance) = tolerance
-      values(v_strips) = 0
+      values(in%kind) = 2
+      values(in%slope) = 1
+      values([in%period, in%height, in%stiffness, in%velocity]) = 1
+      values(in%relaxation_time) = c%u/two_pi
+      values(in%retardation_ratio) = c%beta
+      values(in%stress) = c%stress
+      values(in%range) = c%range
+      values(in%edge) = c%edge
+      values(in%branch) = c%branch
+      values(in%relative_tolerance) = tolerance
+      values(in%strips) = 0
    end function values_of
 
    !> Solve points in blocks as the program does.
@@ -138,12 +138,12 @@ contains
       integer, intent(in) :: table
       type(case_t), intent(in) :: c
       type(run_t) :: result, beyond
-      real(dp) :: values(v_n_y, n_points)
+      real(dp) :: values(in%n_y, n_points)
       integer :: counts(3), k
 
       do k = 1, n_points
          values(:, k) = values_of(c)
-         values(v_load, k) = c%from + (c%to - c%from)*(k - 1)/(n_points - 1)
+         values(in%load, k) = c%from + (c%to - c%from)*(k - 1)/(n_points - 1)
       end do
       ! how many there are, and the time of those that are not
       call run(values, result)
@@ -170,28 +170,28 @@ contains
       integer, intent(in) :: table
       type(case_t), intent(in) :: c
       type(run_t) :: reference, result
-      real(dp) :: values(v_n_y, 1)
+      real(dp) :: values(in%n_y, 1)
       integer :: k
 
       values(:, 1) = values_of(c)
-      values(v_penetration, 1) = c%penetration
-      values(v_relative_tolerance, 1) = reference_tolerance
+      values(in%penetration, 1) = c%penetration
+      values(in%relative_tolerance, 1) = reference_tolerance
       call run(values, reference)
       print '(a, f0.3, a)', 'at penetration ', c%penetration, ':'
       print '(a10, a9, a9, a10, 6a10)', 'rule', 'n or tol', 'strips', 'us', 'err P', 'err T', 'err mu', 'contact', 'adhesion', &
          'estimate'
       do k = 2, 12
-         values(v_strips, 1) = 2**k
+         values(in%strips, 1) = 2**k
          call run(values, result)
          call report_rule(table, c, 'equal', real(2**k, dp), result, reference)
       end do
-      values(v_strips, 1) = 0
+      values(in%strips, 1) = 0
       do k = 0, 8
          call run_gauss(c, 2**k, result)
          call report_rule(table, c, 'gauss', real(2**k, dp), result, reference)
       end do
       do k = 2, 11
-         values(v_relative_tolerance, 1) = 10.0_dp**(-k)
+         values(in%relative_tolerance, 1) = 10.0_dp**(-k)
          call run(values, result)
          call report_rule(table, c, 'adaptive', 10.0_dp**(-k), result, reference)
       end do
@@ -235,9 +235,9 @@ contains
       result%strips_per_point = totals%n_strips
       allocate (result%results(n_wavy_results, 1), source=0.0_dp)
       allocate (result%error_estimate(1), source=0.0_dp)
-      result%results([r_load, r_friction_force, r_contact_area, r_adhesion_area], 1) = &
+      result%results([out%load, out%friction_force, out%contact_area, out%adhesion_area], 1) = &
          [totals%load, totals%friction, totals%contact, totals%adhesion]
-      result%results(r_friction_coefficient, 1) = totals%friction/totals%load
+      result%results(out%friction_coefficient, 1) = totals%friction/totals%load
    end subroutine run_gauss
 
    subroutine report_rule(table, c, rule, setting, result, reference)
@@ -246,7 +246,8 @@ contains
       character(*), intent(in) :: rule
       real(dp), intent(in) :: setting
       type(run_t), intent(in) :: result, reference
-      integer, parameter :: judged(*) = [r_load, r_friction_force, r_friction_coefficient, r_contact_area, r_adhesion_area]
+      integer, parameter :: judged(*) = [out%load, out%friction_force, out%friction_coefficient, out%contact_area, &
+         & out%adhesion_area]
       real(dp) :: errors(size(judged) + 1)
 
       errors = [relative(result%results(judged, 1), reference%results(judged, 1)), result%error_estimate(1)]

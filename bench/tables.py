@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/validation/accuracy.md, docs/theory/periodic.md, docs/reference/python.md and docs/validation/scenes.md from those of the benchmarks.
+"""Tables of docs/validation/accuracy.md, docs/validation/rough_surfaces.md, docs/reference/python.md and docs/validation/scenes.md from those of the benchmarks.
 
 usage: tables.py [FOLDER [--write]]
 
@@ -15,7 +15,7 @@ import sys
 from tools import read_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("validation/accuracy", "theory/periodic", "reference/python", "validation/scenes")]
+DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("validation/accuracy", "validation/rough_surfaces", "reference/python", "validation/scenes")]
 
 
 def rows_of(folder, name, **wanted):

@@ -63,7 +63,6 @@ contains
 
    !> Update the line, if the last update was long enough ago.
    subroutine report(self, n_done, n_total)
-      !> The line.
       class(progress_bar_t), intent(inout) :: self
       !> Points that are done, and all points.
       integer(i8), intent(in) :: n_done, n_total
@@ -87,7 +86,6 @@ contains
 
    !> Remove the line from the terminal.
    subroutine clear(self)
-      !> The line; nothing is on the terminal afterwards.
       class(progress_bar_t), intent(inout) :: self
       integer :: status
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compute the tables of docs/theory/profiles.md from the inputs: scripts/tables [PROGRAM]."""
+"""Compute the tables of docs/theory/columns_any_shape.md and columns_material.md from the inputs: scripts/tables [PROGRAM]."""
 
 import os
 import tempfile

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compute the tables of docs/theory/sphere.md from the inputs: scripts/tables [PROGRAM]."""
+"""Compute the tables of the pages on a sphere from the inputs: scripts/tables [PROGRAM].
+
+The pages are docs/theory/johnson1997.md, round_adhesion.md, round_branches.md, round_peeling.md and stick_slip.md.
+"""
 
 import numpy as np
 

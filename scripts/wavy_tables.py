@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compute the tables of docs/theory/wavy.md from the inputs: scripts/tables [PROGRAM]."""
+"""Compute the tables of docs/theory/columns_strips.md and columns_adhesion.md from the inputs: scripts/tables [PROGRAM]."""
 
 import numpy as np
 

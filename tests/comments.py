@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every module, type, component, procedure and argument of src/ and drivers/ has a comment: a line `!>` stands before it.
+"""Every module, type, component and procedure of src/ and drivers/ has a comment: a line `!>` stands before it.
 
+So has every argument of an interface, and of a procedure that another folder uses or that is for other programs, but `self`, which
+its type describes. Within a folder an argument has a comment where its name, its type and its unit do not say what it is, which no
+test can judge.
 A function of C in an interface needs none, since it stands where the C code has it; its arguments do.
 """
 
@@ -15,6 +18,10 @@ TYPE = re.compile(r"^type\s*(?:,[^'\"]*?)?(?:::|\s)\s*(\w+)$", re.IGNORECASE)
 # What may stand before the word, the name, and the arguments.
 PROCEDURE = re.compile(r"^(?!end\b)(?:[\w()=,.%* ]*\s)?(?:subroutine|function)\s+(\w+)\s*(?:\(([^()]*)\))?", re.IGNORECASE)
 DECLARATION = re.compile(r"^[^!'\"]*?::\s*(.*)$")
+USE = re.compile(r"^use\b[^'\"]*?\b(adfric\w*)\s*(?:,\s*only\s*:\s*(.*))?$", re.IGNORECASE)
+BINDING = re.compile(r"^procedure\b[^'\"]*?(?:::)\s*(.*)$", re.IGNORECASE)
+# Folders whose procedures are for other programs.
+FOR_OTHERS = ("api", "c", "contact")
 
 
 def statements_of(text):
@@ -40,9 +47,42 @@ def names_of(declared):
     return [part.split("=")[0].split("!")[0].strip().lower() for part in declared.split(",")]
 
 
-def things_of(text):
-    """What needs a comment: the number of its line, the line before it, and what it is."""
-    open_type, procedure, arguments = "", "", set()
+def sources_of(root):
+    """The files of the program."""
+    return [path for folder in ("src", "drivers") for path in sorted((root / folder).rglob("*.f90*"))]
+
+
+def shared_names(root):
+    """The names that a module gives to other folders, by module."""
+    statements = {path: [statement for _, statement, _ in statements_of(path.read_text())] for path in sources_of(root)}
+    folder_of = {module[1]: path.parent for path, lines in statements.items() for line in lines if (module := MODULE.match(line))}
+    shared = {module: set() for module in folder_of}
+    for path, lines in statements.items():
+        for use in filter(None, map(USE.match, lines)):
+            if folder_of.get(use[1], path.parent) != path.parent:
+                shared[use[1]] |= {name.split("=>")[-1].strip().lower() for name in (use[2] or "").split(",")}
+    return shared
+
+
+def procedures_of_types(text, types):
+    """The procedures of a module that are bound to some of its types."""
+    bound, open_type = set(), ""
+    for _, statement, _ in statements_of(text):
+        if kind := TYPE.match(statement):
+            open_type = kind[1].lower()
+        elif re.match(r"end\s*type\b", statement, re.IGNORECASE):
+            open_type = ""
+        elif open_type in types and (binding := BINDING.match(statement)):
+            bound |= {name.split("=>")[-1].strip().lower() for name in binding[1].split(",")}
+    return bound
+
+
+def things_of(text, shared=None):
+    """What needs a comment: the number of its line, the line before it, and what it is.
+
+    `shared` has the procedures whose arguments need one; None: all do.
+    """
+    open_type, procedure, arguments, is_inside = "", "", set(), False
     for number, statement, before in statements_of(text):
         if module := MODULE.match(statement):
             yield number, before, f"module {module[1]}"
@@ -56,6 +96,7 @@ def things_of(text):
             open_type = kind[1]
             yield number, before, f"type {open_type}"
         elif re.match(r"(?:contains|end\s*type)\b", statement, re.IGNORECASE):
+            is_inside = is_inside or not open_type
             open_type = ""
         elif declaration := DECLARATION.match(statement):
             names = names_of(declaration[1])
@@ -63,14 +104,21 @@ def things_of(text):
                 yield number, before, f"component {', '.join(names)} of {open_type}"
             elif found := [name for name in names if name in arguments]:
                 arguments.difference_update(found)
+                if is_inside and shared is not None and (procedure.lower() not in shared or found == ["self"]):
+                    continue
                 yield number, before, f"argument {', '.join(found)} of {procedure}"
 
 
 def faults_of(root):
     """Everything without its comment, as FILE:LINE: what it is."""
-    return [f"{path.relative_to(root).as_posix()}:{number}: no comment `!>` before {what}"
-            for folder in ("src", "drivers") for path in sorted((root / folder).rglob("*.f90*"))
-            for number, before, what in things_of(path.read_text()) if not before.startswith("!>")]
+    shared, faults = shared_names(root), []
+    for path in sources_of(root):
+        text = path.read_text()
+        names = set().union(*(shared[module] for module in re.findall(r"^module (adfric\w*)$", text, re.MULTILINE)))
+        needed = None if path.parent.name in FOR_OTHERS else names | procedures_of_types(text, names)
+        faults += [f"{path.relative_to(root).as_posix()}:{number}: no comment `!>` before {what}"
+                   for number, before, what in things_of(text, needed) if not before.startswith("!>")]
+    return faults
 
 
 class Comments(unittest.TestCase):
@@ -81,12 +129,14 @@ class Comments(unittest.TestCase):
         faults = faults_of(ROOT)
         self.assertEqual([], faults, "\n" + "\n".join(faults))
 
-    def check(self, text, *expected):
-        """What a source has without a comment."""
+    def check(self, text, *expected, use="use adfric_base_a, only: f, g, s, t"):
+        """What a source has without a comment, where another folder uses names of it."""
         with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder, "src", "base", "a.f90")
+            file, other = Path(folder, "src", "base", "a.f90"), Path(folder, "src", "run", "b.f90")
             file.parent.mkdir(parents=True)
+            other.parent.mkdir(parents=True)
             file.write_text(text)
+            other.write_text(f"!> B.\nmodule adfric_run_b\n   {use}\nend module adfric_run_b\n")
             faults = [fault.split(":", 1)[1] for fault in faults_of(Path(folder))]
         self.assertEqual([f"{number}: no comment `!>` before {what}" for number, what in expected], faults)
 
@@ -107,6 +157,15 @@ class Comments(unittest.TestCase):
                    "      real, intent(in) :: A(size(b))\n   end subroutine s\nend module adfric_base_a\n",
                    (1, "module adfric_base_a"), (2, "type t"), (3, "component c, d of t"), (7, "procedure f"),
                    (8, "argument x, y of f"), (16, "argument a of s"))
+
+    def test_own_folder(self):
+        """Arguments of what no other folder uses need no comment, those of a type that one uses do."""
+        text = ("!> A.\nmodule adfric_base_a\n   !> T.\n   type :: t\n   contains\n      procedure :: f => g\n   end type t\ncontains\n"
+                "   !> G.\n   real function g(x)\n      real, intent(in) :: x\n   end function g\n"
+                "   !> H.\n   real function h(y)\n      real, intent(in) :: y\n   end function h\nend module adfric_base_a\n")
+        self.check(text, use="implicit none")
+        self.check(text, (11, "argument x of g"), use="use adfric_base_a, only: t")
+        self.check(text, (15, "argument y of h"), use="use :: adfric_base_a, only: own => h")
 
     def test_interfaces(self):
         """Arguments of bindings and of abstract interfaces count, procedures that are arguments, too."""

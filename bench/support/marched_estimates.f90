@@ -2,7 +2,7 @@
 !> Estimated and true errors of `wavy_sliding` on heights: sums of waves through samples and rows.
 !>
 !> Lengths and stresses are in units in which the period and the relaxed stiffness are 1.
-module marched_estimates
+module stepped_estimates
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t
@@ -13,19 +13,20 @@ module marched_estimates
    use adfric_shape_height_line, only: height_line_t, new_sampled_line, linear_pieces, cubic_pieces
    use adfric_foundation_case, only: kind_cosines, kind_map, kind_profile
    use adfric_foundation_given_surface, only: given_surface_t
-   use adfric_foundation_stepping_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, march_solved
-   use adfric_foundation_stepping_law, only: new_march_law
+   use adfric_foundation_stepping_equilibrium, only: stepping_surface_t, stepping_equilibrium_t, find_at_penetration, &
+      & find_at_load, stepping_solved
+   use adfric_foundation_stepping_law, only: new_stepping_law
    use adfric_foundation_stepping_relief, only: relief_t
    use adfric_foundation_stepping_solid, only: solid_t, new_solid
-   use adfric_foundation_stepping_path, only: new_way
-   use adfric_foundation_stepped_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched
-   use adfric_foundation_stepped_points, only: solve_marched_block
+   use adfric_foundation_stepping_path, only: new_path
+   use adfric_foundation_stepped_case, only: stepped_case_t, get_relief, get_spectrum, resolve_stepped
+   use adfric_foundation_stepped_points, only: solve_stepped_block
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
    use adfric_foundation_surface, only: negligible, share_of_scale
-   use adfric_foundation_variables
+   use adfric_foundation_variables, only: n_wavy_results, in => foundation_input, out => foundation_output
    use estimate_counts, only: counts_t, count_case
-   use march_cases, only: march_case_t
-   use march_judge, only: draw_case
+   use stepping_cases, only: stepping_case_t
+   use stepping_judge, only: draw_case
    use random_dice, only: dice_t, new_dice
    implicit none (type, external)
    private
@@ -52,11 +53,11 @@ contains
       type(counts_t), intent(out) :: counts, loaded
       integer, intent(in) :: seed
       type(dice_t) :: dice
-      type(march_case_t) :: trial
+      type(stepping_case_t) :: trial
       type(given_surface_t) :: given, moved
       type(forces_t) :: truth
       real(dp), allocatable :: values(:)
-      real(dp) :: depth, place
+      real(dp) :: depth, position
       integer :: k, m
 
       counts%name = 'cosines'
@@ -65,9 +66,9 @@ contains
       do k = 1, n_lines
          call draw_line(dice, k, trial, depth)
          call begin_point(trial, kind_cosines, depth, values, given)
-         call dice%between(0.0_dp, 1.0_dp, place)
+         call dice%between(0.0_dp, 1.0_dp, position)
          moved = given
-         moved%phases = [(given%phases(m) + two_pi*m*place, m=1, size(given%phases))]
+         moved%phases = [(given%phases(m) + two_pi*m*position, m=1, size(given%phases))]
          call find_truth(values, moved, truth)
          call keep(counts, values, given, truth)
          if (.not. (truth%is_solved .and. truth%load_scale > 0)) cycle
@@ -85,7 +86,7 @@ contains
       integer, intent(in) :: interpolation
       integer, intent(in) :: seed
       type(dice_t) :: dice
-      type(march_case_t) :: trial
+      type(stepping_case_t) :: trial
       type(given_surface_t) :: given, sampled
       type(forces_t) :: truth
       real(dp), allocatable :: values(:), of_samples(:)
@@ -118,7 +119,7 @@ contains
       integer, intent(in) :: seed
       integer, parameter :: across = 3
       type(dice_t) :: dice
-      type(march_case_t) :: trial
+      type(stepping_case_t) :: trial
       type(given_surface_t) :: given, sampled
       type(forces_t) :: truth, half
       real(dp), allocatable :: values(:), of_rows(:)
@@ -140,8 +141,8 @@ contains
          call begin_point(trial, kind_map, depth, of_rows, sampled)
          call give_rows(trial, parts, shifts, true_samples*size(trial%amplitudes), true_rows, values, given)
          call give_rows(trial, parts, shifts, nx, ny, of_rows, sampled)
-         ! the highest place of a map is that of its rows
-         values(v_penetration) = depth + highest_of(given%heights) - highest_of(sampled%heights)
+         ! the highest position of a map is that of its rows
+         values(in%penetration) = depth + highest_of(given%heights) - highest_of(sampled%heights)
          call find_truth(values, given, truth)
          call find_halves(values, given, truth, half)
          call keep(counts, of_rows, sampled, truth, half)
@@ -159,7 +160,7 @@ contains
    subroutine draw_line(dice, number, trial, depth)
       type(dice_t), intent(inout) :: dice
       integer, intent(in) :: number
-      type(march_case_t), intent(out) :: trial
+      type(stepping_case_t), intent(out) :: trial
       real(dp), intent(out) :: depth
       integer, parameter :: most_arms = 10
       real(dp) :: pace, factor
@@ -188,7 +189,7 @@ contains
 
    !> A point on the waves of a trial, without samples.
    subroutine begin_point(trial, kind, depth, values, given)
-      type(march_case_t), intent(in) :: trial
+      type(stepping_case_t), intent(in) :: trial
       integer, intent(in) :: kind
       real(dp), intent(in) :: depth
       real(dp), allocatable, intent(out) :: values(:)
@@ -197,12 +198,12 @@ contains
 
       call new_wavy_model(model)
       values = model%variables%default
-      values([v_kind, v_edge]) = [kind, trial%edge]
-      values(v_branch) = merge(2, 1, trial%is_approach)
-      values([v_period, v_stiffness, v_velocity]) = 1
-      values(v_penetration) = depth
-      if (trial%stress > 0) values([v_stress, v_range]) = [trial%stress, trial%range]
-      values([v_moduli, v_relaxation_times]) = 1
+      values([in%kind, in%edge]) = [kind, trial%edge]
+      values(in%branch) = merge(2, 1, trial%is_approach)
+      values([in%period, in%stiffness, in%velocity]) = 1
+      values(in%penetration) = depth
+      if (trial%stress > 0) values([in%stress, in%range]) = [trial%stress, trial%range]
+      values([in%moduli, in%relaxation_times]) = 1
       given%moduli = trial%stiffness
       given%relaxation_times = trial%times
       given%amplitudes = trial%amplitudes
@@ -211,7 +212,7 @@ contains
 
    !> Samples of the waves of a trial.
    subroutine give_samples(trial, n, interpolation, values, given)
-      type(march_case_t), intent(in) :: trial
+      type(stepping_case_t), intent(in) :: trial
       integer, intent(in) :: n, interpolation
       real(dp), intent(inout) :: values(:)
       type(given_surface_t), intent(inout) :: given
@@ -221,13 +222,13 @@ contains
       allocate (given%heights(n, 1))
       call fill_row(trial, weights, given%heights(:, 1))
       call set_samples(n, values)
-      if (interpolation == linear_pieces) values(v_interpolation) = 1
+      if (interpolation == linear_pieces) values(in%interpolation) = 1
    end subroutine give_samples
 
    !> Rows in which the waves of a trial are of changing height: the m-th has the share 1 + sum over k of parts(k) cos(2 pi k y + m
    !> shifts(k)).
    subroutine give_rows(trial, parts, shifts, nx, ny, values, given)
-      type(march_case_t), intent(in) :: trial
+      type(stepping_case_t), intent(in) :: trial
       real(dp), intent(in) :: parts(:), shifts(:)
       integer, intent(in) :: nx, ny
       real(dp), intent(inout) :: values(:)
@@ -246,12 +247,12 @@ contains
          call fill_row(trial, weights, given%heights(:, j))
       end do
       call set_samples(nx, values)
-      values(v_strip_spacing) = 1/real(ny, dp)
+      values(in%strip_spacing) = 1/real(ny, dp)
    end subroutine give_rows
 
    !> Samples of a sum of waves.
    pure subroutine fill_row(trial, weights, heights)
-      type(march_case_t), intent(in) :: trial
+      type(stepping_case_t), intent(in) :: trial
       !> Factors of the amplitudes.
       real(dp), intent(in) :: weights(:)
       real(dp), intent(out) :: heights(:)
@@ -270,9 +271,9 @@ contains
       integer, intent(in) :: n
       real(dp), intent(inout) :: values(:)
 
-      values([v_heights, v_detrend, v_periodise]) = 1
-      values(v_spacing) = 1/real(n, dp)
-      values(v_period) = unset
+      values([in%heights, in%detrend, in%periodise]) = 1
+      values(in%spacing) = 1/real(n, dp)
+      values(in%period) = unset
    end subroutine set_samples
 
    !> Put a point under a load.
@@ -280,11 +281,11 @@ contains
       real(dp), intent(inout) :: values(:)
       real(dp), intent(in) :: load
 
-      values(v_penetration) = unset
-      values(v_load) = load
+      values(in%penetration) = unset
+      values(in%load) = load
    end subroutine load_point
 
-   !> Highest place of rows.
+   !> Highest position of rows.
    real(dp) function highest_of(heights) result(highest)
       real(dp), intent(in) :: heights(:, :)
       type(height_line_t) :: line
@@ -307,30 +308,30 @@ contains
       type(relief_t) :: relief
       type(prony_t) :: prony
       type(master_curve_fit_t) :: fit
-      type(marched_case_t) :: point
+      type(stepped_case_t) :: point
       type(solid_t) :: solid
-      type(march_surface_t) :: surface
-      type(march_equilibrium_t) :: found
+      type(stepping_surface_t) :: surface
+      type(stepping_equilibrium_t) :: found
       type(error_t), allocatable :: error
       integer :: i
 
       call get_relief(values, given, .false., relief, error)
       if (allocated(error)) error stop 'marched_estimates: no rows'
       call get_spectrum(values, given, prony, fit)
-      call resolve_marched(values, given, relief, prony, point)
+      call resolve_stepped(values, given, relief, prony, point)
       call new_solid(solid, prony, point%pace)
       allocate (surface%rows(size(relief%rows)))
       do i = 1, size(relief%rows)
-         call new_way(surface%rows(i), relief%rows(i), solid)
+         call new_path(surface%rows(i), relief%rows(i), solid)
       end do
-      call new_march_law(surface%law, point%stress, point%range, point%edge, solid%glassy)
+      call new_stepping_law(surface%law, point%stress, point%range, point%edge, solid%glassy)
       surface%is_approach = point%is_approach
       if (point%is_load_given) then
          call find_at_load(surface, point%load, found)
       else
          call find_at_penetration(surface, point%penetration, found)
       end if
-      truth%is_solved = found%status == march_solved
+      truth%is_solved = found%status == stepping_solved
       if (.not. truth%is_solved) return
       associate (f => found%forces, n => size(found%forces))
          truth%load = sum(f%load)/n*point%load_unit
@@ -353,8 +354,8 @@ contains
       every_second = given
       every_second%heights = given%heights(:, ::2)
       of_half = values
-      of_half(v_strip_spacing) = 2*values(v_strip_spacing)
-      if (is_set(values(v_penetration))) of_half(v_penetration) = values(v_penetration) &
+      of_half(in%strip_spacing) = 2*values(in%strip_spacing)
+      if (is_set(values(in%penetration))) of_half(in%penetration) = values(in%penetration) &
          + highest_of(every_second%heights) - highest_of(given%heights)
       call find_truth(of_half, every_second, half)
    end subroutine find_halves
@@ -371,13 +372,13 @@ contains
       integer :: status(1)
       logical :: is_load_given
 
-      call solve_marched_block(given, reshape(values, [size(values), 1]), results, estimate, status)
+      call solve_stepped_block(given, reshape(values, [size(values), 1]), results, estimate, status)
       if (.not. truth%is_solved .or. status(1) /= status_solved) then
          counts%n_unsolved = counts%n_unsolved + 1
          return
       end if
-      is_load_given = is_set(values(v_load))
-      error = true_error(results(r_load, 1), results(r_friction_force, 1), truth, is_load_given)
+      is_load_given = is_set(values(in%load))
+      error = true_error(results(out%load, 1), results(out%friction_force, 1), truth, is_load_given)
       if (present(half)) then
          if (.not. half%is_solved) then
             counts%n_doubtful = counts%n_doubtful + 1
@@ -403,4 +404,4 @@ contains
       error = min(1.0_dp, maxval(errors/sizes))
    end function true_error
 
-end module marched_estimates
+end module stepped_estimates

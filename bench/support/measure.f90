@@ -60,26 +60,26 @@ contains
    end subroutine print_heading
 
    !> An argument of the command line that is a whole number.
-   integer function integer_argument(place, default) result(value)
-      integer, intent(in) :: place, default
+   integer function integer_argument(position, default) result(value)
+      integer, intent(in) :: position, default
       character(32) :: text
       integer :: status
 
       value = default
-      call get_command_argument(place, text)
+      call get_command_argument(position, text)
       if (text == '') return
       read (text, *, iostat=status) value
       if (status /= 0) error stop 'not a whole number: '//text
    end function integer_argument
 
    !> An argument of the command line.
-   function text_argument(place, default) result(text)
-      integer, intent(in) :: place
+   function text_argument(position, default) result(text)
+      integer, intent(in) :: position
       character(*), intent(in) :: default
       character(:), allocatable :: text
       character(4096) :: buffer
 
-      call get_command_argument(place, buffer)
+      call get_command_argument(position, buffer)
       text = trim(buffer)
       if (text == '') text = default
    end function text_argument

@@ -10,7 +10,7 @@ module quad_dugdale
       relative, least_value
 
    real(qp), parameter :: pi = 3.14159265358979323846264338327950288_qp
-   !> No state that is asked for lies beyond +- this, and no step that is left is longer than the other.
+   !> No state that is asked for lies beyond +- this, and no step that remains is longer than the other.
    real(qp), parameter :: farthest = 80, close_enough = 1.0e-25_qp
    integer, parameter :: coarse_halvings = 30, all_halvings = 130, newton_steps = 6
 
@@ -27,7 +27,7 @@ module quad_dugdale
 
 contains
 
-   !> The state at a place.
+   !> The state at a position.
    pure type(state_t) function state_at(lambda, y) result(state)
       real(qp), intent(in) :: lambda, y
       real(qp) :: mu, m, angle, aa, bb, aa_slope, bb_slope, a, a_slope, pull, pull_slope
@@ -65,7 +65,7 @@ contains
       end do
    end function area_term
 
-   !> Where a quantity falls through a value, from the largest contact to a place.
+   !> Where a quantity falls through a value, from the largest contact to a position.
    type(state_t) function find(lambda, quantity, given, last) result(state)
       real(dp), intent(in) :: lambda, given
       integer, intent(in) :: quantity
@@ -92,8 +92,8 @@ contains
       if (.not. abs(step) < close_enough) error stop 'quad_dugdale: no convergence'
    end function find
 
-   !> The place where load or approach is least. Far beyond it the slope is lost in round-off, so that the search ends
-   !> where the radius is a small part of lambda; a curve without such a place is followed as far as that.
+   !> The position where load or approach is least. Far beyond it the slope is lost in round-off, so that the search ends
+   !> where the radius is a small part of lambda; a curve without such a position is followed as far as that.
    real(qp) function fold_of(lambda, quantity) result(y)
       real(dp), intent(in) :: lambda
       integer, intent(in) :: quantity

@@ -2,7 +2,8 @@
 !> Contacts of a sphere with their answers in quadruple precision, for other programs to be compared with.
 module sphere_points
    use adfric_base_kinds, only: dp
-   use adfric_round_sphere_contact, only: contact_t, control_load, control_approach, control_radius, branch_stable, find_contact, &
+   use adfric_round_sphere_contact, only: sphere_contact_t, control_load, control_approach, control_radius, branch_stable, &
+      & find_contact, &
       theory_jkr, theory_dmt
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_jkr, only: jkr_t
@@ -27,10 +28,10 @@ contains
       integer, intent(out) :: n_failed
       integer, parameter :: n = 50
       type(maugis_t) :: theory
-      type(contact_t) :: contact, fold
+      type(sphere_contact_t) :: contact, fold
       type(state_t) :: truth
       type(spread_t) :: t
-      real(dp) :: lambda, held(n), times(n_repeats), other_times(3)
+      real(dp) :: lambda, prescribed(n), times(n_repeats), other_times(3)
       integer :: table, decade, control, k, failed
 
       n_failed = 0
@@ -40,26 +41,26 @@ contains
          lambda = 10.0_dp**decade
          theory%lambda = lambda
          call theory%pull_off(control_load, fold)
-         held = logarithmic(-2.0_dp, 2.0_dp, n)
-         call time_theory(lambda, control_radius, held, .false., times, failed)
+         prescribed = logarithmic(-2.0_dp, 2.0_dp, n)
+         call time_theory(lambda, control_radius, prescribed, .false., times, failed)
          n_failed = n_failed + failed
          t = spread_of(times)
-         call time_others(lambda, held, n_repeats, other_times)
+         call time_others(lambda, prescribed, n_repeats, other_times)
          do k = 1, n
-            contact = contact_t()
-            call find_contact(theory, control_radius, held(k), branch_stable, contact)
-            truth = of_radius(lambda, held(k))
-            call write_point(table, lambda, 'radius', held(k), truth, contact, t%median, other_times)
+            contact = sphere_contact_t()
+            call find_contact(theory, control_radius, prescribed(k), branch_stable, contact)
+            truth = of_radius(lambda, prescribed(k))
+            call write_point(table, lambda, 'radius', prescribed(k), truth, contact, t%median, other_times)
          end do
-         held = fold%load + logarithmic(-2.0_dp, 2.0_dp, n)
-         call time_theory(lambda, control_load, held, .false., times, failed)
+         prescribed = fold%load + logarithmic(-2.0_dp, 2.0_dp, n)
+         call time_theory(lambda, control_load, prescribed, .false., times, failed)
          n_failed = n_failed + failed
          t = spread_of(times)
          do k = 1, n
-            contact = contact_t()
-            call find_contact(theory, control_load, held(k), branch_stable, contact)
-            truth = of_load(lambda, held(k))
-            call write_point(table, lambda, 'load', held(k), truth, contact, t%median)
+            contact = sphere_contact_t()
+            call find_contact(theory, control_load, prescribed(k), branch_stable, contact)
+            truth = of_load(lambda, prescribed(k))
+            call write_point(table, lambda, 'load', prescribed(k), truth, contact, t%median)
          end do
          do control = control_load, control_approach
             call time_pull_off(lambda, control, times, failed)
@@ -81,7 +82,7 @@ contains
       real(dp), intent(in) :: lambda, value, time
       character(*), intent(in) :: what
       type(state_t), intent(in) :: truth
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
       !> Of the textbook's form, JKR and DMT, where the radius is held [us].
       real(dp), intent(in), optional :: other_times(3)
 
@@ -100,7 +101,7 @@ contains
       integer, intent(in) :: table
       real(dp), intent(in) :: lambda, radius, times(3)
       type(state_t), intent(in) :: truth
-      type(contact_t) :: limit
+      type(sphere_contact_t) :: limit
       type(jkr_t) :: jkr
       type(dmt_t) :: dmt
       real(dp) :: load, approach
@@ -115,7 +116,7 @@ contains
       call jkr%of_radius(radius, limit)
       write (table, '(2(",", es24.16), ",", f0.4, ",", es9.2)', advance='no') limit%load, limit%approach, times(2), &
          bound_of(theory_jkr)
-      limit = contact_t()
+      limit = sphere_contact_t()
       call dmt%of_radius(radius, limit)
       write (table, '(2(",", es24.16), ",", f0.4, ",", es9.2)') limit%load, limit%approach, times(3), bound_of(theory_dmt)
 
@@ -141,7 +142,7 @@ contains
       real(dp), intent(out) :: medians(3)
       integer, parameter :: n_calls = 20
       type(spread_t) :: t
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       type(jkr_t) :: jkr
       type(dmt_t) :: dmt
       real(dp) :: times(n_repeats), start, load, approach, total

@@ -2,7 +2,7 @@
 !> Times of contacts of a sphere by Maugis's theory, and the numbers that are held.
 module sphere_timing
    use adfric_base_kinds, only: dp
-   use adfric_round_sphere_contact, only: contact_t, branch_stable, find_contact
+   use adfric_round_sphere_contact, only: sphere_contact_t, branch_stable, find_contact
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
    use adfric_system_clock, only: wall_clock
    use random_dice, only: dice_t, new_dice
@@ -15,29 +15,29 @@ module sphere_timing
 contains
 
    !> Microseconds per contact, each started from the last one or from nothing.
-   subroutine time_theory(lambda, control, held, is_warm, times, n_failed)
-      real(dp), intent(in) :: lambda, held(:)
+   subroutine time_theory(lambda, control, prescribed, is_warm, times, n_failed)
+      real(dp), intent(in) :: lambda, prescribed(:)
       integer, intent(in) :: control
       logical, intent(in) :: is_warm
       real(dp), intent(out) :: times(:)
       !> Of the last repetition.
       integer, intent(out) :: n_failed
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       real(dp) :: start
       integer :: r, k
 
       theory%lambda = lambda
       do r = 1, size(times)
-         contact = contact_t()
+         contact = sphere_contact_t()
          n_failed = 0
          start = wall_clock()
-         do k = 1, size(held)
-            if (.not. is_warm) contact%place = 0
-            call find_contact(theory, control, held(k), branch_stable, contact)
+         do k = 1, size(prescribed)
+            if (.not. is_warm) contact%position = 0
+            call find_contact(theory, control, prescribed(k), branch_stable, contact)
             if (.not. (contact%is_found .and. contact%is_converged)) n_failed = n_failed + 1
          end do
-         times(r) = 1.0e6_dp*(wall_clock() - start)/size(held)
+         times(r) = 1.0e6_dp*(wall_clock() - start)/size(prescribed)
       end do
    end subroutine time_theory
 
@@ -48,7 +48,7 @@ contains
       real(dp), intent(out) :: times(:)
       integer, intent(out) :: n_failed
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       real(dp) :: start
       integer :: r, k
 
@@ -88,15 +88,15 @@ contains
    !> The same numbers in random order.
    pure function shuffle(numbers) result(shuffled)
       real(dp), intent(in) :: numbers(:)
-      real(dp) :: shuffled(size(numbers)), moved, place
+      real(dp) :: shuffled(size(numbers)), moved, position
       type(dice_t) :: dice
       integer :: k, other
 
       call new_dice(dice, 1)
       shuffled = numbers
       do k = size(numbers), 2, -1
-         call dice%between(1.0_dp, real(k + 1, dp), place)
-         other = min(int(place), k)
+         call dice%between(1.0_dp, real(k + 1, dp), position)
+         other = min(int(position), k)
          moved = shuffled(k)
          shuffled(k) = shuffled(other)
          shuffled(other) = moved

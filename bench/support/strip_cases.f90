@@ -54,7 +54,7 @@ contains
             call find_steady_state(c%strip, c%trial%branch, c%answer)
             found = c%answer%regime
             if (found == regime_adhesion_zones .and. c%answer%entry > 0) found = snap
-            ! adhesion in the whole gap has no edges, an elastic foundation no Maxwell arm to march
+            ! adhesion in the whole gap has no edges, an elastic foundation no Maxwell arm to time stepping
             if (found /= regime .or. c%trial%beta <= 1) cycle
             if (regime == regime_adhesion_only .and. c%answer%half_width >= 3.14_dp) cycle
             call make_strip(c%trial, neighbour, strip)

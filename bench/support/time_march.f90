@@ -1,21 +1,21 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One period of a strip followed in equal steps of time, and the forces that its steps add up to: what a
 !> general simulation would do. Backward differences, of first order. For comparison only.
-module time_march
+module time_stepping
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_foundation_column, only: get_column
    use adfric_foundation_strip, only: strip_t, steady_state_t, regime_free
    implicit none (type, external)
    private
-   public :: march_forces
+   public :: stepping_forces
 
    integer, parameter :: in_contact = 1, in_adhesion = 2, is_free = 3
 
 contains
 
    !> Load and friction over the phases of one period, from the column of a state.
-   pure subroutine march_forces(strip, state, steps, load, friction)
+   pure subroutine stepping_forces(strip, state, steps, load, friction)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
       integer, intent(in) :: steps
@@ -39,7 +39,7 @@ contains
          load = load + h*p
          friction = friction + h*p*sin(xi)
       end do
-   end subroutine march_forces
+   end subroutine stepping_forces
 
    !> One step of the phase.
    pure subroutine step_column(strip, h, level, w, p, zone)
@@ -74,4 +74,4 @@ contains
       end associate
    end subroutine step_column
 
-end module time_march
+end module time_stepping

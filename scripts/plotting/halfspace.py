@@ -12,7 +12,7 @@ from .labels import axis_label, point_label, scale_of
 from .style import COLOURS, DASHES, adhesion_colours, adhesion_ticks, make_panels, plt
 from .surface import ADHESION_KEY, choose_points, draw_outline, label_rows, relative_gap
 
-# bi-sinusoidal wave: mean pressure over that of full contact at which the summits' contacts merge (docs/theory/periodic.md)
+# bi-sinusoidal wave: mean pressure over that of full contact at which the summits' contacts merge (docs/theory/periodic_contact.md)
 MERGING = 0.2286
 # how far the asymptotes are drawn
 LIGHT, HEAVY = 0.35, 0.45

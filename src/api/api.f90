@@ -13,11 +13,11 @@
 !> closed.
 !>
 !> All but the solution of the points is done by one thread at a time (`critical (adfric_api)`), since gfortran keeps the lengths of
-!> texts that functions give back in one place for all threads.
+!> texts that functions give back in one index for all threads.
 module adfric_api
    use adfric, only: known_models
    use adfric_api_solution, only: solve_by_threads, stopped
-   use adfric_api_state, only: open_model, read_state, state_t
+   use adfric_api_state, only: open_model, read_state, case_state_t
    use adfric_api_numbers, only: find_extra
    use adfric_api_results, only: describe_name, find_axis, find_profile, find_result, list_of
    use adfric_base_error, only: error_t, file_failure, input_failure
@@ -39,7 +39,7 @@ module adfric_api
    type :: simulation_t
       private
       !> The model with its points and values, and what was found.
-      type(state_t) :: state
+      type(case_state_t) :: state
    contains
       procedure :: close => close_simulation
       procedure, private :: set_real
@@ -248,7 +248,7 @@ contains
    end subroutine unset
 
    !> Sweep a variable. Several sweeps make the outer product of their values; the variable that is swept last varies fastest. A
-   !> variable that is swept already takes the new values in the same place.
+   !> variable that is swept already takes the new values in the same index.
    subroutine sweep_one(self, name, values, error)
       !> The simulation; unchanged if there is an error.
       class(simulation_t), intent(inout) :: self

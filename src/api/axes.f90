@@ -12,11 +12,11 @@ module adfric_api_axes
 
 contains
 
-   !> Put an axis behind the others, or in the place of one along which the same variables change.
+   !> Put an axis behind the others, or in the index of one along which the same variables change.
    subroutine put_axis(axes, variables, values)
       !> The axes, the slowest first.
       type(axis_t), allocatable, intent(inout) :: axes(:)
-      !> Places of the variables in the model's table, each once.
+      !> Indices of the variables in the model's table, each once.
       integer, intent(in) :: variables(:)
       !> Values of the variables; shape `(n_variables, n_values)`.
       real(dp), intent(in) :: values(:, :)
@@ -46,7 +46,7 @@ contains
    subroutine leave_out(axes, variable)
       !> The axes, the slowest first.
       type(axis_t), allocatable, intent(inout) :: axes(:)
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       type(axis_t), allocatable :: shorter(:)
       logical, allocatable :: is_kept(:)
@@ -69,7 +69,7 @@ contains
       end do
    end subroutine leave_out
 
-   !> Move axes to other places.
+   !> Move axes to other indices.
    subroutine move_axes(from, to)
       !> The axes, which are empty afterwards.
       type(axis_t), intent(inout) :: from(:)

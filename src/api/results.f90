@@ -40,7 +40,7 @@ contains
       real(dp), allocatable, intent(out) :: values(:)
       !> Allocated if there is no such result.
       type(error_t), allocatable, intent(out) :: error
-      integer :: place
+      integer :: index
 
       select case (plain(name))
       case ('error_estimate')
@@ -48,9 +48,9 @@ contains
       case ('status')
          values = real(found%status, dp)
       case default
-         place = place_in(names_of(model, 'results'), name)
-         if (place > 0) then
-            values = found%results(:, place)
+         index = index_in(names_of(model, 'results'), name)
+         if (index > 0) then
+            values = found%results(:, index)
          else
             call refuse(name, 'result', names_of(model, 'results')//' '//model%profile_axes, error)
          end if
@@ -70,22 +70,22 @@ contains
       !> Allocated if there is no such result, or it has no states.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: with_states
-      integer :: i, place
+      integer :: i, index
 
       if (plain(name) == 'status') then
          values = found%status
          return
       end if
-      place = place_in(names_of(model, 'results'), name)
+      index = index_in(names_of(model, 'results'), name)
       ! the error estimate stands behind those of the table
-      if (place > size(model%results)) place = 0
-      if (place > 0) then
-         if (model%results(place)%n_states() == 0) place = 0
+      if (index > size(model%results)) index = 0
+      if (index > 0) then
+         if (model%results(index)%n_states() == 0) index = 0
       end if
-      if (place > 0) then
+      if (index > 0) then
          allocate (values(size(found%status)), source=-1)
          do i = 1, size(values)
-            if (ieee_is_finite(found%results(i, place))) values(i) = nint(found%results(i, place))
+            if (ieee_is_finite(found%results(i, index))) values(i) = nint(found%results(i, index))
          end do
       else
          with_states = 'status'
@@ -96,14 +96,14 @@ contains
       end if
    end subroutine find_states
 
-   !> Place of an axis of the profiles; 0 if there is none of that name.
+   !> Index of an axis of the profiles; 0 if there is none of that name.
    integer function find_axis(model, name) result(axis)
       !> The model, whose axes are searched.
       class(model_t), intent(in) :: model
       !> Name of the axis.
       character(*), intent(in) :: name
 
-      axis = place_in(names_of(model, 'axes'), name)
+      axis = index_in(names_of(model, 'axes'), name)
    end function find_axis
 
    !> A profile of a point.
@@ -120,20 +120,20 @@ contains
       real(dp), allocatable, intent(out) :: values(:, :)
       !> Allocated if there is no such profile or point, or profiles were not asked for.
       type(error_t), allocatable, intent(out) :: error
-      integer :: place
+      integer :: index
 
-      place = place_in(names_of(model, 'profiles'), name)
-      if (place == 0) then
+      index = index_in(names_of(model, 'profiles'), name)
+      if (index == 0) then
          call refuse(name, 'profile', names_of(model, 'profiles'), error)
       else if (size(found%profiles) == 0) then
          call set_error(error, input_failure, '&output profiles: is .false., needed for a profile: .true.')
-      else if (place > size(found%profiles, 3)) then
+      else if (index > size(found%profiles, 3)) then
          call refuse(name, 'profile of this case', first_words(names_of(model, 'profiles'), size(found%profiles, 3)), error)
       else if (point < 1 .or. point > size(found%status, kind=i8)) then
          call set_error(error, input_failure, 'there is no point '//show_count(point)//', allowed: 1 to '// &
             & show_count(size(found%status, kind=i8)))
       else
-         values = found%profiles(:, :, place, point)
+         values = found%profiles(:, :, index, point)
       end if
    end subroutine find_profile
 
@@ -156,44 +156,44 @@ contains
       type(profile_t), allocatable :: profiles(:)
       type(problems_t) :: problems
       logical :: is_complete
-      integer :: place
+      integer :: index
 
       ! units that depend on values that are missing are those of the table
       call model%check_values(input%values, input%is_swept, problems)
       is_complete = problems%count() == 0
       words = ''
-      place = place_in(names_of(model, 'results'), name)
-      if (place > 0) then
-         call describe_result(model, input, place, is_complete, unit, long_name, words)
-      else if (place_in(names_of(model, 'profiles'), name) > 0) then
+      index = index_in(names_of(model, 'results'), name)
+      if (index > 0) then
+         call describe_result(model, input, index, is_complete, unit, long_name, words)
+      else if (index_in(names_of(model, 'profiles'), name) > 0) then
          allocate (profiles, source=model%profiles)
-         place = place_in(names_of(model, 'profiles'), name)
-         if (place > model%count_profiles(input%values)) is_complete = .false.
+         index = index_in(names_of(model, 'profiles'), name)
+         if (index > model%count_profiles(input%values)) is_complete = .false.
          if (is_complete) profiles = model%describe_profiles(input%values)
-         unit = profiles(place)%unit
-         long_name = profiles(place)%long_name
+         unit = profiles(index)%unit
+         long_name = profiles(index)%long_name
       else if (find_axis(model, name) > 0) then
          call describe_axis(model, input, find_axis(model, name), is_complete, unit, long_name)
       else
-         place = place_in(names_of(model, 'variables'), name)
-         if (place == 0) call refuse(name, 'name', names_of(model, 'results')//' '//names_of(model, 'profiles')//' '// &
+         index = index_in(names_of(model, 'variables'), name)
+         if (index == 0) call refuse(name, 'name', names_of(model, 'results')//' '//names_of(model, 'profiles')//' '// &
             & names_of(model, 'axes')//' '//names_of(model, 'variables'), error)
-         if (place == 0) return
-         unit = model%variables(place)%unit
-         if (is_complete) unit = model%unit_of(input%values, place)
-         long_name = model%variables(place)%meaning
-         if (model%variables(place)%kind == kind_choice) words = model%variables(place)%choices
+         if (index == 0) return
+         unit = model%variables(index)%unit
+         if (is_complete) unit = model%unit_of(input%values, index)
+         long_name = model%variables(index)%meaning
+         if (model%variables(index)%kind == kind_choice) words = model%variables(index)%choices
       end if
    end subroutine describe_name
 
    !> What a result is.
-   subroutine describe_result(model, input, place, is_complete, unit, long_name, states)
+   subroutine describe_result(model, input, index, is_complete, unit, long_name, states)
       !> The model, which describes its results.
       class(model_t), intent(in) :: model
       !> Values of the variables.
       type(case_t), intent(in) :: input
-      !> Place of the result, from 1; those that every model has stand behind the others.
-      integer, intent(in) :: place
+      !> Index of the result, from 1; those that every model has stand behind the others.
+      integer, intent(in) :: index
       !> Do the values describe a case, on which units may depend?
       logical, intent(in) :: is_complete
       !> Receives the unit.
@@ -205,14 +205,14 @@ contains
       type(result_t), allocatable :: results(:)
       type(result_t) :: found
 
-      if (place > size(model%results)) then
+      if (index > size(model%results)) then
          allocate (results, source=results_of_every_run())
-         found = results(place - size(model%results))
+         found = results(index - size(model%results))
       else if (is_complete) then
          allocate (results, source=model%describe_results(input%values))
-         found = results(place)
+         found = results(index)
       else
-         found = model%results(place)
+         found = model%results(index)
       end if
       unit = found%unit
       long_name = found%long_name
@@ -226,7 +226,7 @@ contains
       class(model_t), intent(in) :: model
       !> Values of the variables.
       type(case_t), intent(in) :: input
-      !> Place of the axis, from 1.
+      !> Index of the axis, from 1.
       integer, intent(in) :: axis
       !> Do the values describe a case, on which units may depend?
       logical, intent(in) :: is_complete
@@ -260,7 +260,7 @@ contains
       character(:), allocatable :: words
       integer :: i
 
-      if (place_in(lists, what) == 0) then
+      if (index_in(lists, what) == 0) then
          call refuse(what, 'list', lists, error)
          return
       end if
@@ -322,17 +322,17 @@ contains
       end do
    end function first_words
 
-   !> Place of a name in a list; 0 if it is not there. Capitals, and blanks at its end, do not count.
-   pure integer function place_in(words, name) result(place)
+   !> Index of a name in a list; 0 if it is not there. Capitals, and blanks at its end, do not count.
+   pure integer function index_in(words, name) result(index)
       !> Names, separated by a blank.
       character(*), intent(in) :: words
       !> The name that is looked for.
       character(*), intent(in) :: name
 
-      do place = count_words(words), 1, -1
-         if (get_word(words, place) == plain(name)) return
+      do index = count_words(words), 1, -1
+         if (get_word(words, index) == plain(name)) return
       end do
-   end function place_in
+   end function index_in
 
    !> A name as the tables have it.
    pure function plain(name)

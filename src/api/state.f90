@@ -3,7 +3,7 @@
 module adfric_api_state
    use adfric, only: known_models, new_model
    use adfric_api_axes, only: leave_out, put_axis
-   use adfric_api_values, only: check_swept, error_of, find_place, give_number, give_samples, give_switch, give_word
+   use adfric_api_values, only: check_swept, error_of, find_index, give_number, give_samples, give_switch, give_word
    use adfric_base_error, only: error_t, input_failure, set_error
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
@@ -23,10 +23,10 @@ module adfric_api_state
    use adfric_run_run, only: new_run, run_t
    implicit none (type, external)
    private
-   public :: state_t, open_model, open_state, read_state
+   public :: case_state_t, open_model, open_state, read_state
 
    !> The parts of a simulation.
-   type :: state_t
+   type :: case_state_t
       !> The model with its points; the model is not allocated where the simulation is closed.
       type(run_t) :: run
       !> Value of every variable, and which of them are given or swept.
@@ -46,14 +46,14 @@ module adfric_api_state
       procedure :: check_case
       procedure :: check_open
       procedure :: check_solved
-   end type state_t
+   end type case_state_t
 
 contains
 
    !> Open a model by its name.
    subroutine open_model(self, name, error)
       !> Receives the model, with no value but the defaults; closed if there is an error.
-      type(state_t), intent(out) :: self
+      type(case_state_t), intent(out) :: self
       !> Name of the model; blanks at its end do not count.
       character(*), intent(in) :: name
       !> Allocated if there is no such model; says which there are.
@@ -71,7 +71,7 @@ contains
    !> Open what an input describes: the model, its values, sweeps and datasets, or a fit with its data.
    subroutine read_state(self, input, is_text, error, tables)
       !> Receives the model with its values; closed if there is an error.
-      type(state_t), intent(out) :: self
+      type(case_state_t), intent(out) :: self
       !> Name of the input, or its text.
       character(*), intent(in) :: input
       !> Is it the text, and not the name?
@@ -111,7 +111,7 @@ contains
    !> Take over what an input describes.
    subroutine take_input(self, run)
       !> Receives the model with its values.
-      type(state_t), intent(inout) :: self
+      type(case_state_t), intent(inout) :: self
       !> What the input describes; nothing is left of it.
       type(run_input_t), intent(inout) :: run
       logical :: is_fit
@@ -138,7 +138,7 @@ contains
    !> Open a model.
    subroutine open_state(self, model)
       !> Receives the model, with no value but the defaults.
-      type(state_t), intent(out) :: self
+      type(case_state_t), intent(out) :: self
       !> The model, which is taken over.
       class(model_t), allocatable, intent(inout) :: model
 
@@ -149,7 +149,7 @@ contains
    !> Give everything back.
    subroutine close_state(self)
       !> The simulation, open or closed.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
 
       if (allocated(self%found)) deallocate (self%found)
       if (allocated(self%run%model)) deallocate (self%run%model)
@@ -158,7 +158,7 @@ contains
    !> Give a variable one value: it is not swept any more.
    subroutine give(self, name, value, error)
       !> The simulation; unchanged if there is an error.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
       !> The value: a real number of kind `dp`, an integer, a logical or a word.
@@ -166,30 +166,30 @@ contains
       !> Not allocated if the value is given.
       type(error_t), allocatable, intent(out) :: error
       type(problems_t) :: problems
-      integer :: place
+      integer :: index
 
-      call find_variable(self, name, place, error)
+      call find_variable(self, name, index, error)
       if (allocated(error)) return
-      associate (variable => self%run%model%variables(place))
+      associate (variable => self%run%model%variables(index))
          select type (value)
          type is (real(dp))
-            call give_number(variable, value, self%input%values(place), problems)
+            call give_number(variable, value, self%input%values(index), problems)
          type is (integer)
-            call give_number(variable, real(value, dp), self%input%values(place), problems)
+            call give_number(variable, real(value, dp), self%input%values(index), problems)
          type is (logical)
-            call give_switch(variable, value, self%input%values(place), problems)
+            call give_switch(variable, value, self%input%values(index), problems)
          type is (character(*))
-            call give_word(variable, value, self%input%values(place), problems)
+            call give_word(variable, value, self%input%values(index), problems)
          end select
       end associate
       call error_of(problems, error)
-      if (.not. allocated(error)) call mark(self, place, is_given=.true.)
+      if (.not. allocated(error)) call mark(self, index, is_given=.true.)
    end subroutine give
 
    !> Give a variable a dataset.
    subroutine give_dataset(self, name, values, rank, error)
       !> The simulation; after an error the dataset is not given.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
       !> Values of the dataset in the SI unit of the variable; shape `(nx, ny)`, ny = 1 for one dimension.
@@ -199,35 +199,35 @@ contains
       !> Not allocated if the dataset is given.
       type(error_t), allocatable, intent(out) :: error
       type(problems_t) :: problems
-      integer :: place
+      integer :: index
 
-      call find_variable(self, name, place, error)
+      call find_variable(self, name, index, error)
       if (allocated(error)) return
-      call give_samples(self%run%model, place, values, rank, self%input, problems)
+      call give_samples(self%run%model, index, values, rank, self%input, problems)
       call error_of(problems, error)
-      if (allocated(self%found) .and. self%run%model%variables(place)%kind == kind_dataset) deallocate (self%found)
+      if (allocated(self%found) .and. self%run%model%variables(index)%kind == kind_dataset) deallocate (self%found)
    end subroutine give_dataset
 
    !> Give a variable its default value again, or none.
    subroutine take_back(self, name, error)
       !> The simulation; unchanged if there is an error.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
       !> Allocated if there is no such variable.
       type(error_t), allocatable, intent(out) :: error
-      integer :: place
+      integer :: index
 
-      call find_variable(self, name, place, error)
+      call find_variable(self, name, index, error)
       if (allocated(error)) return
-      self%input%values(place) = self%run%model%variables(place)%default
-      call mark(self, place, is_given=.false.)
+      self%input%values(index) = self%run%model%variables(index)%default
+      call mark(self, index, is_given=.false.)
    end subroutine take_back
 
    !> Sweep variables together.
    subroutine sweep(self, names, values, error)
       !> The simulation; unchanged if there is an error.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Names of the variables, or `group%name`.
       character(*), intent(in) :: names(:)
       !> Values of the variables in their SI units; shape `(n_values, n_names)`.
@@ -235,7 +235,7 @@ contains
       !> Not allocated if the variables are swept.
       type(error_t), allocatable, intent(out) :: error
       type(problems_t) :: problems
-      integer :: places(size(names)), k
+      integer :: indices(size(names)), k
 
       call self%check_open(error)
       if (allocated(error)) return
@@ -245,18 +245,18 @@ contains
          return
       end if
       do k = 1, size(names)
-         call find_variable(self, names(k), places(k), error)
+         call find_variable(self, names(k), indices(k), error)
          if (allocated(error)) return
-         call check_swept(self%run%model%variables(places(k)), values(:, k), problems)
-         if (any(places(:k - 1) == places(k))) call problems%add('', '', trim(names(k))//' is given twice, allowed: once')
+         call check_swept(self%run%model%variables(indices(k)), values(:, k), problems)
+         if (any(indices(:k - 1) == indices(k))) call problems%add('', '', trim(names(k))//' is given twice, allowed: once')
       end do
       call error_of(problems, error)
       if (allocated(error)) return
-      call put_axis(self%run%plan%axes, places, transpose(values))
-      do k = 1, size(places)
-         self%input%values(places(k)) = values(1, k)
-         self%input%is_given(places(k)) = .false.
-         self%input%is_swept(places(k)) = .true.
+      call put_axis(self%run%plan%axes, indices, transpose(values))
+      do k = 1, size(indices)
+         self%input%values(indices(k)) = values(1, k)
+         self%input%is_given(indices(k)) = .false.
+         self%input%is_swept(indices(k)) = .true.
       end do
       if (allocated(self%found)) deallocate (self%found)
    end subroutine sweep
@@ -264,7 +264,7 @@ contains
    !> Let the model check all values together, as those of a namelist.
    subroutine check_case(self, error)
       !> The simulation, which is open; the points receive the values.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Says what is missing, contradictory or impossible, a line each.
       type(error_t), allocatable, intent(out) :: error
       type(namelist_file_t) :: nothing
@@ -293,7 +293,7 @@ contains
    !> Is the simulation open?
    subroutine check_open(self, error)
       !> The simulation.
-      class(state_t), intent(in) :: self
+      class(case_state_t), intent(in) :: self
       !> Allocated if the simulation is closed.
       type(error_t), allocatable, intent(out) :: error
 
@@ -304,7 +304,7 @@ contains
    !> Is the simulation solved?
    subroutine check_solved(self, error)
       !> The simulation.
-      class(state_t), intent(in) :: self
+      class(case_state_t), intent(in) :: self
       !> Allocated if the simulation is closed, or not solved since a variable was set last.
       type(error_t), allocatable, intent(out) :: error
 
@@ -315,40 +315,40 @@ contains
    end subroutine check_solved
 
    !> Find a variable.
-   subroutine find_variable(self, name, place, error)
+   subroutine find_variable(self, name, index, error)
       !> The simulation.
-      class(state_t), intent(in) :: self
+      class(case_state_t), intent(in) :: self
       !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
-      !> Place of the variable in the model's table; 0 if there is an error.
-      integer, intent(out) :: place
+      !> Index of the variable in the model's table; 0 if there is an error.
+      integer, intent(out) :: index
       !> Allocated if the simulation is closed, or there is no such variable.
       type(error_t), allocatable, intent(out) :: error
       type(problems_t) :: problems
 
-      place = 0
+      index = 0
       call self%check_open(error)
       if (allocated(error)) return
       if (self%is_fit) then
          call set_error(error, input_failure, trim(name)//': a fit is as its input describes it, allowed: another input')
          return
       end if
-      call find_place(self%run%model, name, place, problems)
+      call find_index(self%run%model, name, index, problems)
       call error_of(problems, error)
    end subroutine find_variable
 
    !> Take note of a variable that has one value now: what was found does not belong to it.
-   subroutine mark(self, place, is_given)
+   subroutine mark(self, index, is_given)
       !> The simulation.
-      class(state_t), intent(inout) :: self
-      !> Place of the variable in the model's table.
-      integer, intent(in) :: place
+      class(case_state_t), intent(inout) :: self
+      !> Index of the variable in the model's table.
+      integer, intent(in) :: index
       !> Is the value given by the caller, and not the default?
       logical, intent(in) :: is_given
 
-      self%input%is_given(place) = is_given
-      if (self%input%is_swept(place)) call leave_out(self%run%plan%axes, place)
-      self%input%is_swept(place) = .false.
+      self%input%is_given(index) = is_given
+      if (self%input%is_swept(index)) call leave_out(self%run%plan%axes, index)
+      self%input%is_swept(index) = .false.
       if (allocated(self%found)) deallocate (self%found)
    end subroutine mark
 

@@ -18,42 +18,42 @@ module adfric_api_values
    use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private
-   public :: find_place, give_number, give_switch, give_word, give_samples, check_swept, error_of
+   public :: find_index, give_number, give_switch, give_word, give_samples, check_swept, error_of
 
 contains
 
    !> Find the variable of a name.
-   subroutine find_place(model, name, place, problems)
+   subroutine find_index(model, name, index, problems)
       !> The model, whose table is searched.
       class(model_t), intent(in) :: model
       !> Name of the variable, or its group and name as in `operating%load`; capitals do not count.
       character(*), intent(in) :: name
-      !> Place of the variable in the table, from 1; 0 if there is none.
-      integer, intent(out) :: place
+      !> Index of the variable in the table, from 1; 0 if there is none.
+      integer, intent(out) :: index
       !> Receives why there is none.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: allowed, flaw
       integer :: i
 
-      call find_variable(model, to_lower(trim(adjustl(name))), '', place, flaw)
-      if (place > 0) return
+      call find_variable(model, to_lower(trim(adjustl(name))), '', index, flaw)
+      if (index > 0) return
       ! only now are the names wanted that are allowed
       allowed = ''
       do i = 1, size(model%variables)
          allowed = allowed//' '//full_name(model, i)
       end do
-      call find_variable(model, to_lower(trim(adjustl(name))), allowed, place, flaw)
+      call find_variable(model, to_lower(trim(adjustl(name))), allowed, index, flaw)
       call problems%add('', '', flaw)
-   end subroutine find_place
+   end subroutine find_index
 
    !> Give a number.
-   subroutine give_number(variable, value, held, problems)
+   subroutine give_number(variable, value, stored, problems)
       !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> The value in the SI unit of the variable.
       real(dp), intent(in) :: value
       !> Receives the value; left as it is if something is wrong.
-      real(dp), intent(inout) :: held
+      real(dp), intent(inout) :: stored
       !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw, text
@@ -64,37 +64,37 @@ contains
          text = trim(merge('Infinity ', '-Infinity', value > 0))
       else if (is_number(variable)) then
          call check_value(value, variable, flaw)
-         call take(variable, value, flaw, held, problems)
+         call take(variable, value, flaw, stored, problems)
          return
       else
          text = show_number(value)
       end if
       ! no value of this kind: the reader of namelists says why
-      call give_literal(variable, text, held, problems)
+      call give_literal(variable, text, stored, problems)
    end subroutine give_number
 
    !> Give a logical value.
-   subroutine give_switch(variable, is_on, held, problems)
+   subroutine give_switch(variable, is_on, stored, problems)
       !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> The value.
       logical, intent(in) :: is_on
       !> Receives the value as a number; left as it is if something is wrong.
-      real(dp), intent(inout) :: held
+      real(dp), intent(inout) :: stored
       !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
 
-      call give_literal(variable, trim(merge('.true. ', '.false.', is_on)), held, problems)
+      call give_literal(variable, trim(merge('.true. ', '.false.', is_on)), stored, problems)
    end subroutine give_switch
 
    !> Give a word.
-   subroutine give_word(variable, word, held, problems)
+   subroutine give_word(variable, word, stored, problems)
       !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> The word, without quotes; blanks at its end do not count.
       character(*), intent(in) :: word
-      !> Receives the place of the word among those that are allowed; left as it is if something is wrong.
-      real(dp), intent(inout) :: held
+      !> Receives the index of the word among those that are allowed; left as it is if something is wrong.
+      real(dp), intent(inout) :: stored
       !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted
@@ -111,17 +111,17 @@ contains
          quoted(n:n) = ''''
       end do
       quoted(n + 1:n + 1) = ''''
-      call give_literal(variable, quoted(:n + 1), held, problems)
+      call give_literal(variable, quoted(:n + 1), stored, problems)
    end subroutine give_word
 
    !> Give a value as it would stand in a namelist.
-   subroutine give_literal(variable, text, held, problems)
+   subroutine give_literal(variable, text, stored, problems)
       !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> Text of the value.
       character(*), intent(in) :: text
       !> Receives the value; left as it is if something is wrong.
-      real(dp), intent(inout) :: held
+      real(dp), intent(inout) :: stored
       !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
@@ -129,17 +129,17 @@ contains
       integer :: position
 
       if (variable%kind == kind_dataset) then
-         value = held
+         value = stored
          flaw = trim(merge('is a list   ', 'is a dataset', variable%is_list))//', given '//show_text(text) &
             //', allowed: an array of its values'
       else
          call read_variable(text, variable, value, flaw, position)
       end if
-      call take(variable, value, flaw, held, problems)
+      call take(variable, value, flaw, stored, problems)
    end subroutine give_literal
 
    !> Take over a value, or report what is wrong with it.
-   subroutine take(variable, value, flaw, held, problems)
+   subroutine take(variable, value, flaw, stored, problems)
       !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> The value, which has a meaning if nothing is wrong.
@@ -147,23 +147,23 @@ contains
       !> What is wrong; empty if nothing is.
       character(*), intent(in) :: flaw
       !> Receives the value; left as it is if something is wrong.
-      real(dp), intent(inout) :: held
+      real(dp), intent(inout) :: stored
       !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
 
       if (len(flaw) > 0) then
          call problems%add(variable%group, variable%name, flaw)
       else
-         held = value
+         stored = value
       end if
    end subroutine take
 
    !> Give the values of a dataset, and hand them to the model. One that is refused is not given afterwards.
-   subroutine give_samples(model, place, samples, rank, input, problems)
+   subroutine give_samples(model, index, samples, rank, input, problems)
       !> The model, which takes over the values.
       class(model_t), intent(inout) :: model
-      !> Place of the variable in the model's table, from 1.
-      integer, intent(in) :: place
+      !> Index of the variable in the model's table, from 1.
+      integer, intent(in) :: index
       !> The values in SI units, those that vary fastest along x first; shape `(nx, ny)`, ny = 1 for one dimension.
       real(dp), intent(in) :: samples(:, :)
       !> Number of dimensions, 1 or 2.
@@ -177,16 +177,16 @@ contains
       character(:), allocatable :: flaw
       real(dp), allocatable :: copy(:, :)
 
-      associate (variable => model%variables(place))
+      associate (variable => model%variables(index))
          if (variable%kind /= kind_dataset) then
             call problems%add(variable%group, variable%name, 'has one value, given an array of '//show_count(size(samples))// &
                & ', allowed: '//describe_allowed(variable))
             return
          end if
       end associate
-      input%datasets(place) = none
-      input%values(place) = model%variables(place)%default
-      associate (variable => model%variables(place), dataset => input%datasets(place))
+      input%datasets(index) = none
+      input%values(index) = model%variables(index)%default
+      associate (variable => model%variables(index), dataset => input%datasets(index))
          if (variable%is_list .and. rank == 1) then
             call keep_numbers(samples(:, 1), variable, dataset, flaw)
             allocate (copy, source=samples)
@@ -205,10 +205,10 @@ contains
          end if
          if (len(flaw) > 0) call found%add(variable%group, variable%name, flaw)
       end associate
-      if (found%count() == 0) call model%take_dataset(place, copy, found)
+      if (found%count() == 0) call model%take_dataset(index, copy, found)
       call append(found, problems)
-      input%is_given(place) = found%count() == 0
-      if (input%is_given(place)) input%values(place) = 1
+      input%is_given(index) = found%count() == 0
+      if (input%is_given(index)) input%values(index) = 1
    end subroutine give_samples
 
    !> Take the columns of a group.

@@ -8,9 +8,9 @@ module adfric_base_boxes
 
    !> A part of a grid, the slowest dimension first.
    type :: box_t
-      !> First place along each dimension, from 0.
+      !> First index along each dimension, from 0.
       integer(i8), allocatable :: start(:)
-      !> Number of places along each dimension.
+      !> Number of indices along each dimension.
       integer(i8), allocatable :: count(:)
    end type box_t
 
@@ -19,11 +19,11 @@ contains
    !> The largest box that holds the next points of a row and no others. A row of points of a grid of r
    !> dimensions falls into 2 r - 1 boxes at most.
    pure subroutine next_box(shape, first, n_points, box)
-      !> Number of places along each dimension; the last one varies fastest.
+      !> Number of indices along each dimension; the last one varies fastest.
       integer(i8), intent(in) :: shape(:)
-      !> First point that is left, from 0.
+      !> First point that remains, from 0.
       integer(i8), intent(in) :: first
-      !> Number of points that are left.
+      !> Number of points that remain.
       integer(i8), intent(in) :: n_points
       !> The box, whose first point is `first`.
       type(box_t), intent(out) :: box

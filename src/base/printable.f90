@@ -67,7 +67,6 @@ contains
    pure logical function is_plain(text, keeps_lines)
       !> Text from outside: any bytes, UTF-8 or not.
       character(*), intent(in) :: text
-      !> Is a line end plain, too?
       logical, intent(in) :: keeps_lines
       integer :: i
 
@@ -79,11 +78,11 @@ contains
       is_plain = .true.
    end function is_plain
 
-   !> Append to a text that has the room.
+   !> Append to a text that has the space.
    pure subroutine append(part, text, n)
       !> What is appended.
       character(*), intent(in) :: part
-      !> The text, with room for the part behind its first `n` bytes.
+      !> The text, with space for the part behind its first `n` bytes.
       character(*), intent(inout) :: text
       !> Length of the text so far, in bytes; it grows by that of the part.
       integer, intent(inout) :: n
@@ -110,7 +109,7 @@ contains
    pure integer function length_of_letter(text, first)
       !> Text from outside: any bytes, UTF-8 or not.
       character(*), intent(in) :: text
-      !> Place of the first byte of the letter, within the text.
+      !> Index of the first byte of the letter, within the text.
       integer, intent(in) :: first
       !> Least code point of a letter of so many bytes: a shorter form is the only one allowed.
       integer, parameter :: least(4) = [0, int(z'80'), int(z'800'), int(z'10000')]

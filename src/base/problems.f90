@@ -39,7 +39,6 @@ contains
 
    !> Add a problem to the list.
    pure subroutine add(self, group, variable, text, index, line)
-      !> The list, which grows by one.
       class(problems_t), intent(inout) :: self
       !> Namelist group, without `&`; empty if there is none.
       character(*), intent(in) :: group
@@ -64,7 +63,6 @@ contains
 
    !> Is it time to stop looking for more?
    pure logical function is_enough(self)
-      !> The problems found so far.
       class(problems_t), intent(in) :: self
 
       is_enough = self%is_given_up .or. self%count() >= most_problems
@@ -72,7 +70,6 @@ contains
 
    !> Number of problems.
    pure integer function count_problems(self)
-      !> The problems found so far.
       class(problems_t), intent(in) :: self
 
       count_problems = 0
@@ -81,9 +78,8 @@ contains
 
    !> The line that is printed for a problem: `FILE.nml: &group[index] variable: text (line 7)`, or `&group variable: text`.
    pure function line_of(self, i, file) result(line)
-      !> The problems found so far.
       class(problems_t), intent(in) :: self
-      !> Place of the problem in the list, from 1.
+      !> Index of the problem in the list, from 1.
       integer, intent(in) :: i
       !> Name of the input file; empty if there is none.
       character(*), intent(in) :: file

@@ -181,7 +181,7 @@ contains
    pure subroutine read_factor(text, position, sign, unit, is_known)
       !> The whole unit, in plain letters.
       character(*), intent(in) :: text
-      !> In: the place where the factor begins. Out: the place behind it.
+      !> In: the index where the factor begins. Out: the index behind it.
       integer, intent(inout) :: position
       !> 1, or -1 if the unit is divided by the factor.
       integer, intent(in) :: sign
@@ -213,7 +213,7 @@ contains
    pure subroutine read_power(text, position, power, is_known)
       !> The whole unit, in plain letters.
       character(*), intent(in) :: text
-      !> In: the place where the power may begin. Out: the place behind it.
+      !> In: the index where the power may begin. Out: the index behind it.
       integer, intent(inout) :: position
       !> Receives the power; 1 if there is none.
       integer, intent(out) :: power
@@ -244,7 +244,7 @@ contains
    pure subroutine read_operator(text, position, sign)
       !> The whole unit, in plain letters.
       character(*), intent(in) :: text
-      !> In: the place behind a factor. Out: the place where the next factor begins.
+      !> In: the index behind a factor. Out: the index where the next factor begins.
       integer, intent(inout) :: position
       !> 1, or -1 if the unit is divided by the factor that follows.
       integer, intent(out) :: sign

@@ -35,8 +35,8 @@ contains
       call find_word(list, number, word)
    end function get_word
 
-   !> Find a word. Threads use this one: gfortran keeps the length of what a function like `get_word` gives back in one place for all
-   !> threads.
+   !> Find a word. Threads use this one: gfortran keeps the length of what a function like `get_word` gives back in one index for
+   !> all threads.
    pure subroutine find_word(list, number, word)
       !> Words, separated by one blank or more.
       character(*), intent(in) :: list
@@ -44,7 +44,7 @@ contains
       integer, intent(in) :: number
       !> Receives the word; empty if there are fewer.
       character(:), allocatable, intent(out) :: word
-      !> Places of the first letter of a word, and behind its last one.
+      !> Indices of the first letter of a word, and behind its last one.
       integer :: first, behind
       integer :: k, length
 

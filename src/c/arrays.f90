@@ -11,7 +11,7 @@ module adfric_c_arrays
    use adfric_hdf5_datasets, only: to_state
    use adfric_describe_table, only: extra_t
    use adfric_output_constants, only: add_derived_constants, constant_t, file_unit
-   use adfric_output_layout, only: field_t, layout_t, new_layout, number_places, scale_t
+   use adfric_output_layout, only: field_t, layout_t, new_layout, number_indices, scale_t
    use adfric_run_memory_sink, only: memory_sink_t
    use adfric_run_run, only: run_t
    implicit none (type, external)
@@ -263,7 +263,7 @@ contains
       end do
    end subroutine add_constants
 
-   !> Add the lists, each behind the places in it.
+   !> Add the lists, each behind the indices in it.
    subroutine add_lists(self, lists, error)
       !> The arrays.
       type(arrays_t), target, intent(inout) :: self
@@ -271,14 +271,14 @@ contains
       type(scale_t), intent(in) :: lists(:)
       !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
-      type(scale_t) :: places
+      type(scale_t) :: indices
       type(c_ptr) :: dimension
       integer :: i
 
       do i = 1, size(lists)
-         call number_places(lists(i), places)
-         call keep_text(places%name, dimension, error)
-         call add_scale(self, places, dimension, role_coordinate, error)
+         call number_indices(lists(i), indices)
+         call keep_text(indices%name, dimension, error)
+         call add_scale(self, indices, dimension, role_coordinate, error)
          call add_scale(self, lists(i), dimension, role_list, error)
       end do
    end subroutine add_lists

@@ -48,7 +48,7 @@ contains
       character(*), intent(in) :: unit
       !> Allocated if one of them is not; says which is the first.
       type(error_t), allocatable, intent(out) :: error
-      character(longest_number) :: given, place
+      character(longest_number) :: given, index
       integer(c_int64_t) :: i
 
       do i = 1, n
@@ -57,8 +57,8 @@ contains
       if (i > n) return
       given = 'NaN'
       if (.not. ieee_is_nan(values(i))) write (given, '(es12.4)') values(i)
-      write (place, '(i0)') i - 1
-      call set_error(error, input_failure, name//': out of range, given '//trim(adjustl(given))//' at place '//trim(place)// &
+      write (index, '(i0)') i - 1
+      call set_error(error, input_failure, name//': out of range, given '//trim(adjustl(given))//' at place '//trim(index)// &
          & ', allowed: a number > 0 ['//unit//']')
    end subroutine check_positive
 

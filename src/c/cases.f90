@@ -2,7 +2,7 @@
 !> The functions of adfric.h that open, check and close cases.
 module adfric_c_cases
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_int64_t, c_loc, c_ptr
-   use adfric_api_state, only: open_model, read_state, state_t
+   use adfric_api_state, only: open_model, read_state, case_state_t
    use adfric_base_error, only: error_t, file_failure, set_error
    use adfric_c_handles, only: add_handle, end_handle, kind_case, leave_object, take_object
    use adfric_c_texts, only: keep_text, read_text, refuse_null, status_of, too_little_memory
@@ -57,7 +57,7 @@ contains
       type(c_ptr), intent(in) :: opened
       !> Receives what has become of the call.
       integer(c_int), intent(out) :: status
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(:), allocatable :: text
       integer :: failure
@@ -85,7 +85,7 @@ contains
    !> Give a case a handle, or end it after an error.
    subroutine keep_case(state, opened, error)
       !> The case; null if there is none. It is gone after an error.
-      type(state_t), pointer, intent(inout) :: state
+      type(case_state_t), pointer, intent(inout) :: state
       !> Receives the handle.
       type(c_ptr), intent(in) :: opened
       !> In: what was wrong before, if anything was. Out: also that there is no memory for a handle.
@@ -103,7 +103,7 @@ contains
    integer(c_int) function close_case(self) bind(c, name='adfric_close_case') result(status)
       !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
 
       call take_case(self, state, error)
@@ -121,7 +121,7 @@ contains
       !> Handle of the case.
       integer(c_int64_t), intent(in) :: self
       !> Receives the case.
-      type(state_t), pointer, intent(out) :: state
+      type(case_state_t), pointer, intent(out) :: state
       !> Allocated if there is no such case, or another thread uses it.
       type(error_t), allocatable, intent(out) :: error
       type(c_ptr) :: object
@@ -161,7 +161,7 @@ contains
       type(c_ptr), intent(in) :: text
       !> Receives what has become of the call.
       integer(c_int), intent(out) :: status
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(c_ptr), pointer :: given
       type(c_ptr) :: kept
@@ -191,7 +191,7 @@ contains
       integer(c_int64_t), intent(in), value :: self
       !> Receives the number of points.
       type(c_ptr), intent(in), value :: n
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       integer(c_int64_t), pointer :: number
 
@@ -211,7 +211,7 @@ contains
    integer(c_int) function check_case(self) bind(c, name='adfric_check') result(status)
       !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
 
       call take_case(self, state, error)

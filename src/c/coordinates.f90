@@ -21,7 +21,7 @@ module adfric_c_coordinates
       integer(i8), allocatable :: shape(:)
       !> The swept variables, in the order of their dimensions.
       type(scale_t), allocatable :: scales(:)
-      !> Place of the dimension of each of them, from 1.
+      !> Index of the dimension of each of them, from 1.
       integer, allocatable :: dimension_of(:)
       !> Their names, separated by a blank.
       character(:), allocatable :: names
@@ -59,21 +59,21 @@ contains
    end subroutine new_coordinates
 
    !> Name a swept variable as the results file does, and give it its values.
-   subroutine set_scale(run, axis, place, scale)
+   subroutine set_scale(run, axis, index, scale)
       !> The run, with its model and its points.
       class(run_t), intent(in) :: run
-      !> Place of the axis, from 1.
+      !> Index of the axis, from 1.
       integer, intent(in) :: axis
-      !> Place of the variable along it, from 1.
-      integer, intent(in) :: place
+      !> Index of the variable along it, from 1.
+      integer, intent(in) :: index
       !> Receives the variable.
       type(scale_t), intent(out) :: scale
 
-      associate (number => run%plan%axes(axis)%variables(place))
+      associate (number => run%plan%axes(axis)%variables(index))
          scale%name = name_of_swept(run, number)
          scale%unit = file_unit(run%model%unit_of(run%plan%base, number))
          scale%long_name = run%model%variables(number)%meaning
-         scale%values = run%plan%axes(axis)%values(place, :)
+         scale%values = run%plan%axes(axis)%values(index, :)
       end associate
    end subroutine set_scale
 

@@ -2,7 +2,7 @@
 !> The function of adfric.h that opens a fit of tables in memory.
 module adfric_c_fits
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int32_t, c_int64_t, c_ptr
-   use adfric_api_state, only: read_state, state_t
+   use adfric_api_state, only: read_state, case_state_t
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    use adfric_base_text, only: longest_name, show_count
    use adfric_c_cases, only: keep_case
@@ -36,7 +36,7 @@ contains
       type(c_ptr), intent(in), value :: tables
       !> Receives the handle.
       type(c_ptr), intent(in), value :: opened
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(text_table_t), allocatable :: in_memory(:)
       character(:), allocatable :: input

@@ -23,7 +23,7 @@ module adfric_c_handles
          implicit none (type, external)
          !> One of `kind_...`.
          integer(c_int), intent(in), value :: kind
-         !> Place of the object.
+         !> Index of the object.
          type(c_ptr), intent(in), value :: object
       end function c_new
 
@@ -37,7 +37,7 @@ module adfric_c_handles
          integer(c_int), intent(in), value :: kind
          !> 1: no other thread may use it at the same time; 0: others may that do so, too.
          integer(c_int), intent(in), value :: is_alone
-         !> Receives the place of the object; null if the handle is not good.
+         !> Receives the index of the object; null if the handle is not good.
          type(c_ptr), intent(out) :: object
       end function c_take
 
@@ -99,7 +99,7 @@ contains
    subroutine add_handle(kind, object, handle, error)
       !> One of `kind_...`.
       integer(c_int), intent(in) :: kind
-      !> Place of the object, which stays where it is.
+      !> Index of the object, which stays where it is.
       type(c_ptr), intent(in) :: object
       !> Receives the handle; left as it is if there is an error.
       integer(c_int64_t), intent(inout) :: handle
@@ -123,7 +123,7 @@ contains
       integer(c_int), intent(in) :: kind
       !> May no other thread use it at the same time?
       logical, intent(in) :: is_alone
-      !> Receives the place of the object; `leave_object` or `end_handle` ends its use.
+      !> Receives the index of the object; `leave_object` or `end_handle` ends its use.
       type(c_ptr), intent(out) :: object
       !> Allocated if the handle is not good; there is nothing to be left then.
       type(error_t), allocatable, intent(out) :: error

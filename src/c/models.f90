@@ -6,7 +6,7 @@ module adfric_c_models
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    use adfric_base_version, only: git_revision, program_version
    use adfric_base_words, only: count_words, get_word
-   use adfric_c_places, only: check_place
+   use adfric_c_places, only: check_index
    use adfric_c_tables, only: model_info_t, new_tables, result_info_t, tables_t, variable_info_t
    use adfric_c_texts, only: keep_text, read_text, refuse_null, status_of, too_little_memory
    use adfric_input_run, only: say_unknown_model
@@ -15,12 +15,12 @@ module adfric_c_models
    private
 
    interface
-      !> Place where the tables of a model are kept; null if there is no such place.
-      type(c_ptr) function c_tables_at(place) bind(c, name='adfric_tables_at')
+      !> Index where the tables of a model are kept; null if there is no such index.
+      type(c_ptr) function c_tables_at(index) bind(c, name='adfric_tables_at')
          import :: c_int, c_ptr
          implicit none (type, external)
-         !> Place of the model, from 0.
-         integer(c_int), intent(in), value :: place
+         !> Index of the model, from 0.
+         integer(c_int), intent(in), value :: index
       end function c_tables_at
    end interface
 
@@ -49,9 +49,9 @@ contains
    end function model_count
 
    !> See adfric.h.
-   integer(c_int) function model_at(place, model) bind(c, name='adfric_model') result(status)
-      !> Place of the model, from 0.
-      integer(c_int32_t), intent(in), value :: place
+   integer(c_int) function model_at(index, model) bind(c, name='adfric_model') result(status)
+      !> Index of the model, from 0.
+      integer(c_int32_t), intent(in), value :: index
       !> Receives what is known of it.
       type(c_ptr), intent(in), value :: model
       type(model_info_t), pointer :: info
@@ -60,8 +60,8 @@ contains
 
       call refuse_null(model, 'model', error)
       !$omp critical (adfric_api)
-      if (.not. allocated(error)) call check_place('model', place, count_words(known_models), error)
-      if (.not. allocated(error)) call find_tables(int(place), tables, error)
+      if (.not. allocated(error)) call check_index('model', index, count_words(known_models), error)
+      if (.not. allocated(error)) call find_tables(int(index), tables, error)
       if (.not. allocated(error)) then
          call c_f_pointer(model, info)
          info = tables%model
@@ -71,11 +71,11 @@ contains
    end function model_at
 
    !> See adfric.h.
-   integer(c_int) function variable_at(model, place, variable) bind(c, name='adfric_variable') result(status)
+   integer(c_int) function variable_at(model, index, variable) bind(c, name='adfric_variable') result(status)
       !> Name of the model.
       type(c_ptr), intent(in), value :: model
-      !> Place of the variable, from 0.
-      integer(c_int32_t), intent(in), value :: place
+      !> Index of the variable, from 0.
+      integer(c_int32_t), intent(in), value :: index
       !> Receives what is known of it.
       type(c_ptr), intent(in), value :: variable
       type(variable_info_t), pointer :: info
@@ -85,21 +85,21 @@ contains
       call refuse_null(variable, 'variable', error)
       !$omp critical (adfric_api)
       if (.not. allocated(error)) call find_model(model, tables, error)
-      if (.not. allocated(error)) call check_place('variable', place, size(tables%variables), error)
+      if (.not. allocated(error)) call check_index('variable', index, size(tables%variables), error)
       if (.not. allocated(error)) then
          call c_f_pointer(variable, info)
-         info = tables%variables(place + 1)
+         info = tables%variables(index + 1)
       end if
       status = status_of(error)
       !$omp end critical (adfric_api)
    end function variable_at
 
    !> See adfric.h.
-   integer(c_int) function result_at(model, place, result) bind(c, name='adfric_result') result(status)
+   integer(c_int) function result_at(model, index, result) bind(c, name='adfric_result') result(status)
       !> Name of the model.
       type(c_ptr), intent(in), value :: model
-      !> Place of the result, from 0.
-      integer(c_int32_t), intent(in), value :: place
+      !> Index of the result, from 0.
+      integer(c_int32_t), intent(in), value :: index
       !> Receives what is known of it.
       type(c_ptr), intent(in), value :: result
       type(tables_t), pointer :: tables
@@ -108,17 +108,17 @@ contains
       call refuse_null(result, 'result', error)
       !$omp critical (adfric_api)
       if (.not. allocated(error)) call find_model(model, tables, error)
-      if (.not. allocated(error)) call give_row(tables%results, 'result', place, result, error)
+      if (.not. allocated(error)) call give_row(tables%results, 'result', index, result, error)
       status = status_of(error)
       !$omp end critical (adfric_api)
    end function result_at
 
    !> See adfric.h.
-   integer(c_int) function profile_at(model, place, profile) bind(c, name='adfric_profile') result(status)
+   integer(c_int) function profile_at(model, index, profile) bind(c, name='adfric_profile') result(status)
       !> Name of the model.
       type(c_ptr), intent(in), value :: model
-      !> Place of the profile, from 0.
-      integer(c_int32_t), intent(in), value :: place
+      !> Index of the profile, from 0.
+      integer(c_int32_t), intent(in), value :: index
       !> Receives what is known of it.
       type(c_ptr), intent(in), value :: profile
       type(tables_t), pointer :: tables
@@ -127,29 +127,29 @@ contains
       call refuse_null(profile, 'profile', error)
       !$omp critical (adfric_api)
       if (.not. allocated(error)) call find_model(model, tables, error)
-      if (.not. allocated(error)) call give_row(tables%profiles, 'profile', place, profile, error)
+      if (.not. allocated(error)) call give_row(tables%profiles, 'profile', index, profile, error)
       status = status_of(error)
       !$omp end critical (adfric_api)
    end function profile_at
 
    !> Give a row of results or profiles.
-   subroutine give_row(rows, word, place, to, error)
+   subroutine give_row(rows, word, index, to, error)
       !> The rows.
       type(result_info_t), intent(in) :: rows(:)
       !> What a row is.
       character(*), intent(in) :: word
-      !> Place of the row, from 0.
-      integer(c_int32_t), intent(in) :: place
+      !> Index of the row, from 0.
+      integer(c_int32_t), intent(in) :: index
       !> Receives the row.
       type(c_ptr), intent(in) :: to
       !> Allocated if there is no such row.
       type(error_t), allocatable, intent(out) :: error
       type(result_info_t), pointer :: info
 
-      call check_place(word, place, size(rows), error)
+      call check_index(word, index, size(rows), error)
       if (allocated(error)) return
       call c_f_pointer(to, info)
-      info = rows(place + 1)
+      info = rows(index + 1)
    end subroutine give_row
 
    !> Find the tables of a model by its name.
@@ -175,9 +175,9 @@ contains
    end subroutine find_model
 
    !> Find the tables of a model, or make them.
-   subroutine find_tables(place, tables, error)
-      !> Place of the model, from 0.
-      integer, intent(in) :: place
+   subroutine find_tables(index, tables, error)
+      !> Index of the model, from 0.
+      integer, intent(in) :: index
       !> Receives the tables.
       type(tables_t), pointer, intent(out) :: tables
       !> Allocated if there is too little memory.
@@ -187,12 +187,12 @@ contains
       integer :: failure
 
       nullify (tables)
-      call c_f_pointer(c_tables_at(int(place, c_int)), kept)
+      call c_f_pointer(c_tables_at(int(index, c_int)), kept)
       if (c_associated(kept)) then
          call c_f_pointer(kept, tables)
          return
       end if
-      call new_model(model, get_word(known_models, place + 1), error)
+      call new_model(model, get_word(known_models, index + 1), error)
       if (allocated(error)) return
       allocate (tables, stat=failure)
       if (failure /= 0) then

@@ -7,7 +7,7 @@ module adfric_c_results
    use adfric_api_numbers, only: find_number
    use adfric_api_results, only: refuse
    use adfric_api_solution, only: solve_by_threads
-   use adfric_api_state, only: state_t
+   use adfric_api_state, only: case_state_t
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    use adfric_base_text, only: show_count, to_lower
    use adfric_base_words, only: get_word
@@ -16,7 +16,7 @@ module adfric_c_results
    use adfric_c_cases, only: take_case
    use adfric_c_handles, only: add_handle, end_handle, kind_results, leave_object, let_stop, take_object
    use adfric_c_listener, only: listener_t, new_listener
-   use adfric_c_places, only: check_place
+   use adfric_c_places, only: check_index
    use adfric_c_texts, only: read_text, refuse_null, status_of, too_little_memory
    use adfric_run_memory_sink, only: memory_sink_t
    use adfric_run_summary, only: run_summary_t
@@ -46,7 +46,7 @@ contains
       !> Receives the handle of the results.
       type(c_ptr), intent(in), value :: found
       type(listener_t) :: listener
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
 
       call refuse_null(found, 'found', error)
@@ -71,7 +71,7 @@ contains
       type(c_ptr), intent(in), value :: names
       !> Receives their values.
       type(c_ptr), intent(in), value :: values
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       real(c_double), pointer :: numbers(:)
       type(c_ptr), pointer :: list(:)
@@ -93,7 +93,7 @@ contains
    !> Solve a case of one point.
    subroutine solve_single(state, handle, names, values, error)
       !> The case.
-      type(state_t), intent(inout) :: state
+      type(case_state_t), intent(inout) :: state
       !> Its handle.
       integer(c_int64_t), intent(in) :: handle
       !> Names of results.
@@ -134,7 +134,7 @@ contains
    !> Solve a case, and give what it finds a handle.
    subroutine solve_case(state, n_threads, listener, found, error)
       !> The case.
-      type(state_t), intent(inout) :: state
+      type(case_state_t), intent(inout) :: state
       !> Number of threads; 0: as many as OpenMP gives.
       integer, intent(in) :: n_threads
       !> Watches the call.
@@ -163,7 +163,7 @@ contains
    !> Keep what was found.
    subroutine keep_results(state, sink, summary, found, error)
       !> The case.
-      type(state_t), intent(in) :: state
+      type(case_state_t), intent(in) :: state
       !> What was found; the results take it over.
       type(memory_sink_t), allocatable, intent(inout) :: sink
       !> Counts and times of the solution.
@@ -230,11 +230,11 @@ contains
    end function array_count
 
    !> See adfric.h.
-   integer(c_int) function array_at(self, place, array) bind(c, name='adfric_array_at') result(status)
+   integer(c_int) function array_at(self, index, array) bind(c, name='adfric_array_at') result(status)
       !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Place of the array, from 0.
-      integer(c_int32_t), intent(in), value :: place
+      !> Index of the array, from 0.
+      integer(c_int32_t), intent(in), value :: index
       !> Receives what is known of it.
       type(c_ptr), intent(in), value :: array
       type(results_t), pointer :: results
@@ -242,8 +242,8 @@ contains
 
       call take_results(self, results, error)
       if (.not. allocated(error)) then
-         call check_place('array', place, results%arrays%n, error)
-         if (.not. allocated(error)) call give_array(results%arrays, int(place) + 1, array, error)
+         call check_index('array', index, results%arrays%n, error)
+         if (.not. allocated(error)) call give_array(results%arrays, int(index) + 1, array, error)
          call leave_object(self)
       end if
       status = status_of(error)
@@ -260,43 +260,43 @@ contains
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
       character(:), allocatable :: word
-      integer :: place
+      integer :: index
 
       call take_results(self, results, error)
       if (.not. allocated(error)) then
          call read_text(name, 'name', word, error)
          !$omp critical (adfric_api)
-         if (.not. allocated(error)) call find_place(results%arrays, word, place, error)
+         if (.not. allocated(error)) call find_index(results%arrays, word, index, error)
          !$omp end critical (adfric_api)
-         if (.not. allocated(error)) call give_array(results%arrays, place, array, error)
+         if (.not. allocated(error)) call give_array(results%arrays, index, array, error)
          call leave_object(self)
       end if
       status = status_of(error)
    end function array_of
 
    !> Find an array by its name.
-   subroutine find_place(arrays, name, place, error)
+   subroutine find_index(arrays, name, index, error)
       !> The arrays.
       type(arrays_t), intent(in) :: arrays
       !> The name; capitals do not count.
       character(*), intent(in) :: name
-      !> Receives the place, from 1; 0 if there is none.
-      integer, intent(out) :: place
+      !> Receives the index, from 1; 0 if there is none.
+      integer, intent(out) :: index
       !> Allocated if there is no such array.
       type(error_t), allocatable, intent(out) :: error
 
-      do place = arrays%n, 1, -1
-         if (get_word(arrays%names, place) == to_lower(name)) return
+      do index = arrays%n, 1, -1
+         if (get_word(arrays%names, index) == to_lower(name)) return
       end do
       call refuse(name, 'array', arrays%names, error)
-   end subroutine find_place
+   end subroutine find_index
 
    !> Give out an array.
-   subroutine give_array(arrays, place, to, error)
+   subroutine give_array(arrays, index, to, error)
       !> The arrays.
       type(arrays_t), intent(in) :: arrays
-      !> Place of the array, from 1.
-      integer, intent(in) :: place
+      !> Index of the array, from 1.
+      integer, intent(in) :: index
       !> Receives what is known of it.
       type(c_ptr), intent(in) :: to
       !> Allocated if that is null.
@@ -306,7 +306,7 @@ contains
       call refuse_null(to, 'array', error)
       if (allocated(error)) return
       call c_f_pointer(to, info)
-      info = arrays%items(place)%info
+      info = arrays%items(index)%info
    end subroutine give_array
 
    !> See adfric.h.
@@ -332,11 +332,11 @@ contains
    end function attribute_count
 
    !> See adfric.h.
-   integer(c_int) function attribute_at(self, place, attribute) bind(c, name='adfric_attribute') result(status)
+   integer(c_int) function attribute_at(self, index, attribute) bind(c, name='adfric_attribute') result(status)
       !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Place of the attribute, from 0.
-      integer(c_int32_t), intent(in), value :: place
+      !> Index of the attribute, from 0.
+      integer(c_int32_t), intent(in), value :: index
       !> Receives what is known of it.
       type(c_ptr), intent(in), value :: attribute
       type(results_t), pointer :: results
@@ -345,11 +345,11 @@ contains
 
       call take_results(self, results, error)
       if (.not. allocated(error)) then
-         call check_place('attribute', place, results%attributes%n, error)
+         call check_index('attribute', index, results%attributes%n, error)
          if (.not. allocated(error)) call refuse_null(attribute, 'attribute', error)
          if (.not. allocated(error)) then
             call c_f_pointer(attribute, info)
-            info = results%attributes%items(place + 1)%info
+            info = results%attributes%items(index + 1)%info
          end if
          call leave_object(self)
       end if

@@ -89,7 +89,7 @@ contains
    subroutine keep_text(text, kept, error)
       !> The text.
       character(*), intent(in) :: text
-      !> Receives the place of a copy that stays until the program ends.
+      !> Receives the index of a copy that stays until the program ends.
       type(c_ptr), intent(out) :: kept
       !> In: what was wrong before, if anything was. Out: also that there is no memory for the text.
       type(error_t), allocatable, intent(inout) :: error

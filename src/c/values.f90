@@ -2,7 +2,7 @@
 !> The functions of adfric.h that set and sweep the variables of a case.
 module adfric_c_values
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int32_t, c_int64_t, c_ptr
-   use adfric_api_state, only: state_t
+   use adfric_api_state, only: case_state_t
    use adfric_base_error, only: error_t, input_failure, set_error
    use adfric_base_kinds, only: dp
    use adfric_base_text, only: show_count
@@ -84,7 +84,7 @@ contains
       class(*), intent(in) :: value
       !> Receives what has become of the call.
       integer(c_int), intent(out) :: status
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(:), allocatable :: word
 
@@ -111,7 +111,7 @@ contains
       type(c_ptr), intent(in), value :: shape
       !> The values, the last dimension varies fastest.
       type(c_ptr), intent(in), value :: values
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(:), allocatable :: word
       real(c_double), pointer :: array(:, :)
@@ -188,7 +188,7 @@ contains
       integer(c_int64_t), intent(in), value :: self
       !> Name of the variable.
       type(c_ptr), intent(in), value :: name
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(:), allocatable :: word
 
@@ -254,7 +254,7 @@ contains
       type(c_ptr), intent(in) :: values
       !> Receives what has become of the call.
       integer(c_int), intent(out) :: status
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(longest_name) :: words(size(names))
       real(c_double), pointer :: array(:, :)

@@ -62,7 +62,6 @@ contains
 
    !> Read the case of a run or of a fit.
    subroutine read_run_or_fit(file, kind, run, details, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> What the input may be: `run_or_fit`, `run_only` or `fit_only`.
       integer, intent(in) :: kind
@@ -70,7 +69,6 @@ contains
       type(run_input_t), intent(inout) :: run
       !> Receives what the input of a fit says of the data; not allocated for a run.
       type(fit_input_t), allocatable, intent(out) :: details
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (has_fit_groups(file)) then
@@ -91,7 +89,6 @@ contains
 
    !> Name of the first group that a run does not have.
    pure function first_fit_group(file) result(name)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       character(:), allocatable :: name
       integer :: i

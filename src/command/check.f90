@@ -76,7 +76,6 @@ contains
 
    !> The model, or the scene with the solver that answers it.
    pure function describe_model(model) result(text)
-      !> The model.
       class(model_t), intent(in) :: model
       character(:), allocatable :: text
 
@@ -90,11 +89,8 @@ contains
 
    !> What there is to say of a fit.
    subroutine check_fit(model, details, run, outcome)
-      !> The stack, or the single fit.
       class(stack_model_t), intent(in) :: model
-      !> What the input says of the data.
       type(fit_input_t), intent(in) :: details
-      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       !> Receives what the command has to say.
       type(outcome_t), intent(inout) :: outcome
@@ -111,7 +107,6 @@ contains
 
    !> What is done beside the sweeps, and the number of points.
    function describe_points(run) result(lines)
-      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       character(:), allocatable :: text
@@ -127,7 +122,6 @@ contains
 
    !> The variables that have one value, group by group.
    function describe_values(run) result(lines)
-      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       character(:), allocatable :: groups, of_group
@@ -148,7 +142,6 @@ contains
 
    !> A variable that has one value.
    function describe_value(run, at) result(line)
-      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       !> Index of the variable in the table of the model.
       integer, intent(in) :: at
@@ -193,7 +186,6 @@ contains
 
    !> The point of a sweep that what follows is said of.
    function describe_first_point(run) result(line)
-      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: line
       integer :: j, k
@@ -201,10 +193,10 @@ contains
       line = ''
       do k = 1, size(run%plan%axes)
          do j = 1, size(run%plan%axes(k)%variables)
-            associate (place => run%plan%axes(k)%variables(j))
+            associate (position => run%plan%axes(k)%variables(j))
                if (len(line) > 0) line = line//', '
-               line = line//run%model%variables(place)%group//'%'//run%model%variables(place)%name//' = ' &
-                  //show_number(run%plan%base(place))//show_unit(run%model%unit_of(run%plan%base, place))
+               line = line//run%model%variables(position)%group//'%'//run%model%variables(position)%name//' = ' &
+                  //show_number(run%plan%base(position))//show_unit(run%model%unit_of(run%plan%base, position))
             end associate
          end do
       end do
@@ -213,7 +205,6 @@ contains
 
    !> How long the run will take.
    function describe_time(estimate) result(text)
-      !> What is known of the time.
       type(time_estimate_t), intent(in) :: estimate
       character(:), allocatable :: text
 
@@ -237,7 +228,6 @@ contains
 
    !> What follows from the values.
    function describe_derived(run) result(lines)
-      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       type(derived_t), allocatable :: list(:)
@@ -254,7 +244,6 @@ contains
 
    !> The swept variables, the slowest first.
    function describe_sweep(run) result(lines)
-      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       integer :: j, k
@@ -262,8 +251,9 @@ contains
       lines = ''
       do k = 1, size(run%plan%axes)
          do j = 1, size(run%plan%axes(k)%variables)
-            associate (place => run%plan%axes(k)%variables(j), values => run%plan%axes(k)%values(j, :))
-               lines = lines//pad('sweep of '//run%model%variables(place)%group//'%'//run%model%variables(place)%name, name_width) &
+            associate (position => run%plan%axes(k)%variables(j), values => run%plan%axes(k)%values(j, :))
+               lines = lines//pad('sweep of '//run%model%variables(position)%group//'%'//run%model%variables(position)%name, &
+                  & name_width) &
                   //show_count(size(values))//' values, '
                if (is_sample(run%plan%axes(k))) then
                   lines = lines//show_number(minval(values))//' to '//show_number(maxval(values))
@@ -271,7 +261,7 @@ contains
                   lines = lines//show_number(values(1))
                   if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
                end if
-               lines = lines//show_unit(run%model%unit_of(run%plan%base, place))//describe_way(run, k, j)//newline
+               lines = lines//show_unit(run%model%unit_of(run%plan%base, position))//describe_choice(run, k, j)//newline
             end associate
          end do
       end do
@@ -279,32 +269,30 @@ contains
 
    !> Do the values of an axis have no order?
    pure logical function is_sample(axis)
-      !> The axis.
       type(axis_t), intent(in) :: axis
 
       is_sample = allocated(axis%name)
    end function is_sample
 
    !> How the values of a swept variable come about, beside other variables or from a file; nothing for a plain sweep.
-   function describe_way(run, axis, place) result(text)
-      !> The run that the input describes.
+   function describe_choice(run, axis, position) result(text)
       type(run_input_t), intent(in) :: run
-      !> Place of the axis, from 1.
+      !> Index of the axis, from 1.
       integer, intent(in) :: axis
-      !> Place of the variable along it, from 1.
-      integer, intent(in) :: place
+      !> Index of the variable along it, from 1.
+      integer, intent(in) :: position
       character(:), allocatable :: text
 
       text = ''
       associate (variables => run%plan%axes(axis)%variables)
          if (allocated(run%plan%axes(axis)%name)) then
             text = text//', along '//run%plan%axes(axis)%name
-         else if (place > 1) then
+         else if (position > 1) then
             text = text//', with '//run%model%variables(variables(1))%name
          end if
-         if (run%datasets(variables(place))%is_given()) text = text//', from '''//run%datasets(variables(place))%text//''''
+         if (run%datasets(variables(position))%is_given()) text = text//', from '''//run%datasets(variables(position))%text//''''
       end associate
-   end function describe_way
+   end function describe_choice
 
    !> A unit as it stands behind a number; nothing for a pure number.
    pure function show_unit(unit) result(text)

@@ -18,7 +18,6 @@ contains
    !> Doubts of the first point; if there are none, those of the other end of the first sweep that has some there, and where that
    !> is.
    function describe_doubts_of(run) result(text)
-      !> The run, whose model is prepared.
       class(run_t), intent(in) :: run
       character(:), allocatable :: text
       integer :: k
@@ -33,9 +32,8 @@ contains
 
    !> Values of the point at the other end of a sweep, of the others the first.
    pure function values_at_end(run, axis) result(values)
-      !> The run.
       class(run_t), intent(in) :: run
-      !> Place of the sweep, from 1.
+      !> Index of the sweep, from 1.
       integer, intent(in) :: axis
       real(dp), allocatable :: values(:)
 
@@ -47,9 +45,8 @@ contains
 
    !> What the end of a sweep is called.
    function name_of_end(run, axis) result(text)
-      !> The run.
       class(run_t), intent(in) :: run
-      !> Place of the sweep, from 1.
+      !> Index of the sweep, from 1.
       integer, intent(in) :: axis
       character(:), allocatable :: text
 
@@ -61,7 +58,6 @@ contains
    !> A line for each bound of the theory beyond which the run lies, as far as that is known before: at its first point, or at the
    !> other end of a sweep.
    function describe_bounds_of(run) result(text)
-      !> The run, whose model is prepared.
       class(run_t), intent(in) :: run
       character(:), allocatable :: text
       logical :: is_named(n_doubts)
@@ -76,13 +72,11 @@ contains
    end function describe_bounds_of
 
    !> Name the bounds that a point lies beyond and that have not been named.
-   subroutine name_bounds(run, values, place, is_named, text)
-      !> The run, whose model is prepared.
+   subroutine name_bounds(run, values, index, is_named, text)
       class(run_t), intent(in) :: run
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Where the point is, in words; empty for the first one.
-      character(*), intent(in) :: place
+      character(*), intent(in) :: index
       !> Which bounds have been named.
       logical, intent(inout) :: is_named(:)
       !> The lines, to which new ones are added.
@@ -97,14 +91,13 @@ contains
          if (is_named(i) .or. ieee_is_nan(measures(i))) cycle
          if (measures(i) < doubt_limits(i)) cycle
          is_named(i) = .true.
-         text = text//'doubt: '//get_word(doubt_meanings, i + 1)//place//', '//quantity_of(i)//' is '//show_number(measures(i)) &
+         text = text//'doubt: '//get_word(doubt_meanings, i + 1)//index//', '//quantity_of(i)//' is '//show_number(measures(i)) &
             & //', and small up to '//show_number(doubt_limits(i))//newline
       end do
    end subroutine name_bounds
 
    !> A line for each bound of the theory beyond which trial points lie.
    function describe_trials(estimate) result(text)
-      !> What the trial points have shown.
       type(time_estimate_t), intent(in) :: estimate
       character(:), allocatable :: text
       integer :: i

@@ -28,9 +28,7 @@ contains
 
    !> All that there is to say.
    function describe_fit(model, details) result(text)
-      !> The stack, or the single fit.
       class(stack_model_t), intent(in) :: model
-      !> What the input says of the data.
       type(fit_input_t), intent(in) :: details
       character(:), allocatable :: text
 
@@ -40,9 +38,7 @@ contains
 
    !> The points of each `&data`.
    function data_lines(model, details) result(lines)
-      !> The stack, or the single fit.
       class(stack_model_t), intent(in) :: model
-      !> What the input says of the data.
       type(fit_input_t), intent(in) :: details
       character(:), allocatable :: lines
       integer :: g
@@ -61,7 +57,6 @@ contains
 
    !> The counts of points in words.
    pure function describe_points(counts, x_unit, y_unit) result(text)
-      !> The counts.
       type(point_counts_t), intent(in) :: counts
       !> SI units of abscissa and ordinate.
       character(*), intent(in) :: x_unit, y_unit
@@ -89,11 +84,8 @@ contains
 
    !> Which standard errors the points of a `&data` have, and what a residual costs.
    function describe_errors(model, details, g) result(text)
-      !> The stack, or the single fit.
       class(stack_model_t), intent(in) :: model
-      !> What the input says of the data.
       type(fit_input_t), intent(in) :: details
-      !> Number of the group.
       integer, intent(in) :: g
       character(:), allocatable :: text
 
@@ -138,7 +130,6 @@ contains
 
    !> The events.
    pure function event_lines(fit) result(lines)
-      !> The fit with its events.
       type(fit_t), intent(in) :: fit
       character(:), allocatable :: lines
       integer :: i
@@ -152,7 +143,6 @@ contains
 
    !> What is free, and between which bounds.
    function free_lines(model) result(lines)
-      !> The stack, or the single fit.
       class(stack_model_t), intent(in) :: model
       character(:), allocatable :: lines
       integer :: i
@@ -173,7 +163,6 @@ contains
 
    !> How the fit is made.
    pure function setting_lines(fit) result(lines)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       character(:), allocatable :: lines
       integer :: k
@@ -187,7 +176,6 @@ contains
 
    !> Where the search starts, of the first curve of a stack, and what may not be meant there.
    function start_lines(model) result(lines)
-      !> The stack, or the single fit.
       class(stack_model_t), intent(in) :: model
       character(:), allocatable :: lines
       type(fit_t) :: fit

@@ -29,9 +29,7 @@ contains
 
    !> A line for each doubt.
    function describe_fit_doubts(fit, solution) result(lines)
-      !> The fit that has been solved.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
 
@@ -42,7 +40,6 @@ contains
 
    !> Is the range of adhesion one of atoms?
    pure function doubt_range(solution) result(lines)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       integer :: i
@@ -61,7 +58,6 @@ contains
 
    !> Do all points of contact lie within the bounds of the theory?
    function doubt_theory(solution) result(lines)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       integer :: i
@@ -77,9 +73,7 @@ contains
 
    !> Has a base line a slope that nothing in the fit takes up?
    function doubt_base_lines(fit, solution) result(lines)
-      !> The fit with its data sets.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       real(dp) :: slope, error
@@ -112,7 +106,7 @@ contains
       real(dp), intent(out) :: slope
       !> Receives its standard error.
       real(dp), intent(out) :: error
-      real(dp) :: at(size(x)), left(size(x)), squares
+      real(dp) :: at(size(x)), remaining(size(x)), squares
       integer :: n
 
       n = size(x)
@@ -122,13 +116,12 @@ contains
       error = 0
       if (.not. squares > 0) return
       slope = sum(at*y)/squares
-      left = y - sum(y)/n - slope*at
-      error = sqrt(sum(left**2)/(n - 2)/squares)
+      remaining = y - sum(y)/n - slope*at
+      error = sqrt(sum(remaining**2)/(n - 2)/squares)
    end subroutine find_slope
 
    !> Are the residuals independent of each other?
    pure function doubt_residuals(solution) result(lines)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
 

@@ -14,9 +14,7 @@ contains
 
    !> The set of a variable.
    pure function show_set(fit, solution, free, level) result(text)
-      !> The fit, whose free variables it has.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       !> Number of the free variable.
       integer, intent(in) :: free

@@ -23,16 +23,14 @@ module adfric_command_fit_table
    real(dp), parameter :: small_component = 1.0e-6_dp
    !> A theory whose AIC is not larger by more is as good.
    real(dp), parameter :: worst_rival = 2
-   !> Most places that are listed.
+   !> Most indices that are listed.
    integer, parameter :: most_listed = 10
 
 contains
 
    !> Variables, goodness, correlations, minima, what the data do not see, points, derived quantities and theories.
    function new_fit_table(fit, solution) result(text)
-      !> The fit that has been solved.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: text
 
@@ -59,7 +57,6 @@ contains
 
    !> Why there is no answer.
    pure function say_reason(solution) result(text)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: text
 
@@ -77,9 +74,7 @@ contains
 
    !> A line for each free variable.
    function variable_lines(fit, solution) result(lines)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       character(:), allocatable :: start
@@ -108,7 +103,6 @@ contains
 
    !> A standard error with two digits.
    pure function show_error(solution, i) result(text)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       !> Number of the free variable.
       integer, intent(in) :: i
@@ -122,7 +116,6 @@ contains
    function goodness_lines(fit, solution) result(lines)
       !> The fit, the unit of whose ordinate is that of sigma.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       type(result_t), allocatable :: results(:)
@@ -146,9 +139,7 @@ contains
 
    !> Pairs of variables that are hardly told apart.
    pure function correlation_lines(fit, solution) result(lines)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       integer :: i, k
@@ -166,9 +157,7 @@ contains
 
    !> The other minima.
    pure function minima_lines(fit, solution) result(lines)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       integer :: i, k
@@ -188,9 +177,7 @@ contains
 
    !> What the data do not see.
    pure function null_lines(fit, solution) result(lines)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       real(dp) :: largest
@@ -215,7 +202,6 @@ contains
 
    !> What helps where points lie beyond the fold: loads may have errors; at an approach without a state in contact nothing touches.
    pure function hint_beyond(fit) result(hint)
-      !> The fit with its data sets.
       type(fit_t), intent(in) :: fit
       character(:), allocatable :: hint
 
@@ -230,9 +216,7 @@ contains
 
    !> Points that are used, left out, beyond the fold, and far from the curve.
    pure function point_lines(fit, solution) result(lines)
-      !> The fit with its data sets.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       integer :: i, n
@@ -262,7 +246,6 @@ contains
 
    !> Derived quantities.
    pure function derived_lines(solution) result(lines)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       integer :: i
@@ -281,9 +264,7 @@ contains
 
    !> Other theories.
    function theory_lines(fit, solution) result(lines)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       integer :: i, k
@@ -312,7 +293,6 @@ contains
 
    !> Is lambda free? The theories of JKR and of DMT are the ends of its axis.
    pure logical function has_lambda(fit)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
       integer :: i
 
@@ -324,7 +304,6 @@ contains
 
    !> A difference with its sign in words.
    pure function show_more(difference) result(text)
-      !> The difference.
       real(dp), intent(in) :: difference
       character(:), allocatable :: text
 

@@ -49,7 +49,6 @@ contains
    subroutine make_models(models, error)
       !> Receives every model that the program knows.
       type(model_box_t), allocatable, intent(out) :: models(:)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
@@ -72,13 +71,11 @@ contains
 
    !> The page of a topic; the first page if the topic is empty.
    subroutine find_page(models, topic, text, error)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       !> The topic in small letters, without the & of a group; empty if there is none.
       character(*), intent(in) :: topic
       !> The lines of the page, each with its line end; empty if the topic is unknown.
       character(:), allocatable, intent(out) :: text
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: named
 
@@ -108,7 +105,6 @@ contains
 
    !> What there is to say of a name; empty if nothing knows it.
    function explain(models, topic) result(text)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       !> A name in small letters, without the & of a group.
       character(*), intent(in) :: topic
@@ -148,7 +144,6 @@ contains
 
    !> What the models say of a topic, each thing once.
    function describe_every_model(models, topic) result(text)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       !> 'outputs', the name of a model, or a name in the tables of the models.
       character(*), intent(in) :: topic
@@ -183,7 +178,6 @@ contains
 
    !> Every name that there is help on, separated by a blank.
    function every_name(models) result(names)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: names
       type(variable_t), allocatable :: rows(:)

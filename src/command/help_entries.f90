@@ -8,17 +8,17 @@ module adfric_command_help_entries
    public :: entries_t
 
    !> What is said, and by whom.
-   type :: entry_t
+   type :: help_entry_t
       !> What is said; one line of a table, or a page.
       character(:), allocatable :: text
       !> Names of those who say it, separated by a blank.
       character(:), allocatable :: owners
-   end type entry_t
+   end type help_entry_t
 
    !> Entries in the order in which they came.
    type :: entries_t
-      !> The entries, with room for more.
-      type(entry_t), allocatable, private :: items(:)
+      !> The entries, with space for more.
+      type(help_entry_t), allocatable, private :: items(:)
       !> Number of entries.
       integer, private :: n = 0
    contains
@@ -26,7 +26,7 @@ module adfric_command_help_entries
       procedure :: count => count_entries
       procedure :: show_table
       procedure :: show_pages
-      procedure, private :: place_of
+      procedure, private :: index_of
    end type entries_t
 
 contains
@@ -42,9 +42,9 @@ contains
       integer :: i
 
       if (len(text) == 0) return
-      i = self%place_of(text)
+      i = self%index_of(text)
       if (i == 0) then
-         call make_room(self)
+         call make_space(self)
          self%n = self%n + 1
          self%items(self%n)%text = text
          self%items(self%n)%owners = owner
@@ -53,12 +53,12 @@ contains
       end if
    end subroutine add
 
-   !> Room for one more.
-   pure subroutine make_room(self)
-      !> The entries, which have room for at least one more afterwards.
+   !> Space for one more.
+   pure subroutine make_space(self)
+      !> The entries, which have space for at least one more afterwards.
       type(entries_t), intent(inout) :: self
       integer, parameter :: first_size = 16
-      type(entry_t), allocatable :: larger(:)
+      type(help_entry_t), allocatable :: larger(:)
       integer :: i
 
       if (.not. allocated(self%items)) allocate (self%items(first_size))
@@ -69,23 +69,21 @@ contains
          call move_alloc(self%items(i)%owners, larger(i)%owners)
       end do
       call move_alloc(larger, self%items)
-   end subroutine make_room
+   end subroutine make_space
 
-   !> Place of an entry; 0 if there is none.
-   pure integer function place_of(self, text)
-      !> The entries that are searched.
+   !> Index of an entry; 0 if there is none.
+   pure integer function index_of(self, text)
       class(entries_t), intent(in) :: self
       !> Text of the entry, compared as a whole.
       character(*), intent(in) :: text
 
-      do place_of = self%n, 1, -1
-         if (self%items(place_of)%text == text) return
+      do index_of = self%n, 1, -1
+         if (self%items(index_of)%text == text) return
       end do
-   end function place_of
+   end function index_of
 
    !> Number of entries.
    pure integer function count_entries(self)
-      !> The entries that are counted.
       class(entries_t), intent(in) :: self
 
       count_entries = self%n
@@ -93,7 +91,6 @@ contains
 
    !> A line for each, with its owners behind it; long lists go on below.
    pure function show_table(self, width, is_sorted) result(lines)
-      !> The entries, one for each line of the table.
       class(entries_t), intent(in) :: self
       !> Width of the first column [letters].
       integer, intent(in) :: width
@@ -137,9 +134,8 @@ contains
       end do
    end function wrap
 
-   !> Places of the entries by the alphabet: each is put behind those that come before it.
+   !> Indices of the entries by the alphabet: each is put behind those that come before it.
    pure function sorted(self) result(order)
-      !> The entries, which stay where they are.
       type(entries_t), intent(in) :: self
       integer :: order(self%n)
       integer :: i, k
@@ -155,7 +151,6 @@ contains
 
    !> Every entry, after a line that names its owners; a blank line between them.
    pure function show_pages(self) result(lines)
-      !> The entries, one for each page.
       class(entries_t), intent(in) :: self
       character(:), allocatable :: lines
       integer :: i

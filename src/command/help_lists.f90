@@ -29,7 +29,6 @@ contains
 
    !> The list of a topic.
    function show_list(models, topic) result(text)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       !> One of `list_topics`.
       character(*), intent(in) :: topic
@@ -51,7 +50,6 @@ contains
 
    !> Models, a line each.
    function show_models(models) result(text)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       integer :: i
@@ -64,7 +62,6 @@ contains
 
    !> Groups, with the models that have them.
    function show_groups(models) result(text)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(entries_t) :: entries
@@ -86,7 +83,6 @@ contains
 
    !> Variables with their groups and units, and the models that have them.
    function show_variables(models) result(text)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(entries_t) :: entries
@@ -110,7 +106,6 @@ contains
 
    !> Results and profiles with their units, and the models that have them.
    function show_results(models) result(text)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(result_t), allocatable :: common(:)
@@ -137,7 +132,6 @@ contains
 
    !> Units, with the names of what is given in them.
    function show_units(models) result(text)
-      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(entries_t) :: entries

@@ -24,7 +24,6 @@ contains
 
    !> All that there is to say of a model, without its name.
    function describe_model(model) result(text)
-      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       character(:), allocatable :: text
 
@@ -33,7 +32,6 @@ contains
 
    !> Results, profiles and counts of a model.
    function describe_outputs(model) result(text)
-      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       character(:), allocatable :: text
 
@@ -43,7 +41,6 @@ contains
 
    !> What a model says of a name, or of `group%name`; empty if the name does not occur in its tables.
    function describe_name(model, name) result(text)
-      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       !> A name, or `group%name`, in small letters.
       character(*), intent(in) :: name
@@ -75,28 +72,28 @@ contains
    contains
 
       !> Is one of the states of a result meant by the name?
-      pure logical function is_meant(result, meanings, place)
+      pure logical function is_meant(result, meanings, index)
          !> Name of the result.
          character(*), intent(in) :: result
          !> Names of its states, separated by a blank.
          character(*), intent(in) :: meanings
-         !> Place of the state, from 1.
-         integer, intent(in) :: place
+         !> Index of the state, from 1.
+         integer, intent(in) :: index
 
-         is_meant = len(name) == 0 .or. name == result .or. name == get_word(meanings, place)
+         is_meant = len(name) == 0 .or. name == result .or. name == get_word(meanings, index)
       end function is_meant
 
       !> The line of a state.
-      pure function explained(meanings, place, explanation) result(line)
+      pure function explained(meanings, index, explanation) result(line)
          !> Names of the states, separated by a blank.
          character(*), intent(in) :: meanings
-         !> Place of the state, from 1.
-         integer, intent(in) :: place
+         !> Index of the state, from 1.
+         integer, intent(in) :: index
          !> What it means.
          character(*), intent(in) :: explanation
          character(:), allocatable :: line
 
-         line = pad('    '//get_word(meanings, place), name_width)//explanation//newline
+         line = pad('    '//get_word(meanings, index), name_width)//explanation//newline
       end function explained
 
    end function describe_common
@@ -115,7 +112,6 @@ contains
 
    !> The variables that a name means: of a group, of this name, or with this word among their choices; all if it is empty.
    function describe_variables(variables, name) result(text)
-      !> The table.
       type(variable_t), intent(in) :: variables(:)
       !> Name of a group, a variable or a choice, or `group%name`; empty for all variables.
       character(*), intent(in) :: name
@@ -163,7 +159,6 @@ contains
 
    !> The results of a name, or that may be in a state of that name; all if it is empty.
    pure function describe_results(results, name) result(text)
-      !> Rows of a table of results.
       type(result_t), intent(in) :: results(:)
       !> Name of a result or of one of its states; empty for all results.
       character(*), intent(in) :: name
@@ -188,7 +183,6 @@ contains
 
    !> The profiles of a name; all if it is empty.
    pure function describe_profiles(model, name) result(text)
-      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       !> Name of a profile; empty for all profiles.
       character(*), intent(in) :: name
@@ -206,7 +200,6 @@ contains
 
    !> The counts of a name; all if it is empty.
    pure function describe_counts(model, name) result(text)
-      !> The model, whose table of counts is described.
       class(model_t), intent(in) :: model
       !> Name of a count; empty for all counts.
       character(*), intent(in) :: name
@@ -247,7 +240,6 @@ contains
 
    !> Every name that a model has something to say of, and those of every run, separated by a blank.
    function list_names(model) result(names)
-      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       character(:), allocatable :: names
       type(result_t), allocatable :: common(:)
@@ -266,7 +258,6 @@ contains
 
    !> Words that the variables may be, each after a blank.
    pure function list_words(variables) result(words)
-      !> The table.
       type(variable_t), intent(in) :: variables(:)
       character(:), allocatable :: words
       integer :: i
@@ -279,7 +270,6 @@ contains
 
    !> Names of results and of the states that they may be in, each after a blank.
    pure function list_results(results) result(names)
-      !> Rows of a table of results.
       type(result_t), intent(in) :: results(:)
       character(:), allocatable :: names
       integer :: i

@@ -33,7 +33,6 @@ contains
 
    !> The whole page.
    function describe_scenes(models) result(text)
-      !> All solvers, in their own language.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
 
@@ -97,7 +96,6 @@ contains
 
    !> The variables of all groups, each once.
    function describe_groups(models) result(text)
-      !> All solvers, in their own language.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text, group, names
       integer :: g
@@ -117,7 +115,6 @@ contains
 
    !> A variable whose words are known.
    pure function words_line(name, words) result(line)
-      !> Name of the variable.
       character(*), intent(in) :: name
       !> Its words, separated by a blank.
       character(*), intent(in) :: words
@@ -135,7 +132,6 @@ contains
 
    !> Add the variables of a group.
    subroutine add_group(models, group, names, text)
-      !> All solvers, in their own language.
       type(model_box_t), intent(in) :: models(:)
       !> Name of the group.
       character(*), intent(in) :: group
@@ -169,7 +165,6 @@ contains
 
    !> The results of all scenes, each once.
    function describe_results(models) result(text)
-      !> All solvers, in their own language.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text, names, name
       integer :: k, m, i
@@ -193,7 +188,6 @@ contains
 
    !> Words of a choice, of all solvers that have it.
    function words_of_all(models, name) result(words)
-      !> All solvers, in their own language.
       type(model_box_t), intent(in) :: models(:)
       !> Name of the variable in the language of scenes, with its group.
       character(*), intent(in) :: name
@@ -218,7 +212,6 @@ contains
 
    !> Unit of a variable in brackets.
    pure function unit_of(row) result(text)
-      !> Row of the variable.
       type(variable_t), intent(in) :: row
       character(:), allocatable :: text
 
@@ -228,7 +221,6 @@ contains
 
    !> Names of scenes, for completion and for what may be meant by an unknown topic.
    function list_scene_names(models) result(names)
-      !> All solvers, in their own language.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: names, name
       integer :: m, i

@@ -105,13 +105,10 @@ contains
 
    !> Understand an option, and its value behind a = or in the next word.
    subroutine parse_option(arguments, i, command, error)
-      !> The words after the name of the program.
       type(argument_t), intent(in) :: arguments(:)
-      !> In: place of the option among the words. Out: place of its value, if that is the next word.
+      !> In: index of the option among the words. Out: index of its value, if that is the next word.
       integer, intent(inout) :: i
-      !> Receives what the option says.
       type(command_t), intent(inout) :: command
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: name, value
       integer :: equals
@@ -178,7 +175,6 @@ contains
       character(*), intent(in) :: text
       !> Receives the name of the results file.
       type(command_t), intent(inout) :: command
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (len_trim(text) == 0 .or. is_option(text)) then
@@ -197,7 +193,6 @@ contains
       character(*), intent(in) :: text
       !> Receives the part that is to be solved.
       type(command_t), intent(inout) :: command
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       character(*), parameter :: digits = '0123456789'
       !> Digits that an integer surely holds.
@@ -225,11 +220,9 @@ contains
    subroutine parse_word(text, command, n_others, error)
       !> A word that is no option.
       character(*), intent(in) :: text
-      !> Receives what the word says.
       type(command_t), intent(inout) :: command
       !> Number of names of parts so far, which only `merge` has.
       integer, intent(inout) :: n_others
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (len(command%name) == 0) then
@@ -258,7 +251,6 @@ contains
    subroutine check_complete(command, error)
       !> What the user asks for, as far as the words say it.
       type(command_t), intent(in) :: command
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (len(command%name) == 0) then
@@ -283,13 +275,12 @@ contains
    subroutine check_option(option, is_given, owners, command, error)
       !> Name of the option, with its dashes.
       character(*), intent(in) :: option
-      !> Is the option given?
       logical, intent(in) :: is_given
       !> Names of the commands that have the option.
       character(*), intent(in) :: owners
       !> What the user asks for, with the name of the command.
       type(command_t), intent(in) :: command
-      !> Receives an error if the option is out of place; one that is there already is kept.
+      !> Receives an error if the option is out of index; one that is there already is kept.
       type(error_t), allocatable, intent(inout) :: error
 
       if (.not. is_given .or. allocated(error) .or. index(owners, command%name) > 0) return

@@ -60,13 +60,10 @@ contains
 
    !> May the file be written, and is it none of the parts?
    subroutine check_names(command, path, parts, error)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> Name of the results file.
       character(*), intent(in) :: path
       !> The parts of the run, of which only the names are known.
       type(part_file_t), intent(in) :: parts(:)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 

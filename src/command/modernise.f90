@@ -46,7 +46,6 @@ contains
 
    !> A text with line ends of one letter, and blanks for tabs.
    pure function without_returns(text) result(plain)
-      !> The text.
       character(*), intent(in) :: text
       character(:), allocatable :: plain
       integer :: i, n
@@ -64,7 +63,6 @@ contains
 
    !> Number of samples of the heights along x and y; 0 where the input has none, or their file is not there.
    function counts_of_heights(command) result(counts)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       integer :: counts(2)
       type(run_input_t) :: run

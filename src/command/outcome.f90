@@ -32,7 +32,6 @@ contains
 
    !> Add lines to the output.
    pure subroutine say(self, lines)
-      !> The outcome, to whose output the lines are added.
       class(outcome_t), intent(inout) :: self
       !> Lines, each with its line end.
       character(*), intent(in) :: lines
@@ -43,7 +42,6 @@ contains
 
    !> End with an error.
    pure subroutine fail(self, error)
-      !> The outcome; receives the message and the exit status.
       class(outcome_t), intent(inout) :: self
       !> What went wrong; its code becomes the exit status.
       type(error_t), intent(in) :: error

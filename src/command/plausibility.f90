@@ -15,7 +15,6 @@ contains
 
    !> A line for each variable that has such a value.
    function warn_of_values(run) result(lines)
-      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       character(:), allocatable :: unit
@@ -38,20 +37,19 @@ contains
    end function warn_of_values
 
    !> Every value that a variable has in a run; of a dataset the two ends of their range.
-   pure function values_of(run, place, is_dataset) result(values)
-      !> The run that the input describes.
+   pure function values_of(run, index, is_dataset) result(values)
       type(run_input_t), intent(in) :: run
-      !> Place of the variable in the model's table, from 1.
-      integer, intent(in) :: place
+      !> Index of the variable in the model's table, from 1.
+      integer, intent(in) :: index
       !> Does the variable take its values from a dataset?
       logical, intent(in) :: is_dataset
       real(dp), allocatable :: values(:)
 
       allocate (values(0))
       if (is_dataset) then
-         if (run%datasets(place)%is_given()) values = [run%datasets(place)%highest, run%datasets(place)%lowest]
-      else if (is_set(run%plan%base(place))) then
-         values = run%plan%values_of(place)
+         if (run%datasets(index)%is_given()) values = [run%datasets(index)%highest, run%datasets(index)%lowest]
+      else if (is_set(run%plan%base(index))) then
+         values = run%plan%values_of(index)
       end if
    end function values_of
 

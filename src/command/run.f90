@@ -90,9 +90,7 @@ contains
 
    !> The table at the end: what a single fit has found, or what a run or a stack has met.
    function new_table(run, summary) result(text)
-      !> The run, solved.
       class(run_t), intent(in) :: run
-      !> What the run has met.
       type(run_summary_t), intent(in) :: summary
       character(:), allocatable :: text
 
@@ -108,9 +106,7 @@ contains
 
    !> A single fit has no parts.
    subroutine check_part(command, run, error)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> The run that the input describes.
       class(run_t), intent(in) :: run
       !> Allocated if a part of a single fit is wanted.
       type(error_t), allocatable, intent(out) :: error
@@ -127,7 +123,6 @@ contains
    !> Refine the sweep of a run that wants it. What this finds is the same whenever it is done, so that a run goes on with it, and a
    !> part has the values of the others; the hash of the case tells if not.
    subroutine refine_run(command, world, run, error)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       !> The processes that take part; the first one solves.
       type(world_t), intent(in) :: world
@@ -145,9 +140,7 @@ contains
 
    !> Is the run that is to be resumed complete already? A file of another run is left to `check_output`.
    subroutine find_complete(command, run, is_complete, summary, error)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> The run that the input describes.
       class(run_t), intent(in) :: run
       !> Is every point solved, so that nothing has to be done?
       logical, intent(out) :: is_complete
@@ -174,7 +167,7 @@ contains
       call new_layout(layout, run)
       call read_done_points(run%output, run, layout, list, summary, mismatch)
       is_complete = .not. allocated(mismatch)
-      if (is_complete) is_complete = list%n_left == 0
+      if (is_complete) is_complete = list%n_remaining == 0
       if (is_complete .or. command%overwrite) return
       if (.not. allocated(mismatch)) then
          if (summary%n_damaged > 0) then
@@ -190,11 +183,9 @@ contains
 
    !> Can the results be written? Asked before anything is solved.
    subroutine check_output(command, world, run, error)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       !> The processes that take part; the first one looks at the names, all look at the memory.
       type(world_t), intent(in) :: world
-      !> The run that the input describes.
       class(run_t), intent(in) :: run
       !> Allocated if the results cannot be written.
       type(error_t), allocatable, intent(out) :: error
@@ -228,9 +219,7 @@ contains
 
    !> What a run says that was asked to end, and how it goes on.
    function say_stopped(command, run, summary) result(text)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> The run that the input describes.
       class(run_t), intent(in) :: run
       !> Counts of the points that are solved, and the signal that ended the run.
       type(run_summary_t), intent(in) :: summary

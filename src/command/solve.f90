@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Solve what is left of a run, alone or together with other processes, and write it.
+!> Solve what remains of a run, alone or together with other processes, and write it.
 module adfric_command_solve
    use hdf5, only: hid_t
    use omp_lib, only: omp_get_max_threads
@@ -27,11 +27,9 @@ contains
 
    !> Solve every point that is not solved yet, and write the results. Only the first process names and completes the file.
    subroutine solve_case(command, world, run, progress, summary, error)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       !> The processes that solve the run together.
       type(world_t), intent(inout) :: world
-      !> The run that the input describes.
       class(run_t), intent(in) :: run
       !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
@@ -60,13 +58,10 @@ contains
       call share_error(world, error)
    end subroutine solve_case
 
-   !> Create the file or go on with the one that is there, and find the blocks that are left.
+   !> Create the file or go on with the one that is there, and find the blocks that remain.
    subroutine begin_file(command, world, run, results, list, before, error)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> The processes that solve the run together.
       type(world_t), intent(in) :: world
-      !> The run that the input describes.
       class(run_t), intent(in) :: run
       !> The results file, open in the first process alone.
       type(results_file_t), intent(inout) :: results
@@ -102,9 +97,7 @@ contains
 
    !> Is there a file to go on with?
    logical function is_begun(command, run)
-      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> The run that the input describes.
       class(run_t), intent(in) :: run
 
       is_begun = .false.
@@ -115,7 +108,6 @@ contains
    subroutine solve_together(world, run, results, list, progress, summary, error)
       !> The processes that solve the run together.
       type(world_t), intent(inout), target :: world
-      !> The run that the input describes.
       class(run_t), intent(in) :: run
       !> The results file, open in the first process alone, before and after.
       type(results_file_t), intent(inout) :: results
@@ -159,7 +151,7 @@ contains
       type(results_file_t), intent(inout) :: results
       !> Summary of all points that are solved; its time is that of this run alone.
       type(run_summary_t), intent(in) :: summary
-      !> In: why the run ended before its time, if it did. Out: that with what is left of the file, or why the file failed.
+      !> In: why the run ended before its time, if it did. Out: that with what remains of the file, or why the file failed.
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error)) then

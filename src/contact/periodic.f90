@@ -84,13 +84,13 @@ contains
          & status, tolerance)
    end subroutine solve_periodic_penetration
 
-   !> Find the contact for what is held.
+   !> Find the contact for what is prescribed.
    subroutine solve(heights, period, goal, pressure, gap, mean_pressure, penetration, contact_fraction, status, tolerance)
       !> Heights of the rough body; shape `(nx, ny)`.
       real(dp), intent(in) :: heights(:, :)
       !> Periods in x and y.
       real(dp), intent(in) :: period(2)
-      !> What is held.
+      !> What is prescribed.
       type(periodic_goal_t), intent(in) :: goal
       !> Receives the pressure [E*].
       real(dp), intent(out) :: pressure(:, :)
@@ -145,7 +145,7 @@ contains
       real(dp), intent(in) :: heights(:, :)
       !> Periods in x and y.
       real(dp), intent(in) :: period(2)
-      !> What is held, and the largest violation of the conditions of contact.
+      !> What is prescribed, and the largest violation of the conditions of contact.
       type(periodic_goal_t), intent(in) :: goal
       !> Shape of the map of the pressure.
       integer, intent(in) :: shape_of_pressure(2)

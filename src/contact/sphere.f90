@@ -13,7 +13,8 @@ module adfric_contact_sphere
    use adfric_base_not_a_number, only: not_a_number
    use adfric_contact_arguments, only: largest_ratio, lies_between, status_bad_argument
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
-   use adfric_round_sphere_contact, only: branch_stable, branch_unstable, contact_t, control_approach, control_load, control_radius, &
+   use adfric_round_sphere_contact, only: branch_stable, branch_unstable, sphere_contact_t, control_approach, control_load, &
+      & control_radius, &
       & find_contact, part_bodies, theory_maugis_dugdale
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
    use adfric_round_sphere_theory_choice, only: get_mismatch
@@ -102,7 +103,7 @@ contains
       !> Is the approach held, and not the load? False if absent.
       logical, intent(in), optional :: holds_approach
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       integer :: control
 
       control = control_load
@@ -127,13 +128,13 @@ contains
       if (present(is_unstable)) branch_of = merge(branch_unstable, branch_stable, is_unstable)
    end function branch_of
 
-   !> Find the contact for what is held.
+   !> Find the contact for what is prescribed.
    elemental subroutine solve(lambda, control, value, branch, contact_radius, adhesion_radius, load, approach, status)
       !> Maugis's parameter [-].
       real(dp), intent(in) :: lambda
-      !> What is held, one of `control_...`.
+      !> What is prescribed, one of `control_...`.
       integer, intent(in) :: control
-      !> Value of what is held, reduced.
+      !> Value of what is prescribed, reduced.
       real(dp), intent(in) :: value
       !> Which state is meant where there are two, one of `branch_...`.
       integer, intent(in) :: branch
@@ -148,7 +149,7 @@ contains
       !> Receives what has become of the contact.
       integer, intent(out) :: status
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       logical :: is_apart
 
       status = status_bad_argument

@@ -115,7 +115,7 @@ contains
    end subroutine solve_strip_penetration
 
    !> May these numbers be solved?
-   elemental logical function are_good(phase, ratio, stress, range, held)
+   elemental logical function are_good(phase, ratio, stress, range, prescribed)
       !> Relaxation phase.
       real(dp), intent(in) :: phase
       !> Ratio of retardation and relaxation time.
@@ -125,10 +125,10 @@ contains
       !> Range of adhesion.
       real(dp), intent(in) :: range
       !> Load or penetration.
-      real(dp), intent(in) :: held
+      real(dp), intent(in) :: prescribed
 
       are_good = lies_between(phase, 0.0_dp, largest_ratio) .and. lies_between(ratio, 1.0_dp, largest_ratio) &
-         & .and. lies_between(stress, 0.0_dp, largest_ratio) .and. lies_between(held, -largest_ratio, largest_ratio)
+         & .and. lies_between(stress, 0.0_dp, largest_ratio) .and. lies_between(prescribed, -largest_ratio, largest_ratio)
       if (.not. are_good) return
       if (stress > 0) are_good = lies_between(range, 1/largest_ratio, largest_ratio)
    end function are_good

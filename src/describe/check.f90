@@ -17,7 +17,7 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Places of the variables of the list in their table.
+      !> Indices of the variables of the list in their table.
       integer, intent(in) :: list(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
@@ -41,7 +41,7 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Places of the variables of the list in their table.
+      !> Indices of the variables of the list in their table.
       integer, intent(in) :: list(:)
       !> Has one of the list to be given?
       logical, intent(in) :: is_needed
@@ -70,7 +70,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Places of the variables of the list in their table.
+      !> Indices of the variables of the list in their table.
       integer, intent(in) :: list(:)
       !> Why, behind the name of the variable.
       character(*), intent(in) :: text
@@ -91,7 +91,7 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Places of the variables of the list in their table.
+      !> Indices of the variables of the list in their table.
       integer, intent(in) :: list(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
@@ -107,9 +107,8 @@ contains
 
    !> Names as in `a, b or c`.
    pure function list_names(variables, list) result(text)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Places of the variables of the list in their table, one or more.
+      !> Indices of the variables of the list in their table, one or more.
       integer, intent(in) :: list(:)
       character(:), allocatable :: text
       integer :: k

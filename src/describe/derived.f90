@@ -53,7 +53,6 @@ contains
 
    !> Does it follow from a variable?
    pure logical function follows_from(self, variable)
-      !> The quantity, whose `sources` are searched.
       class(derived_t), intent(in) :: self
       !> Name of the variable.
       character(*), intent(in) :: variable

@@ -150,11 +150,10 @@ module adfric_describe_model
 
 contains
 
-   !> Make room for what points share, so that it is found once, whichever block and thread needs it first. It saves time and
-   !> changes no bit of the results. `release` gives the room back when the points are solved. Here there is nothing; a model with
+   !> Make space for what points share, so that it is found once, whichever block and thread needs it first. It saves time and
+   !> changes no bit of the results. `release` gives the space back when the points are solved. Here there is nothing; a model with
    !> something costly of that kind overrides both.
    subroutine prepare(self)
-      !> The model, which may keep what its points find.
       class(model_t), intent(inout) :: self
 
       associate (unused => self)
@@ -163,7 +162,6 @@ contains
 
    !> Give back what `prepare` has made.
    subroutine release(self)
-      !> The model, prepared or not.
       class(model_t), intent(inout) :: self
 
       associate (unused => self)
@@ -172,7 +170,6 @@ contains
 
    !> From now on somebody may end the solution of points before its time, or nobody any more.
    subroutine obey(self, watch)
-      !> The model; one around another hands it on.
       class(model_t), intent(inout) :: self
       !> Who is asked, as long as he is there; null: nobody.
       class(watch_t), pointer, intent(in) :: watch
@@ -182,7 +179,6 @@ contains
 
    !> Shall the solution of points end before its time?
    logical function is_stopped(self)
-      !> The model; every thread asks.
       class(model_t), intent(in) :: self
 
       is_stopped = .false.
@@ -192,7 +188,6 @@ contains
    !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A
    !> model whose points would be solved once more for their profiles overrides it.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
-      !> The model; all threads solve with the same one.
       class(model_t), intent(in) :: self
       !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -204,7 +199,7 @@ contains
       integer, intent(out) :: status(:)
       !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
+      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
       !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
@@ -223,11 +218,10 @@ contains
    !> Take over the values of a dataset, a list or the columns of a group; called for every one that is given, in the order of the
    !> table, before the values are checked. They are finite and within the table's bounds. A model with such variables overrides it;
    !> here nothing is kept.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which may keep the values.
+   subroutine take_dataset(self, index, values, problems)
       class(model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Values of the dataset; shape `(n_last, n_first)`, the dimensions of the file in reverse: what h5py shows as `(ny, nx)` is
       !> `(nx, ny)` here. A dataset of one dimension, or a list of numbers, is `(n, 1)`; the columns of a group are
       !> `(n, n_columns)`.
@@ -235,17 +229,16 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      associate (unused => self, unused_place => place, unused_values => values, unused_problems => problems)
+      associate (unused => self, unused_index => index, unused_values => values, unused_problems => problems)
       end associate
    end subroutine take_dataset
 
    !> Take over a number from the attributes of a dataset or group; called behind `take_dataset` for every attribute of the row
    !> that is there, in the order of the row. A model with such rows overrides it; here nothing is kept.
-   subroutine take_attribute(self, place, name, value, problems)
-      !> The model, which may keep the number.
+   subroutine take_attribute(self, index, name, value, problems)
       class(model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Name of the attribute, one of those of the row.
       character(*), intent(in) :: name
       !> The number, which is finite, in the SI unit that the row says.
@@ -253,14 +246,13 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      associate (unused => self, unused_place => place, unused_name => name, unused_value => value, unused_problems => problems)
+      associate (unused => self, unused_index => index, unused_name => name, unused_value => value, unused_problems => problems)
       end associate
    end subroutine take_attribute
 
    !> The results with their units for this case (forces per width in N/m or forces in N); here those of the table. A model whose
    !> units depend on the case overrides it.
    function describe_results(self, values) result(results)
-      !> The model, whose table of results is read.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -274,7 +266,6 @@ contains
    !> Names of the states of a point in the order of their numbers from 0, separated by a blank. A model whose points are something
    !> else overrides it.
    function list_states(self) result(words)
-      !> The model; nothing of it is read here.
       class(model_t), intent(in) :: self
       character(:), allocatable :: words
 
@@ -286,7 +277,6 @@ contains
    !> What else stands in the results file, with its values, which are known before any point is solved: nothing here. A model that
    !> has something overrides it.
    subroutine get_extras(self, extras)
-      !> The model, prepared; nothing of it is read here.
       class(model_t), intent(in) :: self
       !> Receives the datasets with their values.
       type(extra_t), allocatable, intent(out) :: extras(:)
@@ -299,7 +289,6 @@ contains
    !> Quantities that follow from the values, which have been checked, for `adfric check` and the results file: none here. A
    !> model that has some overrides it.
    function derive_quantities(self, values) result(derived)
-      !> The model; nothing of it is read here.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -332,7 +321,6 @@ contains
 
    !> What else there is to say of the resolved case, a line each, for `adfric check`: nothing here.
    function describe_case(self, values) result(text)
-      !> The model; nothing of it is read here.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -346,7 +334,6 @@ contains
    !> What in the case may not be what the user means, a line each, for `adfric check` and the summary of a run. Here nothing is
    !> doubted.
    function describe_doubts(self, values) result(text)
-      !> The model; nothing of it is read here.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -361,7 +348,6 @@ contains
    !> measure stays `not_measured`, here all. Called for every point that is solved, and with results that are NaN for what can be
    !> known of a case before; a measure that needs them is then NaN. It takes no time to speak of beside a point.
    subroutine measure(self, values, results, measures)
-      !> The model; all threads measure with the same one.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -377,7 +363,6 @@ contains
    !> Nominal size of what results are counted for, a period: its length or area [m, m^2]. Here there is none; a model of periods
    !> overrides it.
    pure real(dp) function nominal_size(self, values)
-      !> The model; nothing of it is read here.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -389,7 +374,6 @@ contains
 
    !> Number of profiles of this case: all of the table. A model whose last profiles not every case has overrides it.
    pure integer function count_profiles(self, values)
-      !> The model, whose table of profiles is read.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -402,7 +386,6 @@ contains
    !> The profiles with their units for this case: those of the table. A model whose units depend on the case
    !> (reduced units) overrides it.
    function describe_profiles(self, values) result(profiles)
-      !> The model, whose table of profiles is read.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -429,23 +412,21 @@ contains
    end function profile_shape
 
    !> Unit of a variable for this case: that of the table. A model whose units depend on the case overrides it.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
+      unit = self%variables(index)%unit
       associate (unused => values)
       end associate
    end function unit_of
 
-   !> Place of a variable in `variables` by the name that the solver has for it; 0 if there is none.
+   !> Index of a variable in `variables` by the name that the solver has for it; 0 if there is none.
    pure integer function solver_index_of(self, group, name)
-      !> The model, whose table of variables is searched.
       class(model_t), intent(in) :: self
       !> Group of the variable, without `&`, and its name, both in the language of the solver.
       character(*), intent(in) :: group, name
@@ -455,9 +436,8 @@ contains
       end do
    end function solver_index_of
 
-   !> Place of a variable in `variables`; 0 if there is none of that name.
+   !> Index of a variable in `variables`; 0 if there is none of that name.
    pure integer function index_of(self, group, name)
-      !> The model, whose table of variables is searched.
       class(model_t), intent(in) :: self
       !> Group of the variable, without `&`.
       character(*), intent(in) :: group

@@ -10,27 +10,27 @@ module adfric_describe_plausible_range
    public :: find_plausible_range, is_plausible
 
    !> Range of the sizes in a unit.
-   type :: row_t
+   type :: plausible_row_t
       !> SI unit of the variables that the range is for.
       character(8) :: unit
       !> Smallest and largest size that is not doubted.
       real(dp) :: lower, upper
-   end type row_t
+   end type plausible_row_t
 
    !> A turn [rad].
    real(dp), parameter :: turn = 6.3_dp
    !> From parts of an atom to a large wheel, from a breath of air to diamond, from a gel a metre thick to a layer of atoms, from
    !> van der Waals forces in a liquid to tearing rubber, from creep to sound in solids.
-   type(row_t), parameter :: table(*) = [ &
-      & row_t('m', 1.0e-13_dp, 10.0_dp), &
-      & row_t('Pa', 1.0e-6_dp, 1.0e13_dp), &
-      & row_t('Pa/m', 1.0e2_dp, 1.0e22_dp), &
-      & row_t('J/m^2', 1.0e-7_dp, 1.0e4_dp), &
-      & row_t('m/s', 1.0e-15_dp, 1.0e4_dp), &
-      & row_t('s', 1.0e-15_dp, 1.0e15_dp), &
-      & row_t('N', 1.0e-18_dp, 1.0e12_dp), &
-      & row_t('N/m', 1.0e-18_dp, 1.0e12_dp), &
-      & row_t('rad', 0.0_dp, turn)]
+   type(plausible_row_t), parameter :: table(*) = [ &
+      & plausible_row_t('m', 1.0e-13_dp, 10.0_dp), &
+      & plausible_row_t('Pa', 1.0e-6_dp, 1.0e13_dp), &
+      & plausible_row_t('Pa/m', 1.0e2_dp, 1.0e22_dp), &
+      & plausible_row_t('J/m^2', 1.0e-7_dp, 1.0e4_dp), &
+      & plausible_row_t('m/s', 1.0e-15_dp, 1.0e4_dp), &
+      & plausible_row_t('s', 1.0e-15_dp, 1.0e15_dp), &
+      & plausible_row_t('N', 1.0e-18_dp, 1.0e12_dp), &
+      & plausible_row_t('N/m', 1.0e-18_dp, 1.0e12_dp), &
+      & plausible_row_t('rad', 0.0_dp, turn)]
 
 contains
 

@@ -73,7 +73,6 @@ contains
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The model; all threads solve with the same one.
       class(pointwise_model_t), intent(in) :: self
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -91,7 +90,6 @@ contains
 
    !> See `model_t`: the profiles are those of the states that the results are taken from.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
-      !> The model; all threads solve with the same one.
       class(pointwise_model_t), intent(in) :: self
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -103,7 +101,7 @@ contains
       integer, intent(out) :: status(:)
       !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
+      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
       !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
@@ -113,7 +111,6 @@ contains
 
    !> Solve the points of a block, with their profiles or without.
    subroutine solve_points(self, values, results, error_estimate, status, counts, profiles, receiver)
-      !> The model; all threads solve with the same one.
       class(pointwise_model_t), intent(in) :: self
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -125,7 +122,7 @@ contains
       integer, intent(out) :: status(:)
       !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Room for the profiles of one point, of their shape; present if `receiver` is.
+      !> Space for the profiles of one point, of their shape; present if `receiver` is.
       real(dp), intent(inout), optional :: profiles(:, :, :)
       !> Takes the profiles of each solved point, and says whether more is wanted; not present: no profiles are made.
       class(profile_receiver_t), intent(inout), optional :: receiver
@@ -158,7 +155,6 @@ contains
 
    !> See `model_t`: the point is solved once more.
    subroutine solve_profiles(self, values, results, profiles)
-      !> The model; all threads solve with the same one.
       class(pointwise_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

@@ -15,13 +15,13 @@ module adfric_describe_profile_receiver
    abstract interface
 
       !> Take the profiles of a solved point.
-      subroutine take_i(self, place, profiles, goes_on)
+      subroutine take_i(self, index, profiles, goes_on)
          import :: profile_receiver_t, dp
          implicit none (type, external)
          !> The receiver, which may keep or write what it takes.
          class(profile_receiver_t), intent(inout) :: self
-         !> Place of the point in its block, from 1.
-         integer, intent(in) :: place
+         !> Index of the point in its block, from 1.
+         integer, intent(in) :: index
          !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
          real(dp), intent(in) :: profiles(:, :, :)
          !> False if nothing more of this block is wanted, not even its results.

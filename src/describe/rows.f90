@@ -290,17 +290,17 @@ contains
    end subroutine set_output_axis
 
    !> Set a profile axis that is a coordinate.
-   subroutine set_coordinate(axis, names, place, coordinates)
+   subroutine set_coordinate(axis, names, index, coordinates)
       !> Receives name, unit and coordinates.
       type(profile_axis_t), intent(inout) :: axis
       !> Names of all profile axes of the model, such as 'y x'.
       character(*), intent(in) :: names
-      !> Place of the axis among them, from 1.
-      integer, intent(in) :: place
+      !> Index of the axis among them, from 1.
+      integer, intent(in) :: index
       !> Coordinates along the axis [m].
       real(dp), intent(in) :: coordinates(:)
 
-      call find_word(names, place, axis%name)
+      call find_word(names, index, axis%name)
       axis%unit = 'm'
       axis%long_name = 'coordinate '//axis%name//' of the profiles'
       axis%coordinates = coordinates
@@ -354,7 +354,6 @@ contains
       integer, intent(in) :: kind
       !> Namelist group of the variable, without `&`.
       character(*), intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> SI unit of the variable, `-` for a pure number, empty where it has none.
       character(*), intent(in) :: unit

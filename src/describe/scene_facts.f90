@@ -119,7 +119,6 @@ contains
 
    !> Is something a fact of a scene?
    pure logical function has(self, fact)
-      !> The scene, whose facts are read.
       class(scene_t), intent(in) :: self
       !> The fact.
       character(*), intent(in) :: fact

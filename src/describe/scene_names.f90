@@ -5,7 +5,8 @@ module adfric_describe_scene_names
    use adfric_base_words, only: count_words, get_word, has_word
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: result_t, variable_t
-   use adfric_describe_scene_rules, only: default_rules, hidden, meanings, profile_rules, result_rules, variable_rules, with_depth, &
+   use adfric_describe_scene_rules, only: default_rules, hidden, meanings, profile_rules, result_rules, variable_rules, &
+      & with_depth, &
       word_rules
    implicit none (type, external)
    private
@@ -37,10 +38,7 @@ contains
 
    !> Give a variable the value that follows from what a scene leaves out.
    subroutine set_default(solver, facts, variable)
-      !> Name of the solver.
-      character(*), intent(in) :: solver
-      !> Facts of the scene, separated by a blank.
-      character(*), intent(in) :: facts
+      character(*), intent(in) :: solver, facts
       !> Row of the solver, in its own language.
       type(variable_t), intent(inout) :: variable
       character(:), allocatable :: value
@@ -57,11 +55,7 @@ contains
 
    !> Call a variable as a scene does.
    subroutine rename_variable(solver, facts, variable)
-      !> Name of the solver.
-      character(*), intent(in) :: solver
-      !> Facts of the scene, separated by a blank.
-      character(*), intent(in) :: facts
-      !> Row of the solver.
+      character(*), intent(in) :: solver, facts
       type(variable_t), intent(inout) :: variable
       character(:), allocatable :: name
       integer :: percent
@@ -99,11 +93,7 @@ contains
 
    !> Call a result as a scene does.
    subroutine rename_result(solver, facts, result)
-      !> Name of the solver.
-      character(*), intent(in) :: solver
-      !> Facts of the scene, separated by a blank.
-      character(*), intent(in) :: facts
-      !> Row of the solver.
+      character(*), intent(in) :: solver, facts
       type(result_t), intent(inout) :: result
       character(:), allocatable :: name
 
@@ -120,7 +110,6 @@ contains
 
    !> A text with z for the depth, which is y for the solvers of the plane.
    pure function with_z(text) result(renamed)
-      !> The text.
       character(*), intent(in) :: text
       character(:), allocatable :: renamed
       character(*), parameter :: pairs(*) = [character(9) :: 's_yy s_zz', 's_xy s_xz', 'u_y u_z']
@@ -166,13 +155,9 @@ contains
 
    !> What a scene calls something; `hidden` if it has no meaning there.
    pure function scene_name_of(rules, solver, name, facts) result(new_name)
-      !> The rules.
-      character(*), intent(in) :: rules(:)
-      !> Name of the solver.
-      character(*), intent(in) :: solver
+      character(*), intent(in) :: rules(:), solver
       !> Name in the language of the solver, of a variable with its group.
       character(*), intent(in) :: name
-      !> Facts of the scene, separated by a blank.
       character(*), intent(in) :: facts
       character(:), allocatable :: new_name
       integer :: i
@@ -188,7 +173,6 @@ contains
 
    !> Is a rule one for something of a solver?
    pure logical function is_for(rule, solver, name)
-      !> The rule.
       character(*), intent(in) :: rule
       !> Name of the solver, and name in its language, of a variable with its group.
       character(*), intent(in) :: solver, name
@@ -205,7 +189,6 @@ contains
 
    !> What a rule calls something that it is for.
    pure function name_by(rule, name) result(new_name)
-      !> The rule.
       character(*), intent(in) :: rule
       !> Name in the language of the solver, of a variable with its group.
       character(*), intent(in) :: name
@@ -237,7 +220,6 @@ contains
 
    !> Does a rule need a fact to be there?
    elemental logical function needs_fact(rule)
-      !> The rule.
       character(*), intent(in) :: rule
       integer :: k
 
@@ -249,7 +231,6 @@ contains
 
    !> What a scene calls something by the first rule that does not hide it.
    pure function likely_name(rules, solver, name) result(new_name)
-      !> The rules.
       character(*), intent(in) :: rules(:)
       !> Name of the solver, and name in its language.
       character(*), intent(in) :: solver, name
@@ -268,7 +249,6 @@ contains
    pure logical function is_of(solvers, solver)
       !> Names, separated by a comma, or `*`.
       character(*), intent(in) :: solvers
-      !> Name of the solver.
       character(*), intent(in) :: solver
 
       is_of = solvers == '*' .or. index(','//solvers//',', ','//solver//',') > 0
@@ -276,10 +256,7 @@ contains
 
    !> Does a scene have the facts that a rule needs?
    pure logical function is_so(rule, facts)
-      !> The rule.
-      character(*), intent(in) :: rule
-      !> Facts of the scene, separated by a blank.
-      character(*), intent(in) :: facts
+      character(*), intent(in) :: rule, facts
       character(:), allocatable :: fact
       integer :: k
 

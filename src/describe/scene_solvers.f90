@@ -98,7 +98,6 @@ contains
    pure logical function has_item(list, item)
       !> Items, separated by a comma.
       character(*), intent(in) :: list
-      !> The item.
       character(*), intent(in) :: item
 
       has_item = index(','//list//',', ','//item//',') > 0

@@ -16,7 +16,7 @@ module adfric_describe_table
    integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5, kind_text = 6
 
    !> A namelist variable. Every kind is held as a real number: integers as they are, logicals as 0 and 1,
-   !> choices as their place in `choices` (from 1), datasets of a file as 1, and what was not given as `unset`.
+   !> choices as their index in `choices` (from 1), datasets of a file as 1, and what was not given as `unset`.
    type :: variable_t
       !> Group it stands in, without `&`.
       character(:), allocatable :: group
@@ -135,7 +135,7 @@ module adfric_describe_table
       integer, allocatable :: counts(:)
       !> Values, the last dimension fastest; not allocated where it has words.
       real(dp), allocatable :: values(:)
-      !> Words, separated by a blank, one for each place along its one dimension; not allocated where it has numbers.
+      !> Words, separated by a blank, one for each index along its one dimension; not allocated where it has numbers.
       character(:), allocatable :: words
       !> Meanings of `first_flag`, `first_flag + 1`, ... separated by a blank, where the values are enumerated states; else not
       !> allocated.
@@ -174,7 +174,6 @@ contains
 
    !> Number of datasets that a variable takes from a group of a file; 0 if it takes no group.
    pure integer function n_columns(self)
-      !> The variable, whose `columns` are counted.
       class(variable_t), intent(in) :: self
 
       n_columns = 0
@@ -183,7 +182,6 @@ contains
 
    !> Number of attributes of a dataset or group that a model takes.
    pure integer function n_attributes(self)
-      !> The variable, whose `attributes` are counted.
       class(variable_t), intent(in) :: self
 
       n_attributes = 0
@@ -205,7 +203,6 @@ contains
 
    !> Name of a variable in the language of the solver.
    pure function own_name(self) result(name)
-      !> The variable.
       class(variable_t), intent(in) :: self
       character(:), allocatable :: name
 
@@ -215,7 +212,6 @@ contains
 
    !> Is this the name that the solver has for a variable, whatever the scene calls it?
    pure logical function is_called(self, group, name)
-      !> The variable.
       class(variable_t), intent(in) :: self
       !> Group and name in the language of the solver.
       character(*), intent(in) :: group, name
@@ -229,7 +225,6 @@ contains
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)
-      !> The result, whose `flag_meanings` are counted.
       class(result_t), intent(in) :: self
 
       n_states = 0

@@ -45,7 +45,6 @@ contains
 
    !> Which data sets may have a base line that no column marks: loads against approaches, where something adheres.
    function wants_marks(fit) result(wants)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       logical :: wants(size(fit%data_sets))
       integer :: k
@@ -64,7 +63,6 @@ contains
 
    !> Does anything adhere in a fit?
    function adheres(fit)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       logical :: adheres
       character(:), allocatable :: theory
@@ -87,7 +85,6 @@ contains
 
    !> Mark the points of a data set.
    subroutine mark_points(data, is_contact)
-      !> The data set.
       type(data_set_t), intent(in) :: data
       !> Receives which points are in contact.
       logical, allocatable, intent(out) :: is_contact(:)
@@ -112,7 +109,6 @@ contains
 
    !> Number of the pass of each point: its segment, or whether it stands before or behind the innermost point.
    subroutine find_passes(data, used, pass)
-      !> The data set.
       type(data_set_t), intent(in) :: data
       !> The points that are used.
       integer, intent(in) :: used(:)
@@ -142,7 +138,7 @@ contains
       real(dp), intent(in) :: x(:)
       !> Ordinates.
       real(dp), intent(in) :: y(:)
-      real(dp) :: noise, left, spread, sums(5), middle, at, slope, mean, of_line, size_of
+      real(dp) :: noise, remaining, spread, sums(5), middle, at, slope, mean, of_line, size_of
       integer :: n, k
 
       length = 0
@@ -160,10 +156,11 @@ contains
          if (.not. of_line > 0) cycle
          slope = (sums(1)*sums(5) - sums(2)*sums(4))/of_line
          mean = (sums(4) - slope*sums(2))/sums(1)
-         left = norm2(y(:k) - y(1) - mean - slope*(x(:k) - middle)/size_of)/sqrt(k - 2.0_dp)
-         if (left > most_noise*(1 + 2/sqrt(real(k, dp)))*noise) cycle
+         remaining = norm2(y(:k) - y(1) - mean - slope*(x(:k) - middle)/size_of)/sqrt(k - 2.0_dp)
+         if (remaining > most_noise*(1 + 2/sqrt(real(k, dp)))*noise) cycle
          spread = minval(abs(y(k + 1:k + n_behind) - y(1) - mean - slope*(x(k + 1:k + n_behind) - middle)/size_of))
-         if (spread > least_jump*max(noise, left) .and. all(y(k + 1:k + n_behind) < y(1) + mean + slope*(x(k + 1:k + n_behind) &
+         if (spread > least_jump*max(noise, &
+            & remaining) .and. all(y(k + 1:k + n_behind) < y(1) + mean + slope*(x(k + 1:k + n_behind) &
             & - middle)/size_of)) then
             length = k
             return

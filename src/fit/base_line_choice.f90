@@ -32,7 +32,6 @@ contains
 
    !> Look for better marks where a fit says that its own are in doubt, and take the answer with the least S, if there is one.
    subroutine settle_base_lines(fit, marked, course, solution)
-      !> The fit as it was given.
       type(fit_t), intent(in) :: fit
       !> In: the fit with the marks that the jump gives. Out: with those of the answer.
       type(fit_t), intent(inout) :: marked
@@ -76,13 +75,11 @@ contains
 
    !> Fit with other marks, and keep the answer.
    subroutine try(other, wants, others, best)
-      !> The other marks; their descent.
       type(choice_t), intent(inout) :: other
       !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
       !> All answers; this one is added.
       type(choice_t), allocatable, intent(inout) :: others(:)
-      !> The best one so far.
       type(choice_t), intent(inout) :: best
 
       call solve(other)
@@ -94,9 +91,7 @@ contains
 
    !> Let a search begin where another one ended.
    subroutine start_at(fit, solution)
-      !> The fit.
       type(fit_t), intent(inout) :: fit
-      !> What the other search found.
       type(solution_t), intent(in) :: solution
 
       fit%n_starts = 1
@@ -105,9 +100,7 @@ contains
 
    !> Search with the marks of an answer from all starts, if it was found from few.
    subroutine search_again(fit, best)
-      !> The fit as it was given.
       type(fit_t), intent(in) :: fit
-      !> The answer.
       type(choice_t), intent(inout) :: best
       type(choice_t) :: other
 
@@ -123,11 +116,9 @@ contains
 
    !> Say that there is no answer, where others are as good as the best one.
    subroutine judge(fit, wants, others, best)
-      !> The fit as it was given.
       type(fit_t), intent(in) :: fit
       !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
-      !> Other answers.
       type(choice_t), intent(in) :: others(:)
       !> The best one, whose status and reason are set.
       type(choice_t), intent(inout) :: best
@@ -157,10 +148,7 @@ contains
 
    !> Has an answer a lesser S than the best one so far? Base lines left beyond the fold count as `minima_limit` variances.
    pure logical function is_better(other, best)
-      !> The answer.
-      type(choice_t), intent(in) :: other
-      !> The best one so far.
-      type(choice_t), intent(in) :: best
+      type(choice_t), intent(in) :: other, best
       real(dp) :: gain
 
       gain = (best%solution%chi2 - other%solution%chi2)/variance_of(best)
@@ -171,7 +159,6 @@ contains
 
    !> Does an answer leave a base line beyond the fold? Beside one that is marked each point there belongs to it.
    pure logical function leaves_base_line(self)
-      !> The answer.
       type(choice_t), intent(in) :: self
       integer :: k, least
 
@@ -187,10 +174,7 @@ contains
 
    !> Is an answer as good as the best one, and beyond its errors?
    pure logical function is_as_good(other, best)
-      !> The answer, or none.
-      type(choice_t), intent(in) :: other
-      !> The best one.
-      type(choice_t), intent(in) :: best
+      type(choice_t), intent(in) :: other, best
       real(dp) :: distance(size(best%fit%frees))
 
       is_as_good = .false.
@@ -209,7 +193,6 @@ contains
 
    !> Variance of a point in the unit of S.
    pure real(dp) function variance_of(self)
-      !> The answer.
       type(choice_t), intent(in) :: self
 
       variance_of = self%course%variance*self%course%unit2
@@ -217,7 +200,6 @@ contains
 
    !> Fit with the marks of a choice.
    subroutine solve(self)
-      !> The choice.
       type(choice_t), intent(inout) :: self
 
       self%solution = solution_t()
@@ -226,7 +208,6 @@ contains
 
    !> Take the best marks at the values found, and fit again, as long as S falls.
    subroutine descend(self, wants)
-      !> The choice.
       type(choice_t), intent(inout) :: self
       !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
@@ -247,11 +228,8 @@ contains
 
    !> The same fit without adhesion, if adhesion is sought and the model has a theory without it.
    subroutine remove_adhesion(fit, other, is_known)
-      !> The fit as it was given.
       type(fit_t), intent(in) :: fit
-      !> Receives the fit without adhesion.
       type(fit_t), intent(out) :: other
-      !> Is there one?
       logical, intent(out) :: is_known
       character(:), allocatable :: word
       logical :: is_adhesion(size(fit%frees))

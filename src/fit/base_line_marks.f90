@@ -8,7 +8,7 @@ module adfric_fit_base_line_marks
    use adfric_base_kinds, only: dp
    use adfric_fit_base_line, only: find_passes, fewest
    use adfric_fit_course, only: course_t
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_loss, only: get_loss
    use adfric_fit_minima, only: minima_limit
    use adfric_fit_objective, only: objective_t, new_objective, most_rows_of
@@ -45,11 +45,9 @@ contains
 
    !> Which marks are best at the values that a choice has found.
    subroutine find_marks(self, wants, marks)
-      !> The choice.
       type(choice_t), intent(in) :: self
       !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
-      !> Receives the marks.
       type(marks_t), intent(out) :: marks
       type(objective_t) :: contact, apart
       logical :: is_valid(2)
@@ -78,15 +76,11 @@ contains
 
    !> Evaluate all curves at the values of a choice as if all points that may be marked were in contact, or all but one apart.
    subroutine evaluate_all(self, wants, is_contact, objective, is_valid)
-      !> The choice.
       type(choice_t), intent(in) :: self
       !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
-      !> Are the points in contact?
       logical, intent(in) :: is_contact
-      !> Receives the curves.
       type(objective_t), intent(out) :: objective
-      !> Has the model values?
       logical, intent(out) :: is_valid
       type(fit_t) :: trial
       real(dp), allocatable :: r(:), j(:, :)
@@ -116,18 +110,14 @@ contains
    !> Choose the marks of a curve: the best ones, and the least and largest base lines that are as good.
    subroutine choose_marks(contact, apart, data, loss, loss_width, variance, marks, number)
       !> The curve with all points in contact, and apart.
-      class(curve_t), intent(in) :: contact, apart
-      !> The data set with its present marks.
+      class(fit_curve_t), intent(in) :: contact, apart
       type(data_set_t), intent(in) :: data
       !> Its loss, with its width.
       integer, intent(in) :: loss
-      !> Width of the loss.
       real(dp), intent(in) :: loss_width
       !> Variance of a point.
       real(dp), intent(in) :: variance
-      !> Receives the marks.
       type(marks_t), intent(inout) :: marks
-      !> Number of the data set.
       integer, intent(in) :: number
       real(dp) :: excess(contact%n), other(contact%n), unused(contact%n), unused_too(contact%n)
       real(dp), allocatable :: sums(:)
@@ -138,7 +128,7 @@ contains
       call get_loss(loss, loss_width, apart%residual, excess, unused, unused_too)
       call get_loss(loss, loss_width, contact%residual, other, unused, unused_too)
       excess = excess - other
-      call find_passes(data, contact%place, pass)
+      call find_passes(data, contact%index, pass)
       do p = minval(pass), maxval(pass)
          members = pack([(i, i=1, contact%n)], pass == p)
          n = size(members)
@@ -152,25 +142,24 @@ contains
             sums(i) = sums(i - 1) + excess(members(i))
          end do
          present = 0
-         if (allocated(data%is_contact)) present = sum(excess(members), .not. data%is_contact(contact%place(members)))
+         if (allocated(data%is_contact)) present = sum(excess(members), .not. data%is_contact(contact%index(members)))
          marks%gain_of_any = marks%gain_of_any + present - minval(sums)
          sums(1:min(fewest, n) - 1) = huge(present)
          marks%gain = marks%gain + present - minval(sums)
          m = minloc(sums, 1) - 1
-         call mark_first(marks%best%data_sets(number), contact%place(members), m)
+         call mark_first(marks%best%data_sets(number), contact%index(members), m)
          ! the next point may be as good after a fit: at the fold a curve is steep
          low = min(m - 1, findloc(sums < minval(sums) + minima_limit*variance, .true., 1) - 1)
          if (low < fewest) low = min(m, fewest)
          high = max(m + 1, findloc(sums < minval(sums) + minima_limit*variance, .true., 1, back=.true.) - 1)
          if (m == 0) high = max(high, fewest)
-         call mark_first(marks%least%data_sets(number), contact%place(members), low)
-         call mark_first(marks%largest%data_sets(number), contact%place(members), min(high, n - 1))
+         call mark_first(marks%least%data_sets(number), contact%index(members), low)
+         call mark_first(marks%largest%data_sets(number), contact%index(members), min(high, n - 1))
       end do
    end subroutine choose_marks
 
    !> Mark the first points of a pass as base line, and the others as contact.
    pure subroutine mark_first(data, members, n)
-      !> The data set.
       type(data_set_t), intent(inout) :: data
       !> Its points in this pass, outermost first.
       integer, intent(in) :: members(:)
@@ -184,7 +173,6 @@ contains
 
    !> Mark a part of the points of each data set, the outermost ones, as base line.
    subroutine set_threshold(fit, wants, part)
-      !> The fit.
       type(fit_t), intent(inout) :: fit
       !> The data sets that are marked here.
       logical, intent(in) :: wants(:)

@@ -5,7 +5,7 @@
 !> intervals are those of the middle refits, (1 - level)/2 left out at either end. A set of two pieces shows as one long interval.
 module adfric_fit_bootstrap
    use adfric_base_kinds, only: dp
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_fold_search, only: find_minimum
    use adfric_fit_objective, only: objective_t
    use adfric_fit_order, only: sort
@@ -27,19 +27,14 @@ contains
    subroutine take_bootstrap(objective, fit, scales, limits, work, minima, sigma, solution)
       !> The sum of squares; its data are overwritten.
       type(objective_t), intent(inout) :: objective
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> Minima, the least first; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)
       !> Standard error of a point in the units of the residuals.
       real(dp), intent(in) :: sigma
-      !> Receives the intervals.
       type(solution_t), intent(inout) :: solution
       type(objective_t) :: truth
       type(random_t) :: random
@@ -79,7 +74,6 @@ contains
 
    !> Let events and priors be what the estimate says.
    subroutine move_events(objective, q)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: objective
       !> The estimate.
       real(dp), intent(in) :: q(:)
@@ -108,11 +102,9 @@ contains
 
    !> New points around those of the model.
    subroutine add_noise(truth, sigma, random, x, y)
-      !> The curve at the estimate.
-      class(curve_t), intent(in) :: truth
+      class(fit_curve_t), intent(in) :: truth
       !> Standard error of a point in the units of the residuals.
       real(dp), intent(in) :: sigma
-      !> The random numbers.
       type(random_t), intent(inout) :: random
       !> Receive the new abscissas and ordinates.
       real(dp), intent(inout) :: x(:), y(:)
@@ -130,32 +122,27 @@ contains
 
    !> The best answer from all minima.
    subroutine find_best(objective, scales, limits, work, minima, best, has_value)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> Minima; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)
       !> Receives the numbers that are fitted.
       real(dp), intent(out) :: best(:)
-      !> Is there an answer?
       logical, intent(out) :: has_value
       type(squares_outcome_t) :: outcome
-      logical :: is_held(size(best)), is_unfolded
+      logical :: is_fixed(size(best)), is_unfolded
       real(dp) :: q(size(best)), least
       integer :: k
 
-      is_held = .false.
+      is_fixed = .false.
       has_value = .false.
       least = huge(least)
       best = 0
       do k = 1, size(minima, 2)
          q = minima(:, k)
-         call find_minimum(objective, scales, is_held, limits, work, q, outcome, is_unfolded)
+         call find_minimum(objective, scales, is_fixed, limits, work, q, outcome, is_unfolded)
          if (outcome%status == squares_no_value .or. outcome%cost >= least) cycle
          has_value = .true.
          least = outcome%cost
@@ -167,13 +154,9 @@ contains
    subroutine take_middle(found, levels, scales, objective, solution)
       !> Numbers that were fitted; shape `(n_refits, n_free)`.
       real(dp), intent(in) :: found(:, :)
-      !> The levels.
       real(dp), intent(in) :: levels(:)
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> The sum of squares.
       type(objective_t), intent(in) :: objective
-      !> Receives the intervals.
       type(solution_t), intent(inout) :: solution
       real(dp) :: sorted(size(found, 1))
       integer :: k, level, n, ends(2)

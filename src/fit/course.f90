@@ -16,8 +16,8 @@ module adfric_fit_course
 
    !> Steps in standard errors that end a search with derivatives by steps forward, and what counts as a combination of columns then.
    real(dp), parameter :: forward_step = 1.0e-4_dp, forward_rank = 1.0e-5_dp, central_step = 1.0e-6_dp, central_rank = 1.0e-7_dp
-   !> The same where an ordinate has bends everywhere, such as an area on cells: its sum has many least places side by side, within a
-   !> part of the standard error. A search ends at ten times this step where nothing lowers the sum.
+   !> The same where an ordinate has bends everywhere, such as an area on cells: its sum has many least positions side by side,
+   !> within a part of the standard error. A search ends at ten times this step where nothing lowers the sum.
    real(dp), parameter :: step_at_bends = 0.03_dp
    !> The same for the best minimum with exact derivatives.
    real(dp), parameter :: last_step = 1.0e-9_dp
@@ -30,7 +30,7 @@ module adfric_fit_course
       type(objective_t) :: objective
       !> When a search ends.
       type(squares_limits_t) :: limits
-      !> Room to work in.
+      !> Workspace.
       type(squares_work_t) :: work
       !> All minima.
       type(minima_t) :: minima
@@ -46,11 +46,9 @@ module adfric_fit_course
 
 contains
 
-   !> Make the sum of squares and room for searches.
+   !> Make the sum of squares and space for searches.
    subroutine begin_course(course, fit)
-      !> Receives what the parts share.
       type(course_t), intent(inout) :: course
-      !> The fit.
       type(fit_t), intent(in) :: fit
 
       call set_scales(course%scales, fit)
@@ -76,7 +74,6 @@ contains
 
    !> Has an ordinate bends everywhere, so that a minimum is known to its standard error alone?
    pure logical function has_bends(fit)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       integer :: k
 
@@ -88,9 +85,7 @@ contains
 
    !> Are there fewer points, events and priors than free variables, or fewer in contact than those that need contact?
    pure logical function has_too_few_points(course, fit)
-      !> What the parts share.
       type(course_t), intent(in) :: course
-      !> The fit.
       type(fit_t), intent(in) :: fit
       integer :: k, n_contact, n_free
 
@@ -108,19 +103,18 @@ contains
 
    !> the best one, for in a flat valley a millionth of a standard error of ln lambda moves the covariance by a ten-thousandth.
    subroutine refine_minima(course)
-      !> What the parts share.
       type(course_t), intent(inout) :: course
       type(squares_limits_t) :: limits
       type(squares_outcome_t) :: outcome
       real(dp) :: least
       integer :: k
-      logical :: is_held(course%objective%n_free), is_unfolded
+      logical :: is_fixed(course%objective%n_free), is_unfolded
 
       if (course%minima%n < 1) return
       least = course%minima%cost(1)
       limits = course%limits
       course%objective%is_exact = .true.
-      is_held = .false.
+      is_fixed = .false.
       do k = 1, course%minima%n
          limits%step_tolerance = last_step
          if (size(course%objective%others) > 0) then
@@ -131,7 +125,7 @@ contains
          else if (k > 1) then
             exit
          end if
-         call find_minimum(course%objective, course%scales, is_held, limits, course%work, course%minima%q(:, k), outcome, &
+         call find_minimum(course%objective, course%scales, is_fixed, limits, course%work, course%minima%q(:, k), outcome, &
             & is_unfolded)
          if (outcome%status == squares_no_value) cycle
          course%minima%steps = course%minima%steps + outcome%steps
@@ -144,9 +138,7 @@ contains
 
    !> Put the minima that count into the solution.
    subroutine take_minima(course, solution)
-      !> What the parts share.
       type(course_t), intent(inout) :: course
-      !> Receives the minima.
       type(solution_t), intent(inout) :: solution
       real(dp), allocatable :: slopes(:)
       integer :: k, n, n_free
@@ -172,7 +164,6 @@ contains
 
    !> Let the sum of squares hold the curves of the best minimum.
    subroutine evaluate_best(course)
-      !> What the parts share.
       type(course_t), intent(inout) :: course
       real(dp) :: cost
       logical :: is_valid

@@ -26,17 +26,15 @@ contains
 
    !> Find the covariance of the numbers that are fitted, or a direction that the data do not see.
    subroutine find_covariance(self, q, work, covariance, null_vector, is_identifiable, is_valid)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
       !> The estimate.
       real(dp), intent(in) :: q(:)
-      !> Room to work in; it holds plain residuals and derivatives at the end.
+      !> Workspace; it holds plain residuals and derivatives at the end.
       type(squares_work_t), intent(inout) :: work
       !> Receives the covariance, not scaled; NaN if there is none.
       real(dp), intent(out) :: covariance(:, :)
       !> Receives a direction of length 1 that the data do not see; 0 if they see all.
       real(dp), intent(out) :: null_vector(:)
-      !> Do the data see all directions?
       logical, intent(out) :: is_identifiable
       !> Has the model a value at the estimate?
       logical, intent(out) :: is_valid
@@ -91,9 +89,7 @@ contains
 
    !> The covariance with a loss.
    subroutine find_sandwich(self, work, length, covariance)
-      !> The sum of squares, with psi and psi'.
       type(objective_t), intent(in) :: self
-      !> Plain residuals and derivatives.
       type(squares_work_t), intent(in) :: work
       !> Lengths of the columns.
       real(dp), intent(in) :: length(:)

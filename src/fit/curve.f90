@@ -6,16 +6,16 @@ module adfric_fit_curve
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    implicit none (type, external)
    private
-   public :: curve_t, take_points, nuisance_slopes
+   public :: fit_curve_t, take_points, nuisance_slopes
 
    !> A measured curve. Only points that are used are kept.
-   type, abstract :: curve_t
+   type, abstract :: fit_curve_t
       !> Number of the data set, and of points that are used.
       integer :: data_set = 0, n = 0
       !> Does a point have a standard error of the abscissa?
       logical :: is_latent = .false.
       !> The points in the data set; shape `(n)`.
-      integer, allocatable :: place(:)
+      integer, allocatable :: index(:)
       !> Abscissas and ordinates with their standard errors; where the ordinates' is not known, all have the same one. Shape `(n)`.
       real(dp), allocatable :: x(:), y(:), sigma(:), x_sigma(:)
       !> Is the point one of contact?
@@ -28,15 +28,15 @@ module adfric_fit_curve
       procedure(evaluate_i), deferred :: evaluate
       procedure(find_event_i), deferred :: find_event
       procedure(most_rows_i), deferred :: most_rows
-   end type curve_t
+   end type fit_curve_t
 
    abstract interface
       !> Residuals, model less data in standard errors, and their derivatives. The first n rows are those of the points, more may follow.
       subroutine evaluate_i(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
-         import :: curve_t, dp
+         import :: fit_curve_t, dp
          implicit none (type, external)
          !> The curve, which keeps what helps its next evaluation.
-         class(curve_t), intent(inout) :: self
+         class(fit_curve_t), intent(inout) :: self
          !> Values of all variables of the model.
          real(dp), intent(in) :: values(:)
          !> Values of the nuisances of the curve.
@@ -57,10 +57,10 @@ module adfric_fit_curve
 
       !> What the model says of an event, and its derivatives.
       subroutine find_event_i(self, kind, values, nuisance, slopes, value, gradient, is_valid)
-         import :: curve_t, dp
+         import :: fit_curve_t, dp
          implicit none (type, external)
          !> The curve, whose nuisances shift the event.
-         class(curve_t), intent(inout) :: self
+         class(fit_curve_t), intent(inout) :: self
          !> One of `event_...`.
          integer, intent(in) :: kind
          !> Values of all variables of the model.
@@ -79,10 +79,10 @@ module adfric_fit_curve
 
       !> Most rows that an evaluation gives.
       pure integer function most_rows_i(self)
-         import :: curve_t
+         import :: fit_curve_t
          implicit none (type, external)
          !> The curve.
-         class(curve_t), intent(in) :: self
+         class(fit_curve_t), intent(in) :: self
       end function most_rows_i
    end interface
 
@@ -90,11 +90,8 @@ contains
 
    !> Take the points of a data set that are used.
    subroutine take_points(self, number, data, unit)
-      !> The curve; it receives the points.
-      class(curve_t), intent(inout) :: self
-      !> Number of the data set.
+      class(fit_curve_t), intent(inout) :: self
       integer, intent(in) :: number
-      !> The data set.
       type(data_set_t), intent(in) :: data
       !> The standard error of all ordinates where none is given.
       real(dp), intent(in) :: unit
@@ -108,17 +105,17 @@ contains
          if (allocated(data%x_sigma)) is_used(i) = is_used(i) .and. ieee_is_finite(data%x_sigma(i))
       end do
       self%data_set = number
-      self%place = pack([(i, i=1, size(data%x))], is_used)
-      self%n = size(self%place)
-      self%x = data%x(self%place)
-      self%y = data%y(self%place)
+      self%index = pack([(i, i=1, size(data%x))], is_used)
+      self%n = size(self%index)
+      self%x = data%x(self%index)
+      self%y = data%y(self%index)
       allocate (self%sigma(self%n), source=unit)
-      if (allocated(data%sigma)) self%sigma = data%sigma(self%place)
+      if (allocated(data%sigma)) self%sigma = data%sigma(self%index)
       allocate (self%x_sigma(self%n), source=0.0_dp)
-      if (allocated(data%x_sigma)) self%x_sigma = data%x_sigma(self%place)
+      if (allocated(data%x_sigma)) self%x_sigma = data%x_sigma(self%index)
       self%is_latent = any(self%x_sigma > 0)
       allocate (self%is_contact(self%n), source=.true.)
-      if (allocated(data%is_contact)) self%is_contact = data%is_contact(self%place)
+      if (allocated(data%is_contact)) self%is_contact = data%is_contact(self%index)
       allocate (self%fitted(self%n), self%residual(self%n), source=0.0_dp)
       self%foot = self%x
       allocate (self%is_beyond(self%n), self%is_apart(self%n), source=.false.)
@@ -126,11 +123,8 @@ contains
 
    !> Derivatives of the nuisances of a data set by the numbers that are fitted.
    pure subroutine nuisance_slopes(frees, data_set, slopes, of_nuisance)
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> Number of the data set.
       integer, intent(in) :: data_set
-      !> Derivatives of each free variable by the number that is fitted.
       real(dp), intent(in) :: slopes(:)
       !> Receives the derivatives; shape `(n_free, n_nuisances)`.
       real(dp), intent(out) :: of_nuisance(:, :)

@@ -1,14 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Starts of a whole curve, load against approach, of a sphere or any indenter: where contact begins, how stiff it is, and what adheres.
 !>
-!> Load is E* p(delta, w/E*) with a function p of lengths alone. So only the contact point and the length w/E* are looked for, at places
-!> that fill their box evenly (Halton), the contact point within the data and somewhat beyond, w/E* over the decades up to their range.
-!> E*, the zero of the load and the slope of the base line are then linear, and the sum of squares over some of the points says which
-!> places are the best.
+!> Load is E* p(delta, w/E*) with a function p of lengths alone. So only the contact point and the length w/E* are looked for, at
+!> positions that fill their box evenly (Halton), the contact point within the data and somewhat beyond, w/E* over the decades up to
+!> their range. E*, the zero of the load and the slope of the base line are then linear, and the sum of squares over some of the
+!> points says which positions are the best.
 module adfric_fit_curve_starts
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_model_points, only: fold_t, model_points_t, new_model_points
    use adfric_fit_objective, only: objective_t
    use adfric_fit_order, only: order_of
@@ -20,8 +20,8 @@ module adfric_fit_curve_starts
    private
    public :: find_curve_starts, has_curve_starts
 
-   !> Places that are looked at, points at which they are, and how near two starts may be as a part of the box.
-   integer, parameter :: n_places = 160, n_points = 60
+   !> Positions that are looked at, points at which they are, and how near two starts may be as a part of the box.
+   integer, parameter :: n_positions = 160, n_points = 60
    real(dp), parameter :: least_distance = 0.04_dp
    !> How far the contact point may lie before the data, as a part of their range, and decades of w/E* below it.
    real(dp), parameter :: before_data = 0.5_dp, decades = 5.0_dp
@@ -46,7 +46,6 @@ contains
 
    !> Is a fit one of a load against an approach that is not that of the base of a spring beside the model?
    logical function has_curve_starts(fit)
-      !> The fit.
       type(fit_t), intent(in) :: fit
 
       has_curve_starts = size(fit%data_sets) == 1
@@ -61,31 +60,29 @@ contains
 
    !> Find starts, the best one first.
    subroutine find_curve_starts(self, fit, v, starts)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> A start; what is not looked for keeps its values.
       real(dp), intent(in) :: v(:)
       !> Receives starts; shape `(n_free, n)`, n = 0 if no place has a value.
       real(dp), allocatable, intent(out) :: starts(:, :)
       type(scan_t) :: scan
-      real(dp) :: all_starts(size(v), n_places), sums(n_places), place(2, n_places)
-      integer :: order(n_places), taken(n_places), k, n
+      real(dp) :: all_starts(size(v), n_positions), sums(n_positions), position(2, n_positions)
+      integer :: order(n_positions), taken(n_positions), k, n
 
       call new_scan(self, fit, scan)
       allocate (starts(size(v), 0))
       if (scan%modulus + scan%work + scan%contact_point == 0 .or. count(scan%is_contact) < 3) return
-      do k = 1, n_places
-         place(:, k) = [radical_inverse(k, 2), radical_inverse(k, 3)]
-         call look_at(self, fit, scan, place(:, k), v, all_starts(:, k), sums(k))
+      do k = 1, n_positions
+         position(:, k) = [radical_inverse(k, 2), radical_inverse(k, 3)]
+         call look_at(self, fit, scan, position(:, k), v, all_starts(:, k), sums(k))
       end do
       order = order_of(sums)
       n = 0
-      do k = 1, n_places
+      do k = 1, n_positions
          if (.not. sums(order(k)) < huge(sums)) exit
          if (n > 0) then
-            if (any(norm2(place(:, taken(:n)) - spread(place(:, order(k)), 2, n), 1) < least_distance)) cycle
+            if (any(norm2(position(:, taken(:n)) - spread(position(:, order(k)), 2, n), 1) < least_distance)) cycle
          end if
          n = n + 1
          taken(n) = order(k)
@@ -95,11 +92,8 @@ contains
 
    !> What is looked for, and at which points.
    subroutine new_scan(self, fit, scan)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Receives what is looked for.
       type(scan_t), intent(out) :: scan
       integer :: k
 
@@ -137,20 +131,19 @@ contains
 
       !> Take some points of the curve, and their range.
       subroutine take_points(curve)
-         !> The curve.
-         class(curve_t), intent(in) :: curve
-         integer :: places(curve%n), i, n
+         class(fit_curve_t), intent(in) :: curve
+         integer :: positions(curve%n), i, n
 
          associate (data => fit%data_sets(1))
             call new_model_points(scan%points, fit%model, fit%base, data%abscissa, data%ordinate, is_plain_sphere(fit, data))
          end associate
-         places = order_of(curve%x)
-         n = min(size(places), n_points)
-         places(:n) = places([(1 + ((i - 1)*(size(places) - 1))/max(n - 1, 1), i=1, n)])
-         scan%x = curve%x(places(:n))
-         scan%y = curve%y(places(:n))
-         scan%sigma = curve%sigma(places(:n))
-         scan%is_contact = curve%is_contact(places(:n))
+         positions = order_of(curve%x)
+         n = min(size(positions), n_points)
+         positions(:n) = positions([(1 + ((i - 1)*(size(positions) - 1))/max(n - 1, 1), i=1, n)])
+         scan%x = curve%x(positions(:n))
+         scan%y = curve%y(positions(:n))
+         scan%sigma = curve%sigma(positions(:n))
+         scan%is_contact = curve%is_contact(positions(:n))
          if (.not. any(curve%is_contact)) return
          scan%high = maxval(curve%x, curve%is_contact)
          scan%low = minval(curve%x, curve%is_contact)
@@ -168,16 +161,13 @@ contains
 
    end subroutine new_scan
 
-   !> The best values at a place, and the sum of squares there.
-   subroutine look_at(self, fit, scan, place, v, best, total)
-      !> The sum of squares.
+   !> The best values at a position, and the sum of squares there.
+   subroutine look_at(self, fit, scan, position, v, best, total)
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> What is looked for.
       type(scan_t), intent(in) :: scan
-      !> The place in the box, each number between 0 and 1.
-      real(dp), intent(in) :: place(2)
+      !> The position in the box, each number between 0 and 1.
+      real(dp), intent(in) :: position(2)
       !> A start.
       real(dp), intent(in) :: v(:)
       !> Receives the values.
@@ -191,8 +181,8 @@ contains
 
       best = v
       total = huge(total)
-      if (scan%contact_point > 0) best(scan%contact_point) = scan%low + place(1)*(scan%high - scan%low)
-      length = scan%range*10**(-decades*place(2))
+      if (scan%contact_point > 0) best(scan%contact_point) = scan%low + position(1)*(scan%high - scan%low)
+      length = scan%range*10**(-decades*position(2))
       amplitude = scan%modulus
       if (scan%adheres .and. scan%work > 0) then
          if (scan%modulus == 0) best(scan%work) = length*modulus_of(fit)
@@ -240,9 +230,7 @@ contains
 
    !> The model at the points; 0 at free ones.
    subroutine model_at(self, scan, y, is_valid)
-      !> The sum of squares with its values.
       type(objective_t), intent(in) :: self
-      !> The points.
       type(scan_t), intent(in) :: scan
       !> Receives the ordinates.
       real(dp), intent(out) :: y(:)
@@ -263,11 +251,10 @@ contains
    pure subroutine solve_linear(a, b, x, is_valid)
       !> Columns.
       real(dp), intent(inout) :: a(:, :)
-      !> In: the right-hand side. Out: in the rows behind those of the columns what is left.
+      !> In: the right-hand side. Out: in the rows behind those of the columns what remains.
       real(dp), intent(inout) :: b(:)
       !> Receives the factors of the columns.
       real(dp), intent(out) :: x(:)
-      !> Are the columns independent?
       logical, intent(out) :: is_valid
       real(dp), parameter :: least_share = 1.0e-12_dp
       real(dp) :: length(size(x))
@@ -290,7 +277,6 @@ contains
 
    !> The modulus that is given, for the size of w/E*.
    pure real(dp) function modulus_of(fit)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       integer :: k
 
@@ -304,7 +290,6 @@ contains
 
    !> The work of adhesion that is given or known.
    pure real(dp) function work_of(fit, v)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> Values of the free variables.
       real(dp), intent(in) :: v(:)
@@ -322,7 +307,6 @@ contains
 
    !> The digits of a number behind the point, the last one first.
    pure real(dp) function radical_inverse(number, base) result(x)
-      !> The number.
       integer, intent(in) :: number
       !> The base of the digits.
       integer, intent(in) :: base

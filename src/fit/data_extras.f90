@@ -15,11 +15,8 @@ contains
 
    !> Add the datasets of all data sets.
    subroutine get_data_extras(fit, solution, list)
-      !> The fit that has been solved.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
       integer :: i
 
@@ -33,13 +30,10 @@ contains
 
    !> The points as they were measured.
    subroutine add_points(fit, data_set, suffix, list)
-      !> The fit with its model.
       type(fit_t), intent(in) :: fit
-      !> The points.
       type(data_set_t), intent(in) :: data_set
       !> What stands behind the names of its datasets.
       character(*), intent(in) :: suffix
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
       character(:), allocatable :: x_unit, y_unit, point
       integer :: i
@@ -62,15 +56,11 @@ contains
 
    !> What the fit makes of the points.
    subroutine add_found(fit, data_set, found, suffix, list)
-      !> The fit with its model.
       type(fit_t), intent(in) :: fit
-      !> The points.
       type(data_set_t), intent(in) :: data_set
-      !> What was found.
       type(data_solution_t), intent(in) :: found
       !> What stands behind the names of its datasets.
       character(*), intent(in) :: suffix
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
       character(:), allocatable :: x_unit, y_unit, curve
 
@@ -93,9 +83,7 @@ contains
 
    !> Units of abscissa and ordinate.
    subroutine get_units(fit, data_set, x_unit, y_unit)
-      !> The fit with its model.
       type(fit_t), intent(in) :: fit
-      !> The data set, which says what is measured.
       type(data_set_t), intent(in) :: data_set
       !> Receive the SI units.
       character(:), allocatable, intent(out) :: x_unit, y_unit

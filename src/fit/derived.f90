@@ -6,7 +6,7 @@ module adfric_fit_derived
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: has_word
    use adfric_fit_objective, only: objective_t
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_fit_sphere_basis, only: of_radius, of_modulus, of_work, of_lambda
    use adfric_fit_solution, only: solution_t, derived_value_t
    use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
@@ -18,15 +18,13 @@ contains
 
    !> Find the derived quantities. The sum of squares has been evaluated at the estimate.
    subroutine find_derived(self, names, covariance, solution)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
       !> Names of those that are wanted; empty: all.
       character(*), intent(in) :: names
       !> Covariance of the numbers that are fitted.
       real(dp), intent(in) :: covariance(:, :)
-      !> Receives the quantities.
       type(solution_t), intent(inout) :: solution
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: stress
 
       if (allocated(solution%derived)) deallocate (solution%derived)
@@ -57,9 +55,7 @@ contains
 
       !> Add a quantity if it is wanted, and not free itself.
       subroutine add(name, unit, value, gradient)
-         !> Name and unit.
          character(*), intent(in) :: name, unit
-         !> The value.
          real(dp), intent(in) :: value
          !> Its derivatives by the numbers that are fitted.
          real(dp), intent(in) :: gradient(:)

@@ -7,11 +7,11 @@ module adfric_fit_doubt
    use adfric_fit_model_curve, only: model_curve_t
    use adfric_fit_objective, only: objective_t
    use adfric_fit_sphere_curve, only: sphere_curve_t
-   use adfric_fit_state, only: state_t, get_state
+   use adfric_fit_state, only: fit_state_t, get_state
    use adfric_describe_doubt, only: doubt_estimate_above_tenth, n_doubts, not_measured, raise_measures
    use adfric_describe_model, only: model_t
    use adfric_describe_status, only: status_solved
-   use adfric_round_sphere_variables, only: r_contact_radius
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: measure_fit
@@ -23,9 +23,7 @@ contains
 
    !> Measure the curves as they are at the last evaluation.
    subroutine measure_fit(self, model, measures)
-      !> The sum of squares, evaluated.
       type(objective_t), intent(in) :: self
-      !> The model that is fitted.
       class(model_t), intent(in) :: model
       !> Receives what is measured; shape `(n_doubts)`.
       real(dp), intent(out) :: measures(:)
@@ -40,18 +38,15 @@ contains
       end do
    end subroutine measure_fit
 
-   !> Points of a sphere, whose places on their curve are known. What has a closed form has no error to speak of.
+   !> Points of a sphere, whose positions on their curve are known. What has a closed form has no error to speak of.
    subroutine measure_sphere(curve, model, values, measures)
-      !> The curve, evaluated.
       type(sphere_curve_t), intent(in) :: curve
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> What is measured, which rises.
       real(dp), intent(inout) :: measures(:)
       real(dp) :: results(size(model%results)), of_point(n_doubts)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       integer :: i
 
       results = not_a_number()
@@ -59,7 +54,7 @@ contains
          ! a point of the base line, or beyond the fold, has no place
          if (curve%is_apart(i) .or. .not. curve%t(i) > 0) cycle
          call get_state(curve%path%theory, curve%path%lambda, curve%t(i), s)
-         results(r_contact_radius) = curve%basis%length*s%a
+         results(out%contact_radius) = curve%basis%length*s%a
          of_point = not_measured
          call model%measure(values, results, of_point)
          call raise_measures(of_point, measures)
@@ -68,14 +63,9 @@ contains
 
    !> Points that the model itself solves.
    subroutine measure_points(curve, model, values, nuisance, measures)
-      !> The curve, evaluated.
       type(model_curve_t), intent(in) :: curve
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Values of the nuisances of the curve.
-      real(dp), intent(in) :: nuisance(:)
+      real(dp), intent(in) :: values(:), nuisance(:)
       !> What is measured, which rises.
       real(dp), intent(inout) :: measures(:)
       real(dp) :: of_point(n_doubts), counts(size(model%counts)), x_zero

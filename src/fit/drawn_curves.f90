@@ -32,9 +32,7 @@ contains
 
    !> Draw the curves of all data sets.
    subroutine draw_curves(fit, scales, minima, covariance, freedom, solution)
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
       !> The best minimum and, if there is one, the second one, as numbers that are fitted; shape `(n_free, 1 or 2)`.
       real(dp), intent(in) :: minima(:, :)
@@ -42,7 +40,6 @@ contains
       real(dp), intent(in) :: covariance(:, :)
       !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
-      !> Receives the curves.
       type(solution_t), intent(inout) :: solution
       type(fit_t) :: drawn
       integer :: k
@@ -59,11 +56,8 @@ contains
 
    !> Points of one data set over its range in contact, and none of the others.
    subroutine make_grid(fit, number, drawn)
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Number of the data set.
       integer, intent(in) :: number
-      !> Receives the points.
       type(fit_t), intent(inout) :: drawn
       logical, allocatable :: counts(:)
       real(dp) :: low, high
@@ -122,9 +116,7 @@ contains
    subroutine draw(drawn, scales, number, minima, covariance, freedom, solution)
       !> The fit with points to be drawn for data; more are put in between.
       type(fit_t), intent(inout) :: drawn
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> Number of the data set.
       integer, intent(in) :: number
       !> One or two minima, as numbers that are fitted.
       real(dp), intent(in) :: minima(:, :)
@@ -132,7 +124,6 @@ contains
       real(dp), intent(in) :: covariance(:, :)
       !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
-      !> Receives the curve.
       type(solution_t), intent(inout) :: solution
       real(dp), allocatable :: curve(:), half(:)
       real(dp) :: reach
@@ -163,11 +154,8 @@ contains
    subroutine evaluate_curve(drawn, scales, number, q, covariance, curve, half, is_valid)
       !> The fit with points to be drawn for data.
       type(fit_t), intent(in) :: drawn
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> Number of the data set.
       integer, intent(in) :: number
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> Their covariance.
       real(dp), intent(in) :: covariance(:, :)

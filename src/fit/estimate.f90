@@ -23,14 +23,11 @@ contains
 
    !> Estimates and their statistics, without intervals.
    subroutine solve_best(fit, course, solution)
-      !> What is to be fitted.
       type(fit_t), intent(in) :: fit
-      !> Receives what the parts share.
       type(course_t), intent(out) :: course
-      !> Receives what is found.
       type(solution_t), intent(inout) :: solution
 
-      call make_room(fit, solution)
+      call make_space(fit, solution)
       call find_refusal(fit, solution%reason)
       if (len(solution%reason) > 0) return
       call begin_course(course, fit)
@@ -52,8 +49,7 @@ contains
    end subroutine solve_best
 
    !> Give every part of the solution its shape.
-   subroutine make_room(fit, solution)
-      !> The fit.
+   subroutine make_space(fit, solution)
       type(fit_t), intent(in) :: fit
       !> Receives arrays of NaN.
       type(solution_t), intent(inout) :: solution
@@ -81,13 +77,11 @@ contains
       solution%sigma_estimate = none
       solution%aic = none
       solution%bic = none
-   end subroutine make_room
+   end subroutine make_space
 
    !> Estimates, errors, goodness.
    subroutine finish_estimate(course, fit, solution)
-      !> What the parts share.
       type(course_t), intent(inout) :: course
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> Receives what follows from the best minimum.
       type(solution_t), intent(inout) :: solution
@@ -138,9 +132,7 @@ contains
 
    !> S, its probability, and the criteria of choice.
    subroutine finish_goodness(course, solution)
-      !> What the parts share.
       type(course_t), intent(in) :: course
-      !> Receives them.
       type(solution_t), intent(inout) :: solution
       real(dp), parameter :: two_pi = 2*acos(-1.0_dp)
       integer :: p
@@ -164,11 +156,8 @@ contains
 
    !> Residuals of the best minimum, which has just been evaluated, what they say, and how far the theory holds.
    subroutine take_residuals(course, fit, solution)
-      !> What the parts share.
       type(course_t), intent(in) :: course
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Receives them.
       type(solution_t), intent(inout) :: solution
       real(dp) :: sigma
       integer :: k

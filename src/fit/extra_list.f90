@@ -8,13 +8,13 @@ module adfric_fit_extra_list
    private
    public :: extra_list_t
 
-   !> Datasets that there is room for at first.
-   integer, parameter :: first_room = 64
+   !> Datasets that there is space for at first.
+   integer, parameter :: first_space = 64
 
    !> The list.
    type :: extra_list_t
       private
-      !> The datasets, with room for more.
+      !> The datasets, with space for more.
       type(extra_t), allocatable :: items(:)
       !> Number of datasets.
       integer :: n = 0
@@ -31,13 +31,10 @@ contains
 
    !> Add a dataset of numbers.
    subroutine add(self, name, unit, long_name, dimensions, values, flag_meanings, first_flag)
-      !> The list.
       class(extra_list_t), intent(inout) :: self
-      !> Name of the dataset.
       character(*), intent(in) :: name
       !> SI unit, `-` for a pure number.
       character(*), intent(in) :: unit
-      !> What it is.
       character(*), intent(in) :: long_name
       !> Names of its scales, the slowest first, separated by a blank; they stand in the list already. Empty for a scalar.
       character(*), intent(in) :: dimensions
@@ -49,7 +46,7 @@ contains
       integer, intent(in), optional :: first_flag
       integer :: k
 
-      call make_room(self)
+      call make_space(self)
       associate (item => self%items(self%n))
          item%name = name
          item%unit = unit
@@ -67,13 +64,10 @@ contains
 
    !> Add a dataset of two dimensions.
    subroutine add_table(self, name, unit, long_name, dimensions, values)
-      !> The list.
       class(extra_list_t), intent(inout) :: self
-      !> Name of the dataset.
       character(*), intent(in) :: name
       !> SI unit, `-` for a pure number.
       character(*), intent(in) :: unit
-      !> What it is.
       character(*), intent(in) :: long_name
       !> Names of its scales, the slowest first, separated by a blank; they stand in the list already.
       character(*), intent(in) :: dimensions
@@ -85,18 +79,16 @@ contains
 
    !> Add the scale of a dimension.
    subroutine add_scale(self, name, unit, long_name, values)
-      !> The list.
       class(extra_list_t), intent(inout) :: self
       !> Name of the dataset, which is that of the dimension.
       character(*), intent(in) :: name
       !> SI unit, `-` for a pure number.
       character(*), intent(in) :: unit
-      !> What it is.
       character(*), intent(in) :: long_name
       !> Values along the dimension.
       real(dp), intent(in) :: values(:)
 
-      call make_room(self)
+      call make_space(self)
       associate (item => self%items(self%n))
          item%name = name
          item%unit = unit
@@ -109,7 +101,6 @@ contains
 
    !> Add a scale that counts from 1.
    subroutine add_numbers(self, name, long_name, n)
-      !> The list.
       class(extra_list_t), intent(inout) :: self
       !> Name of the dataset, which is that of the dimension.
       character(*), intent(in) :: name
@@ -124,7 +115,6 @@ contains
 
    !> Add a scale of words.
    subroutine add_words(self, name, long_name, words)
-      !> The list.
       class(extra_list_t), intent(inout) :: self
       !> Name of the dataset, which is that of the dimension.
       character(*), intent(in) :: name
@@ -133,7 +123,7 @@ contains
       !> The words along the dimension, separated by a blank.
       character(*), intent(in) :: words
 
-      call make_room(self)
+      call make_space(self)
       associate (item => self%items(self%n))
          item%name = name
          item%unit = '-'
@@ -146,7 +136,6 @@ contains
 
    !> Hand over the datasets; the list is empty afterwards.
    subroutine move_to(self, extras)
-      !> The list.
       class(extra_list_t), intent(inout) :: self
       !> Receives the datasets in their order.
       type(extra_t), allocatable, intent(out) :: extras(:)
@@ -160,24 +149,23 @@ contains
       self%n = 0
    end subroutine move_to
 
-   !> Room for one more, which counts.
-   subroutine make_room(self)
+   !> Space for one more, which counts.
+   subroutine make_space(self)
       !> The list, which grows by one.
       type(extra_list_t), intent(inout) :: self
       type(extra_t), allocatable :: larger(:)
 
-      if (.not. allocated(self%items)) allocate (self%items(first_room))
+      if (.not. allocated(self%items)) allocate (self%items(first_space))
       if (self%n == size(self%items)) then
          allocate (larger(2*self%n))
          larger(:self%n) = self%items
          call move_alloc(larger, self%items)
       end if
       self%n = self%n + 1
-   end subroutine make_room
+   end subroutine make_space
 
    !> Length of a dimension.
    pure integer function length_of(self, name)
-      !> The list with the scale.
       type(extra_list_t), intent(in) :: self
       !> Name of the scale.
       character(*), intent(in) :: name

@@ -19,11 +19,8 @@ contains
 
    !> The datasets with their values.
    subroutine get_solution_extras(fit, solution, extras)
-      !> The fit that has been solved.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
-      !> Receives the datasets.
       type(extra_t), allocatable, intent(out) :: extras(:)
       type(extra_list_t) :: list
       character(:), allocatable :: names
@@ -46,9 +43,7 @@ contains
 
    !> Where the search starts, and the bounds.
    subroutine add_starts(fit, list)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
       integer :: i
 
@@ -69,9 +64,7 @@ contains
 
    !> What the data do not see.
    subroutine add_null_vector(solution, list)
-      !> What was found.
       type(solution_t), intent(in) :: solution
-      !> Receives the dataset.
       type(extra_list_t), intent(inout) :: list
 
       if (.not. allocated(solution%null_vector)) return
@@ -81,11 +74,9 @@ contains
 
    !> Covariances and correlations.
    subroutine add_covariance(solution, names, list)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       !> Names of the free variables, separated by a blank.
       character(*), intent(in) :: names
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
       character(:), allocatable :: convention
 
@@ -104,11 +95,8 @@ contains
 
    !> Intervals as lists of pieces.
    subroutine add_intervals(fit, solution, list)
-      !> The fit with the levels.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
 
       if (.not. allocated(solution%interval)) return
@@ -124,9 +112,7 @@ contains
 
    !> Every distinct minimum.
    subroutine add_minima(solution, list)
-      !> What was found.
       type(solution_t), intent(in) :: solution
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
 
       call list%add_numbers('minimum', 'distinct minimum, the least first', size(solution%minima_chi2))
@@ -138,9 +124,7 @@ contains
 
    !> The other theories.
    subroutine add_theories(solution, list)
-      !> What was found.
       type(solution_t), intent(in) :: solution
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
       character(:), allocatable :: names
       integer :: i
@@ -166,11 +150,9 @@ contains
 
    !> S as a function of each variable.
    subroutine add_profiles(solution, names, list)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       !> Names of the free variables, separated by a blank.
       character(*), intent(in) :: names
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
       character(:), allocatable :: name
       integer :: i
@@ -190,9 +172,7 @@ contains
 
    !> What was measured beside the points.
    subroutine add_events(fit, list)
-      !> The fit with its events.
       type(fit_t), intent(in) :: fit
-      !> Receives the datasets.
       type(extra_list_t), intent(inout) :: list
       integer :: i
 

@@ -3,20 +3,20 @@
 !>
 !> The abscissa of the fold is X_f = x0 + X0 phi_f, with x0 the zero, X0 the unit and phi_f what is prescribed at the
 !> fold of the path. Each point of contact with X_i <= X_f lies beyond it. Just above the fold the ordinate is y_f +
-!> C (X - X_f)^p + ..., with C not 0. The power p follows from the orders in the distance from the fold's place: phi
+!> C (X - X_f)^p + ..., with C not 0. The power p follows from the orders in the distance from the fold's position: phi
 !> rises with its square, or as t^2 and t^3, y as below. For p < 1 the slope is infinite, for p = 1 it has a jump,
 !> and for p > 1 there is no kink.
 module adfric_fit_fold
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_model_points, only: fold_t
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_order, only: order_of
-   use adfric_fit_path, only: path_t
+   use adfric_fit_path, only: sphere_path_t
    use adfric_fit_sphere_curve, only: sphere_curve_t, take_values
    use adfric_round_sphere_contact, only: theory_hertz, theory_dmt
-   use adfric_round_sphere_variables, only: r_load, r_approach, r_contact_radius, r_contact_area, r_adhesion_radius, r_friction_radius
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: curve_fold_t, choose_fold, new_curve_fold, find_fold, fold_slopes, fold_slope, last_slopes, spread_below
@@ -41,13 +41,11 @@ module adfric_fit_fold
 contains
 
    !> Choose the curve whose fold is nearest to its points, relative to their range.
-   subroutine choose_fold(self, q, is_held, fold)
-      !> The sum of squares.
+   subroutine choose_fold(self, q, is_fixed, fold)
       type(objective_t), intent(inout) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> Which of them stay as they are.
-      logical, intent(in) :: is_held(:)
+      logical, intent(in) :: is_fixed(:)
       !> Receives the fold; its data set is 0 if there is none.
       type(curve_fold_t), intent(out) :: fold
       type(curve_fold_t) :: one
@@ -56,7 +54,7 @@ contains
 
       least = huge(least)
       do k = 1, size(self%number)
-         call new_curve_fold(self, q, is_held, k, one, distance)
+         call new_curve_fold(self, q, is_fixed, k, one, distance)
          if (one%data_set == 0 .or. distance >= least) cycle
          least = distance
          fold = one
@@ -64,14 +62,11 @@ contains
    end subroutine choose_fold
 
    !> The fold of a data set, if it has one that moves and where S has a kink.
-   subroutine new_curve_fold(self, q, is_held, data_set, fold, distance)
-      !> The sum of squares.
+   subroutine new_curve_fold(self, q, is_fixed, data_set, fold, distance)
       type(objective_t), intent(inout) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> Which of them stay as they are.
-      logical, intent(in) :: is_held(:)
-      !> Number of the data set.
+      logical, intent(in) :: is_fixed(:)
       integer, intent(in) :: data_set
       !> Receives the fold; its data set is 0 if there is none.
       type(curve_fold_t), intent(out) :: fold
@@ -90,7 +85,7 @@ contains
       if (size(one%x) < 2) return
       call find_fold(self, q, one, at, is_known)
       if (.not. is_known) return
-      if (.not. any(abs(fold_slopes(self, q, one)) > 0 .and. .not. is_held)) return
+      if (.not. any(abs(fold_slopes(self, q, one)) > 0 .and. .not. is_fixed)) return
       call find_power(self, q, at, one)
       if (one%power > largest_power) return
       distance = max(0.0_dp, one%x(1) - at)/max(one%x(size(one%x)) - one%x(1), tiny(at))
@@ -101,13 +96,10 @@ contains
    subroutine find_fold(self, q, fold, at, is_known)
       !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
-      !> The curve.
       type(curve_fold_t), intent(in) :: fold
       !> Receives the abscissa.
       real(dp), intent(out) :: at
-      !> Does the model know it?
       logical, intent(out) :: is_known
       real(dp) :: v(size(q)), slopes(size(q))
       type(fold_t) :: of_model
@@ -118,7 +110,7 @@ contains
          if (self%is_sphere(fold%data_set)) then
             call take_values(self%spheres(number), self%values, nuisance, slopes)
             associate (c => self%spheres(number)%common, path => self%spheres(number)%path)
-               at = c%x_unit*path%held_at_fold + c%x_zero
+               at = c%x_unit*path%prescribed_at_fold + c%x_zero
             end associate
             is_known = .true.
          else
@@ -136,9 +128,7 @@ contains
    function fold_slopes(self, q, fold) result(by_free)
       !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
-      !> The curve.
       type(curve_fold_t), intent(in) :: fold
       real(dp) :: by_free(size(q))
       real(dp) :: at
@@ -159,11 +149,8 @@ contains
    real(dp) function fold_slope(self, q, fold, k) result(slope)
       !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
-      !> The curve.
       type(curve_fold_t), intent(in) :: fold
-      !> Which one.
       integer, intent(in) :: k
       real(dp) :: moved(size(q)), below, above, by_free(size(q))
       logical :: is_known
@@ -190,9 +177,7 @@ contains
 
    !> The same with all of them as the last evaluation of the sum of squares has found it.
    pure function last_slopes(self, fold) result(by_free)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
-      !> The curve.
       type(curve_fold_t), intent(in) :: fold
       real(dp) :: by_free(self%n_free)
       real(dp) :: prescribed_l
@@ -204,16 +189,14 @@ contains
       associate (c => self%spheres(self%number(fold%data_set))%common, path => self%spheres(self%number(fold%data_set))%path)
          prescribed_l = path%fold%p_l
          if (path%is_base) prescribed_l = path%fold%d_l + path%ks*path%fold%p_l
-         by_free = c%x_unit*(path%held_at_fold*c%x_unit_by + prescribed_l*c%lambda_by) + c%x_zero_by
+         by_free = c%x_unit*(path%prescribed_at_fold*c%x_unit_by + prescribed_l*c%lambda_by) + c%x_zero_by
          if (path%is_base) by_free = by_free + c%x_unit*path%fold%p*c%ks_by
       end associate
    end function last_slopes
 
    !> The power by which the ordinate leaves the fold. Any model is asked at two distances from it.
    subroutine find_power(self, q, at, fold)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> The abscissa of the fold.
       real(dp), intent(in) :: at
@@ -248,7 +231,6 @@ contains
 
    !> The power by which the ordinate leaves the fold.
    pure real(dp) function power_of(curve) result(power)
-      !> The curve, with its path.
       type(sphere_curve_t), intent(in) :: curve
       logical :: is_touch
       integer :: of_abscissa
@@ -257,9 +239,9 @@ contains
          if (path%theory == theory_hertz .or. path%theory == theory_dmt) then
             of_abscissa = merge(2, 3, path%is_base)
             select case (y)
-            case (r_load)
+            case (out%load)
                power = 3.0_dp/of_abscissa
-            case (r_contact_radius, r_adhesion_radius, r_friction_radius)
+            case (out%contact_radius, out%adhesion_radius, out%friction_radius)
                power = 1.0_dp/of_abscissa
             case default
                power = 2.0_dp/of_abscissa
@@ -269,15 +251,13 @@ contains
          ! at th = pi/2 load, approach and c change with the square of the distance, as the abscissa does, and the radius linearly
          is_touch = path%side < 0 .and. path%fold%t >= half_pi
          power = 0.5_dp
-         if (is_touch .and. any(y == [r_load, r_approach, r_contact_area, r_adhesion_radius])) power = 1
+         if (is_touch .and. any(y == [out%load, out%approach, out%contact_area, out%adhesion_radius])) power = 1
       end associate
    end function power_of
 
    !> Take the points of a curve that the fold may pass.
    pure subroutine take_contact(curve, fold)
-      !> The curve.
-      class(curve_t), intent(in) :: curve
-      !> Receives the points.
+      class(fit_curve_t), intent(in) :: curve
       type(curve_fold_t), intent(inout) :: fold
       integer, allocatable :: kept(:)
       integer :: i
@@ -292,9 +272,8 @@ contains
    end subroutine take_contact
 
    !> The least sum of squares that the first points of a curve leave if all have one ordinate, whichever that is. It
-   !> rises with their number. No place of the fold beyond so many points has a lesser S.
+   !> rises with their number. No position of the fold beyond so many points has a lesser S.
    pure subroutine spread_below(fold, least)
-      !> The curve.
       type(curve_fold_t), intent(in) :: fold
       !> Receives the sum for the fold beyond 1, 2, ... points; shape `(size(fold%x))`.
       real(dp), intent(out) :: least(:)

@@ -39,7 +39,7 @@ module adfric_fit_fold_region
       real(dp), allocatable :: lower_q(:), upper_q(:), lower(:), upper(:)
       !> The numbers that are fitted at the last evaluation.
       real(dp), allocatable :: q(:)
-      !> Was the pivot beyond its bounds at the last place?
+      !> Was the pivot beyond its bounds at the last position?
       logical :: is_outside = .false.
    contains
       procedure :: evaluate
@@ -48,18 +48,15 @@ module adfric_fit_fold_region
 contains
 
    !> Choose the pivot: the zero of the abscissa if it is free, else the variable that moves the fold most.
-   subroutine new_region(self, objective, fold, lower, upper, is_held, q, is_there)
-      !> Receives the region, without a place yet.
+   subroutine new_region(self, objective, fold, lower, upper, is_fixed, q, is_there)
+      !> Receives the region, without a position yet.
       type(region_t), intent(out) :: self
-      !> The sum of squares.
       type(objective_t), intent(inout), target :: objective
-      !> The curve whose fold it is.
       type(curve_fold_t), intent(in) :: fold
       !> Bounds of the numbers that are fitted.
       real(dp), intent(in) :: lower(:), upper(:)
       !> Which of them stay as they are.
-      logical, intent(in) :: is_held(:)
-      !> The numbers that are fitted.
+      logical, intent(in) :: is_fixed(:)
       real(dp), intent(in) :: q(:)
       !> Is there a variable that moves the fold?
       logical, intent(out) :: is_there
@@ -78,7 +75,7 @@ contains
       self%gap = nearest*maxval(abs(fold%x))
       by_free = fold_slopes(objective, q, fold)
       self%power = fold%power
-      where (is_held .or. q <= lower .or. q >= upper) by_free = 0
+      where (is_fixed .or. q <= lower .or. q >= upper) by_free = 0
       is_there = any(abs(by_free) > 0) .and. self%unit > 0
       if (.not. is_there) return
       self%pivot = maxloc(abs(by_free), 1)
@@ -87,17 +84,15 @@ contains
       end do
    end subroutine new_region
 
-   !> Enter the region with so many points beyond the fold, as near as possible to a place.
+   !> Enter the region with so many points beyond the fold, as near as possible to a position.
    subroutine enter_region(self, n_beyond, q, u, is_there)
-      !> The region.
       type(region_t), intent(inout) :: self
       !> Points beyond the fold, less than there are.
       integer, intent(in) :: n_beyond
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> Receives the same with s.
       real(dp), intent(out) :: u(:)
-      !> Is there room between the neighbouring points?
+      !> Is there space between the neighbouring points?
       logical, intent(out) :: is_there
       real(dp) :: at, width
 
@@ -121,23 +116,20 @@ contains
 
    !> s at a distance of the fold from the next point.
    pure real(dp) function s_of(self, distance)
-      !> The region.
       type(region_t), intent(in) :: self
-      !> The distance.
       real(dp), intent(in) :: distance
 
       s_of = (distance/self%unit)**self%power
    end function s_of
 
-   !> The numbers that are fitted at a place.
+   !> The numbers that are fitted at a position.
    subroutine leave_region(self, u, q, is_valid)
-      !> The region.
       type(region_t), intent(inout) :: self
-      !> The place, with s.
+      !> The position, with s.
       real(dp), intent(in) :: u(:)
       !> Receives the numbers that are fitted.
       real(dp), intent(out) :: q(:)
-      !> Is there such a place within the bounds?
+      !> Is there such a position within the bounds?
       logical, intent(out) :: is_valid
       real(dp) :: wanted, at, step, slope
       logical :: is_known
@@ -169,9 +161,8 @@ contains
 
    !> See `least_squares_t`.
    subroutine evaluate(self, q, n_rows, r, j, cost, is_valid)
-      !> The region.
       class(region_t), intent(inout) :: self
-      !> The place, with s.
+      !> The position, with s.
       real(dp), intent(in) :: q(:)
       !> Receives the number of rows.
       integer, intent(out) :: n_rows

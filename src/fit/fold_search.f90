@@ -3,7 +3,7 @@
 !>
 !> S is smooth but where a point of contact reaches the fold of its curve (`adfric_fit_fold_region`). A search that
 !> ends at a minimum of a smooth S is done. Any other one goes on in the region where it has come to an end. Where
-!> that search ends at a point that the fold reaches, it goes on in the region on the other side. A place where the
+!> that search ends at a point that the fold reaches, it goes on in the region on the other side. A position where the
 !> searches on both sides end is a minimum at the kink; all other ways lower S, so that none is gone twice.
 module adfric_fit_fold_search
    use adfric_base_kinds, only: dp
@@ -23,48 +23,38 @@ module adfric_fit_fold_search
 contains
 
    !> Search from a start. `work` has residuals and derivatives at the end, those of a region where `is_unfolded`.
-   subroutine find_minimum(self, scales, is_held, limits, work, q, outcome, is_unfolded)
-      !> The sum of squares.
+   subroutine find_minimum(self, scales, is_fixed, limits, work, q, outcome, is_unfolded)
       type(objective_t), intent(inout) :: self
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
       !> Which variables stay as they are.
-      logical, intent(in) :: is_held(:)
-      !> When a search ends.
+      logical, intent(in) :: is_fixed(:)
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> In: the start. Out: the place found.
+      !> In: the start. Out: the position found.
       real(dp), intent(inout) :: q(:)
-      !> Receives how it ended.
       type(squares_outcome_t), intent(out) :: outcome
       !> Are the derivatives at the end those with s instead of the pivot?
       logical, intent(out) :: is_unfolded
       type(curve_fold_t) :: fold
 
       is_unfolded = .false.
-      call find_least_squares(self, scales%lower, scales%upper, is_held, limits, work, q, outcome)
+      call find_least_squares(self, scales%lower, scales%upper, is_fixed, limits, work, q, outcome)
       if (any(outcome%status == [squares_converged, squares_no_value])) return
-      call choose_fold(self, q, is_held, fold)
+      call choose_fold(self, q, is_fixed, fold)
       if (fold%data_set == 0) return
-      call cross_regions(self, fold, scales, is_held, limits, work, q, outcome, is_unfolded)
+      call cross_regions(self, fold, scales, is_fixed, limits, work, q, outcome, is_unfolded)
    end subroutine find_minimum
 
    !> Search from region to region.
-   subroutine cross_regions(self, fold, scales, is_held, limits, work, q, outcome, is_unfolded)
-      !> The sum of squares.
+   subroutine cross_regions(self, fold, scales, is_fixed, limits, work, q, outcome, is_unfolded)
       type(objective_t), intent(inout), target :: self
-      !> The curve whose fold it is.
       type(curve_fold_t), intent(in) :: fold
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
       !> Which variables stay as they are.
-      logical, intent(in) :: is_held(:)
-      !> When a search ends.
+      logical, intent(in) :: is_fixed(:)
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> In: the start. Out: the place found.
+      !> In: the start. Out: the position found.
       real(dp), intent(inout) :: q(:)
       !> In: what has been found before. Out: with what has been done here.
       type(squares_outcome_t), intent(inout) :: outcome
@@ -77,7 +67,7 @@ contains
       logical :: is_there
 
       is_unfolded = .false.
-      call new_region(region, self, fold, scales%lower, scales%upper, is_held, q, is_there)
+      call new_region(region, self, fold, scales%lower, scales%upper, is_fixed, q, is_there)
       if (.not. is_there) return
       n = size(fold%x)
       call find_fold(self, q, fold, at, is_there)
@@ -89,7 +79,7 @@ contains
       do move = 1, 4*n
          call enter_region(region, k, q, u, is_there)
          if (is_there) then
-            call find_least_squares(region, region%lower, region%upper, is_held, limits, work, u, one)
+            call find_least_squares(region, region%lower, region%upper, is_fixed, limits, work, u, one)
             outcome%steps = outcome%steps + one%steps
             outcome%evaluations = outcome%evaluations + one%evaluations
             if (one%status == squares_no_value) return

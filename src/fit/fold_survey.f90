@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Every place that the fold of a curve can have among its points.
+!> Every position that the fold of a curve can have among its points.
 !>
 !> Where the best minimum lies within some standard errors of a point that reaches the fold, another region
 !> (`adfric_fit_fold_region`) may have a lesser S. The regions are as many as the points, but few can. With k points
@@ -36,28 +36,24 @@ contains
 
    !> Search from every region of every fold that can have a lesser S.
    subroutine survey_folds(self, scales, limits, work, minima)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> The minima; those found are added, and whether all places of a fold have been seen.
+      !> The minima; those found are added, and whether all positions of a fold have been seen.
       type(minima_t), intent(inout) :: minima
       type(curve_fold_t) :: fold
       real(dp) :: best(self%n_free), unused
       real(dp), allocatable :: drop(:)
-      logical :: is_held(self%n_free), is_far
+      logical :: is_fixed(self%n_free), is_far
       integer :: k, at
 
-      is_held = .false.
+      is_fixed = .false.
       do k = 1, size(self%number)
          if (minima%n < 1) return
          at = minloc(minima%cost(:minima%n), 1)
          best = minima%q(:, at)
-         call new_curve_fold(self, best, is_held, k, fold, unused)
+         call new_curve_fold(self, best, is_fixed, k, fold, unused)
          if (fold%data_set == 0) cycle
          allocate (drop(size(fold%x)))
          call look_at_best(self, fold, best, minima%cost(at), limits, work, is_far, drop)
@@ -69,15 +65,10 @@ contains
 
    !> Search from every region of one fold that can have a lesser S.
    subroutine survey_fold(self, fold, scales, limits, work, best, drop, is_converged, minima)
-      !> The sum of squares.
       type(objective_t), intent(inout), target :: self
-      !> The curve.
       type(curve_fold_t), intent(in) :: fold
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> The best minimum, and how much less S is without the first 1, 2, ... points.
       real(dp), intent(in) :: best(:), drop(:)
@@ -89,11 +80,11 @@ contains
       type(squares_limits_t) :: coarse
       type(squares_outcome_t) :: outcome
       real(dp) :: q(size(best)), u(size(best)), least(size(drop)), variance, at, least_so_far
-      logical :: is_held(size(best)), is_there, is_wanted
+      logical :: is_fixed(size(best)), is_there, is_wanted
       integer :: k, own, ends_above
 
-      is_held = .false.
-      call new_region(region, self, fold, scales%lower, scales%upper, is_held, best, is_there)
+      is_fixed = .false.
+      call new_region(region, self, fold, scales%lower, scales%upper, is_fixed, best, is_there)
       if (.not. is_there) return
       call spread_below(fold, least)
       coarse = limits
@@ -113,7 +104,7 @@ contains
          end if
          call enter_region(region, k, best, u, is_there)
          if (.not. is_there) cycle
-         call find_least_squares(region, region%lower, region%upper, is_held, coarse, work, u, outcome)
+         call find_least_squares(region, region%lower, region%upper, is_fixed, coarse, work, u, outcome)
          minima%steps = minima%steps + outcome%steps
          if (outcome%status == squares_no_value) then
             minima%is_complete = minima%is_complete .and. region%is_outside
@@ -135,17 +126,12 @@ contains
 
    !> Is the fold of the best minimum far below all points, and how much is S less without the first 1, 2, ... points?
    subroutine look_at_best(self, fold, q, cost, limits, work, is_far, drop)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The curve.
       type(curve_fold_t), intent(in) :: fold
       !> The minimum, and S there.
       real(dp), intent(in) :: q(:), cost
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> Is it far?
       logical, intent(out) :: is_far
       !> Receives the differences; shape `(size(fold%x))`.
       real(dp), intent(out) :: drop(:)
@@ -175,7 +161,7 @@ contains
          if (.not. leverage < 1) exit
          total = total + r**2/(1 - leverage)
          drop(k) = total
-         ! without this point the best place moves by that
+         ! without this point the best position moves by that
          shift = shift + change*r/(1 - leverage)
          covariance = covariance + spread(change, 2, size(q))*spread(change, 1, size(q))/(1 - leverage)
       end do

@@ -5,15 +5,15 @@
 !> rises, and a root lies between the t of X_i and the t of Y_i. Is it alone? A point above the curve is outside of a convex set, since Y is
 !> a concave function of X, and such a set has one nearest point. For a point below, near the fold, X is a parabola in Y: with U, V the
 !> coordinates from the fold and r the radius of curvature there, h is V^3/(2 r^2) + V (1 - U/r) - V_i, which has one positive root for
-!> V_i > 0 by Descartes' rule. For V_i <= 0 the foot is the fold, unless U > r, where two roots may appear: then places between are looked at,
-!> and the nearer of fold and root is taken. A pair of roots so close together that no sample lies between them does no harm: the distance
-!> falls on to the fold behind it, so the fold is nearer.
+!> V_i > 0 by Descartes' rule. For V_i <= 0 the foot is the fold, unless U > r, where two roots may appear: then positions between
+!> are looked at, and the nearer of fold and root is taken. A pair of roots so close together that no sample lies between them does
+!> no harm: the distance falls on to the fold behind it, so the fold is nearer.
 module adfric_fit_foot
    use adfric_base_kinds, only: dp
    use adfric_fit_frame, only: frame_t
    use adfric_fit_ordinate, only: ordinate_t, get_ordinate
-   use adfric_fit_path, only: path_t, find_state, is_outer
-   use adfric_fit_state, only: state_t, get_state, add_derivatives
+   use adfric_fit_path, only: sphere_path_t, find_state, is_outer
+   use adfric_fit_state, only: fit_state_t, get_state, add_derivatives
    implicit none (type, external)
    private
    public :: foot_t, find_foot
@@ -24,7 +24,7 @@ module adfric_fit_foot
 
    !> A measured point beside its curve.
    type :: foot_t
-      !> The ordinate, a place in the results, and x.
+      !> The ordinate, a position in the results, and x.
       integer :: ordinate = 0
       !> Edge fraction x.
       real(dp) :: edge = 0
@@ -36,21 +36,15 @@ contains
 
    !> The point of the curve nearest to a measured one.
    subroutine find_foot(self, c, path, t, s, o, is_fold)
-      !> The measured point.
       type(foot_t), intent(in) :: self
-      !> Units and zeros.
       type(frame_t), intent(in) :: c
-      !> The path of held states.
-      type(path_t), intent(in) :: path
-      !> In: a guess of the place, or 0. Out: the place, unless the foot is the fold.
+      type(sphere_path_t), intent(in) :: path
+      !> In: a guess of the position, or 0. Out: the position, unless the foot is the fold.
       real(dp), intent(inout) :: t
-      !> Receives the state.
-      type(state_t), intent(out) :: s
-      !> Receives its ordinate.
+      type(fit_state_t), intent(out) :: s
       type(ordinate_t), intent(out) :: o
-      !> Is it the fold?
       logical, intent(out) :: is_fold
-      real(dp) :: at_fold, inner, outer, place, distance
+      real(dp) :: at_fold, inner, outer, position, distance
       logical :: is_beside
 
       call get_ordinate(self%ordinate, self%edge, path%fold, o)
@@ -59,61 +53,52 @@ contains
       inner = path%fold%t
       outer = -1
       distance = 0
-      place = t
+      position = t
       if (is_fold) then
          s = path%fold
-         is_beside = c%x_unit*path%held_at_fold + c%x_zero < self%x
+         is_beside = c%x_unit*path%prescribed_at_fold + c%x_zero < self%x
          if (is_beside) call look_beside(self, c, path, inner, outer, is_beside)
          if (.not. is_beside) return
          distance = at_fold**2 + ((c%x_unit*s%p + c%x_zero - self%x)/self%x_sigma)**2
-         place = 0
+         position = 0
       end if
-      if (.not. (place > 0 .and. is_outer(path, place, inner))) call guess_foot(self, c, path, place)
-      call find_root(self, c, path, inner, outer, place, s, o)
+      if (.not. (position > 0 .and. is_outer(path, position, inner))) call guess_foot(self, c, path, position)
+      call find_root(self, c, path, inner, outer, position, s, o)
       if (is_fold) then
          is_fold = .not. ((c%y_unit*o%y + c%y_zero - self%y)/self%sigma)**2 &
             & + ((c%x_unit*s%p + c%x_zero - self%x)/self%x_sigma)**2 < distance
          if (is_fold) s = path%fold
          if (is_fold) call get_ordinate(self%ordinate, self%edge, s, o)
       else
-         t = place
+         t = position
       end if
    end subroutine find_foot
 
-   !> A first guess of a foot: the place of the measured abscissa, or near the fold.
+   !> A first guess of a foot: the position of the measured abscissa, or near the fold.
    subroutine guess_foot(self, c, path, t)
-      !> The measured point.
       type(foot_t), intent(in) :: self
-      !> Units and zeros.
       type(frame_t), intent(in) :: c
-      !> The path of held states.
-      type(path_t), intent(in) :: path
-      !> Receives the place.
+      type(sphere_path_t), intent(in) :: path
+      !> Receives the position.
       real(dp), intent(out) :: t
-      type(state_t) :: s
+      type(fit_state_t) :: s
       logical :: is_beyond
-      real(dp) :: held, last_step
+      real(dp) :: prescribed, last_step
 
-      held = (self%x - c%x_zero)/c%x_unit
+      prescribed = (self%x - c%x_zero)/c%x_unit
       t = 0
-      call find_state(path, held, t, s, last_step, is_beyond)
+      call find_state(path, prescribed, t, s, last_step, is_beyond)
       if (is_beyond) t = path%fold%t + path%side*path%fold%t/20
       if (.not. is_outer(path, t, path%fold%t)) t = path%fold%t + path%side*0.1_dp
    end subroutine guess_foot
 
-   !> h = u u_t + v v_t times the side, positive outside of the foot, and its derivative by the place.
+   !> h = u u_t + v v_t times the side, positive outside of the foot, and its derivative by the position.
    subroutine get_slope(self, c, path, t, s, o, h, h_t)
-      !> The measured point.
       type(foot_t), intent(in) :: self
-      !> Units and zeros.
       type(frame_t), intent(in) :: c
-      !> The path of held states.
-      type(path_t), intent(in) :: path
-      !> The place.
+      type(sphere_path_t), intent(in) :: path
       real(dp), intent(in) :: t
-      !> Receives the state.
-      type(state_t), intent(inout) :: s
-      !> Receives its ordinate.
+      type(fit_state_t), intent(inout) :: s
       type(ordinate_t), intent(out) :: o
       !> Receives h times the side.
       real(dp), intent(out) :: h
@@ -134,19 +119,14 @@ contains
 
    !> Newton's method for the foot, within what is known of where it is.
    subroutine find_root(self, c, path, from, to, t, s, o)
-      !> The measured point.
       type(foot_t), intent(in) :: self
-      !> Units and zeros.
       type(frame_t), intent(in) :: c
-      !> The path of held states.
-      type(path_t), intent(in) :: path
-      !> The place inside of the foot, and the one outside; < 0: not known.
+      type(sphere_path_t), intent(in) :: path
+      !> The position inside of the foot, and the one outside; < 0: not known.
       real(dp), intent(in) :: from, to
-      !> In: a guess. Out: the place.
+      !> In: a guess. Out: the position.
       real(dp), intent(inout) :: t
-      !> Receives the state.
-      type(state_t), intent(inout) :: s
-      !> Receives its ordinate.
+      type(fit_state_t), intent(inout) :: s
       type(ordinate_t), intent(inout) :: o
       real(dp) :: inner, outer, h, h_t, step
       integer :: k
@@ -154,7 +134,7 @@ contains
 
       inner = from
       outer = to
-      ! places of Maugis-Dugdale end at 0 outward
+      ! positions of Maugis-Dugdale end at 0 outward
       if (path%side < 0) outer = max(outer, 0.0_dp)
       if (.not. is_outer(path, t, inner) .or. outer >= 0 .and. .not. is_outer(path, outer, t)) t = (inner + outer)/2
       do k = 1, max_steps
@@ -176,19 +156,15 @@ contains
       end do
    end subroutine find_root
 
-   !> Look for a foot between the fold and the place of the measured abscissa, for a point below the fold's ordinate.
+   !> Look for a foot between the fold and the position of the measured abscissa, for a point below the fold's ordinate.
    subroutine look_beside(self, c, path, inner, outer, is_there)
-      !> The measured point.
       type(foot_t), intent(in) :: self
-      !> Units and zeros.
       type(frame_t), intent(in) :: c
-      !> The path of held states.
-      type(path_t), intent(in) :: path
-      !> Receives a place inside of that foot, and one outside.
+      type(sphere_path_t), intent(in) :: path
+      !> Receives a position inside of that foot, and one outside.
       real(dp), intent(out) :: inner, outer
-      !> Is there such a foot?
       logical, intent(out) :: is_there
-      type(state_t) :: s
+      type(fit_state_t) :: s
       type(ordinate_t) :: o
       real(dp) :: far, h, h_t
       integer :: k

@@ -8,7 +8,7 @@ module adfric_fit_frame
    use adfric_fit_problem, only: free_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
       & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_basis, only: basis_t, of_radius, of_modulus, of_work, of_lambda, of_edge
-   use adfric_round_sphere_variables, only: r_load
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: frame_t, new_frame, set_frame
@@ -27,9 +27,8 @@ module adfric_fit_frame
 
 contains
 
-   !> Make room.
+   !> Make space.
    pure subroutine new_frame(self, n)
-      !> Receives the room.
       type(frame_t), intent(out) :: self
       !> Number of free variables.
       integer, intent(in) :: n
@@ -40,20 +39,14 @@ contains
 
    !> Units and zeros, and how they change.
    pure subroutine set_frame(c, basis, frees, data_set, ordinate, is_base, nuisance, slopes, ks)
-      !> Receives them.
       type(frame_t), intent(inout) :: c
-      !> The sphere.
       type(basis_t), intent(in) :: basis
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> Number of the data set, and its ordinate, a place in the results.
+      !> Number of the data set, and its ordinate, a position in the results.
       integer, intent(in) :: data_set, ordinate
       !> Is the abscissa the position of a base, not the load?
       logical, intent(in) :: is_base
-      !> Values of the nuisances of the curve.
-      real(dp), intent(in) :: nuisance(:)
-      !> Derivatives of each free variable by the number that is fitted.
-      real(dp), intent(in) :: slopes(:)
+      real(dp), intent(in) :: nuisance(:), slopes(:)
       !> Receives the reduced compliance L/(k D) of the spring.
       real(dp), intent(out) :: ks
       real(dp) :: of_nuisance(size(slopes), n_nuisances)
@@ -75,8 +68,8 @@ contains
          c%y_unit_by = c%y_unit_by + of_nuisance(:, nuisance_lateral_gain)/nuisance(nuisance_lateral_gain)
          c%y_zero = nuisance(nuisance_friction_offset)
          c%y_zero_by = of_nuisance(:, nuisance_friction_offset)
-         if (ordinate == r_load) c%y_zero = c%y_zero + nuisance(nuisance_load_offset)
-         if (ordinate == r_load) c%y_zero_by = c%y_zero_by + c%load_zero_by
+         if (ordinate == out%load) c%y_zero = c%y_zero + nuisance(nuisance_load_offset)
+         if (ordinate == out%load) c%y_zero_by = c%y_zero_by + c%load_zero_by
          c%tilt = nuisance(nuisance_tilt)
          c%tilt_by = of_nuisance(:, nuisance_tilt)
          if (is_base) then

@@ -7,7 +7,7 @@ module adfric_fit_intervals
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_objective, only: objective_t
-   use adfric_fit_profile, only: profile_t, find_profile, find_pieces
+   use adfric_fit_profile, only: interval_profile_t, find_profile, find_pieces
    use adfric_fit_scales, only: scales_t
    use adfric_fit_solution, only: solution_t
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
@@ -29,7 +29,6 @@ contains
       real(dp), intent(in) :: q
       !> Unit of a variable that is not fitted by its logarithm.
       real(dp), intent(in) :: unit
-      !> Is the logarithm fitted?
       logical, intent(in) :: is_log
 
       value_of = q*unit
@@ -38,7 +37,6 @@ contains
 
    !> The limit of S - S_min over the variance of a point.
    pure real(dp) function limit_of(level, freedom)
-      !> The level.
       real(dp), intent(in) :: level
       !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
@@ -47,9 +45,9 @@ contains
       if (freedom > 0) limit_of = f_quantile(level, 1, freedom)
    end function limit_of
 
-   !> Make room for the pieces of all intervals.
+   !> Make space for the pieces of all intervals.
    pure subroutine make_pieces(solution, n_pieces, n_levels, n_free)
-      !> Receives NaN in all places.
+      !> Receives NaN in all positions.
       type(solution_t), intent(inout) :: solution
       !> Most pieces, number of levels, of free variables.
       integer, intent(in) :: n_pieces, n_levels, n_free
@@ -64,15 +62,11 @@ contains
    pure subroutine take_covariance_intervals(q, scales, objective, levels, freedom, solution)
       !> The estimate, as numbers that are fitted.
       real(dp), intent(in) :: q(:)
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> The sum of squares.
       type(objective_t), intent(in) :: objective
-      !> The levels.
       real(dp), intent(in) :: levels(:)
       !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
-      !> Receives the intervals.
       type(solution_t), intent(inout) :: solution
       real(dp) :: reach, ends(2)
       integer :: k, level
@@ -94,13 +88,9 @@ contains
    !> Intervals of one variable from its profile, and the profile itself.
    subroutine take_profile(objective, scales, limits, work, free, minima, costs, others, variance, levels, is_lambda, solution, &
       & below, is_below)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> Number of the variable.
       integer, intent(in) :: free
@@ -112,17 +102,14 @@ contains
       real(dp), allocatable, intent(inout) :: others(:, :)
       !> Variance of a point in units of the residuals.
       real(dp), intent(in) :: variance
-      !> The levels.
       real(dp), intent(in) :: levels(:)
-      !> Does the variable set lambda?
       logical, intent(in) :: is_lambda
       !> Receives the pieces and the profile.
       type(solution_t), intent(inout) :: solution
-      !> Receives a place whose S is below the least one.
+      !> Receives a position whose S is below the least one.
       real(dp), intent(inout) :: below(:)
-      !> Is there such a place?
       logical, intent(out) :: is_below
-      type(profile_t) :: profile
+      type(interval_profile_t) :: profile
       real(dp) :: pieces(2, most_pieces), limit(size(levels)), error
       integer, allocatable :: kept(:)
       integer :: k, n, step

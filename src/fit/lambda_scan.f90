@@ -6,7 +6,7 @@
 !> outward from each neighbour. That gives the profile S_p(ln lambda) and, by the envelope theorem, its slope 2 J' r. A minimum of S
 !> is one of S_p. Between two nodes there is one if the slope is negative at the left and positive at the right one, and there may be one if
 !> the cubic through both values and slopes has one, or if the lower bound has a positive slope, the upper one a negative one. From each of
-!> these places, from the best node and from the user's start the search goes on in all variables.
+!> these positions, from the best node and from the user's start the search goes on in all variables.
 !>
 !> What may be missed: a pair of a maximum and a minimum within one interval, with slopes of one sign at both ends, which the cubic does
 !> not show; and a second valley in the other variables at given lambda. `tests/fit` compares with searches from every node.
@@ -18,7 +18,7 @@ module adfric_fit_lambda_scan
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t
    use adfric_fit_scales, only: scales_t
-   use adfric_fit_starts, only: get_start, lambda_free, place_of_lambda
+   use adfric_fit_starts, only: get_start, lambda_free, position_of_lambda
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
@@ -45,19 +45,14 @@ contains
 
    !> The scan over lambda.
    subroutine scan_lambda(self, fit, scales, limits, work, minima)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
-      real(dp), allocatable :: places(:), lambdas(:), q(:, :)
+      real(dp), allocatable :: positions(:), lambdas(:), q(:, :)
       type(node_t), allocatable :: node(:)
       real(dp) :: start(self%n_free)
       integer :: free, k, middle
@@ -68,36 +63,32 @@ contains
          call add_search(self, scales, limits, work, start, minima)
       end if
       call get_start(self, fit, 1.0_dp, work, start)
-      call make_nodes(self, fit, scales, free, start, places, lambdas)
-      allocate (q(self%n_free, size(places)), node(size(places)))
+      call make_nodes(self, fit, scales, free, start, positions, lambdas)
+      allocate (q(self%n_free, size(positions)), node(size(positions)))
       middle = minloc(abs(log(lambdas)), 1)
-      do k = middle, size(places)
-         call solve_node(self, fit, scales, limits, work, free, places(k), lambdas(k), k > middle .and. node(max(k - 1, &
+      do k = middle, size(positions)
+         call solve_node(self, fit, scales, limits, work, free, positions(k), lambdas(k), k > middle .and. node(max(k - 1, &
             & 1))%has_value, q(:, max(k - 1, 1)), q(:, k), &
             & node(k), minima)
       end do
       do k = middle - 1, 1, -1
-         call solve_node(self, fit, scales, limits, work, free, places(k), lambdas(k), node(k + 1)%has_value, q(:, k + 1), &
+         call solve_node(self, fit, scales, limits, work, free, positions(k), lambdas(k), node(k + 1)%has_value, q(:, k + 1), &
             & q(:, k), &
             & node(k), minima)
       end do
-      call search_valleys(self, scales, limits, work, places, q, node, minima)
+      call search_valleys(self, scales, limits, work, positions, q, node, minima)
    end subroutine scan_lambda
 
    !> The nodes, rising in the number that is fitted, and their lambda.
-   subroutine make_nodes(self, fit, scales, free, start, places, lambdas)
-      !> The sum of squares.
+   subroutine make_nodes(self, fit, scales, free, start, positions, lambdas)
       type(objective_t), intent(in) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
       !> Number of the free variable that sets lambda.
       integer, intent(in) :: free
-      !> A start.
       real(dp), intent(in) :: start(:)
       !> Receives the numbers that are fitted.
-      real(dp), allocatable, intent(out) :: places(:)
+      real(dp), allocatable, intent(out) :: positions(:)
       !> Receives lambda there.
       real(dp), allocatable, intent(out) :: lambdas(:)
       real(dp) :: v(size(start)), slopes(size(start)), one, sense
@@ -110,59 +101,51 @@ contains
       else
          allocate (all_nodes, source=nodes)
       end if
-      one = place_of_lambda(self, free, 1.0_dp, v)
-      sense = place_of_lambda(self, free, exp(1.0_dp), v) - one
-      places = one + sense*log(all_nodes)
-      places = pack(places, places > scales%lower(free) .and. places < scales%upper(free))
-      if (sense < 0) places = places(size(places):1:-1)
-      if (abs(scales%lower(free)) < 200) places = [scales%lower(free), places]
-      if (abs(scales%upper(free)) < 200) places = [places, scales%upper(free)]
-      lambdas = [(exp((places(k) - one)/sense), k=1, size(places))]
+      one = position_of_lambda(self, free, 1.0_dp, v)
+      sense = position_of_lambda(self, free, exp(1.0_dp), v) - one
+      positions = one + sense*log(all_nodes)
+      positions = pack(positions, positions > scales%lower(free) .and. positions < scales%upper(free))
+      if (sense < 0) positions = positions(size(positions):1:-1)
+      if (abs(scales%lower(free)) < 200) positions = [scales%lower(free), positions]
+      if (abs(scales%upper(free)) < 200) positions = [positions, scales%upper(free)]
+      lambdas = [(exp((positions(k) - one)/sense), k=1, size(positions))]
    end subroutine make_nodes
 
    !> Solve the other variables at a node.
-   subroutine solve_node(self, fit, scales, limits, work, free, place, lambda, has_neighbour, neighbour, q, node, minima)
-      !> The sum of squares.
+   subroutine solve_node(self, fit, scales, limits, work, free, position, lambda, has_neighbour, neighbour, q, node, minima)
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> Number of the free variable that sets lambda.
       integer, intent(in) :: free
       !> The number that is fitted, and lambda.
-      real(dp), intent(in) :: place, lambda
-      !> Has the neighbour been solved?
+      real(dp), intent(in) :: position, lambda
       logical, intent(in) :: has_neighbour
       !> What was found there.
       real(dp), intent(in) :: neighbour(:)
       !> Receives what is found.
       real(dp), intent(out) :: q(:)
-      !> Receives cost and slope.
       type(node_t), intent(out) :: node
-      !> Counts the steps.
       type(minima_t), intent(inout) :: minima
       type(squares_limits_t) :: coarse
       type(squares_outcome_t) :: outcome
-      logical :: is_held(size(q)), is_unfolded
+      logical :: is_fixed(size(q)), is_unfolded
 
       if (has_neighbour) then
          q = neighbour
       else
          call get_start(self, fit, lambda, work, q)
       end if
-      q(free) = place
-      is_held = .false.
-      is_held(free) = .true.
+      q(free) = position
+      is_fixed = .false.
+      is_fixed(free) = .true.
       coarse = limits
       coarse%step_tolerance = node_step
       coarse%relative_tolerance = node_decrease
       coarse%most_steps = node_steps
-      call find_minimum(self, scales, is_held, coarse, work, q, outcome, is_unfolded)
+      call find_minimum(self, scales, is_fixed, coarse, work, q, outcome, is_unfolded)
       minima%steps = minima%steps + outcome%steps
       node%has_value = outcome%status /= squares_no_value
       node%cost = outcome%cost
@@ -170,20 +153,15 @@ contains
    end subroutine solve_node
 
    !> Search in all variables wherever the profile shows a valley.
-   subroutine search_valleys(self, scales, limits, work, places, q, node, minima)
-      !> The sum of squares.
+   subroutine search_valleys(self, scales, limits, work, positions, q, node, minima)
       type(objective_t), intent(inout) :: self
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> The nodes.
-      real(dp), intent(in) :: places(:)
+      real(dp), intent(in) :: positions(:)
       !> What was found there; shape `(n_free, n_nodes)`.
       real(dp), intent(in) :: q(:, :)
-      !> Cost and slope there.
       type(node_t), intent(in) :: node(:)
       !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
@@ -191,7 +169,7 @@ contains
       integer :: k, n
       logical :: is_valley
 
-      n = size(places)
+      n = size(positions)
       if (.not. any(node%has_value)) return
       best = minval(node%cost, node%has_value)
       variance = 1
@@ -207,9 +185,9 @@ contains
          end if
          if (k == n) exit
          if (.not. (node(k)%has_value .and. node(k + 1)%has_value)) cycle
-         call find_cubic_minimum(places(k), places(k + 1), node(k), node(k + 1), is_valley, at, cost)
+         call find_cubic_minimum(positions(k), positions(k + 1), node(k), node(k + 1), is_valley, at, cost)
          if (.not. is_valley .or. cost - best > 2*minima_limit*variance) cycle
-         share = (at - places(k))/(places(k + 1) - places(k))
+         share = (at - positions(k))/(positions(k + 1) - positions(k))
          start = (1 - share)*q(:, k) + share*q(:, k + 1)
          call add_search(self, scales, limits, work, start, minima)
       end do
@@ -217,13 +195,11 @@ contains
 
    !> The minimum of the cubic through two values with their slopes.
    pure subroutine find_cubic_minimum(left, right, left_node, right_node, is_there, at, cost)
-      !> The places.
+      !> The positions.
       real(dp), intent(in) :: left, right
-      !> Values and slopes there.
       type(node_t), intent(in) :: left_node, right_node
-      !> Is there a minimum between them?
       logical, intent(out) :: is_there
-      !> Receives the place and the value of the minimum.
+      !> Receives the position and the value of the minimum.
       real(dp), intent(out) :: at, cost
       real(dp) :: h, rise, a, b, c, t, root
 

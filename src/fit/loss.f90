@@ -2,10 +2,10 @@
 !> What a residual costs: its square, or less where it is large.
 !>
 !> With z = (r/C)^2 the cost is C^2 rho(z): rho = z; huber: z up to 1, then 2 sqrt(z) - 1; soft_l1: 2 (sqrt(1 + z) - 1); cauchy: ln(1 + z). The sum of
-!> costs takes the place of S, so that a loss as wide as all residuals changes nothing.
+!> costs takes the position of S, so that a loss as wide as all residuals changes nothing.
 !>
 !> In a least-squares search the row J becomes k J and r becomes psi/k, with psi = rho' r and k^2 = psi' = rho' + 2 z rho'': the gradient is
-!> exact, and so is the curvature where psi' > 0. Elsewhere rho' takes the place of psi', as in reweighted least squares.
+!> exact, and so is the curvature where psi' > 0. Elsewhere rho' takes the position of psi', as in reweighted least squares.
 module adfric_fit_loss
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set

@@ -26,7 +26,7 @@ module adfric_fit_minima
       real(dp), allocatable :: cost(:)
       !> How often each was found, and how its search ended.
       integer, allocatable :: times(:), status(:)
-      !> Has every place of a fold been seen that may have a lesser cost?
+      !> Has every position of a fold been seen that may have a lesser cost?
       logical :: is_complete = .true.
       !> Searches, steps.
       integer :: searches = 0, steps = 0
@@ -36,7 +36,6 @@ contains
 
    !> Make an empty list.
    pure subroutine new_minima(minima, n_free)
-      !> Receives the list.
       type(minima_t), intent(out) :: minima
       !> Number of free variables.
       integer, intent(in) :: n_free
@@ -47,31 +46,26 @@ contains
 
    !> Search from a start, and add the minimum if it is new.
    subroutine add_search(self, scales, limits, work, q, minima, fold)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> In: the start. Out: where the search ended.
       real(dp), intent(inout) :: q(:)
-      !> The minima.
       type(minima_t), intent(inout) :: minima
       !> The curve to whose fold the start is near, so that the search begins in a region. If absent, it begins as if S were smooth.
       type(curve_fold_t), intent(in), optional :: fold
       type(squares_outcome_t) :: outcome
-      logical :: is_held(size(q)), is_unfolded, is_valid
+      logical :: is_fixed(size(q)), is_unfolded, is_valid
       real(dp) :: variance
       integer :: k
 
-      is_held = .false.
+      is_fixed = .false.
       if (present(fold)) then
          outcome%status = squares_no_value
-         call cross_regions(self, fold, scales, is_held, limits, work, q, outcome, is_unfolded)
+         call cross_regions(self, fold, scales, is_fixed, limits, work, q, outcome, is_unfolded)
       else
-         call find_minimum(self, scales, is_held, limits, work, q, outcome, is_unfolded)
+         call find_minimum(self, scales, is_fixed, limits, work, q, outcome, is_unfolded)
       end if
       if (is_unfolded) call self%evaluate(q, work%n_rows, work%r, work%j, outcome%cost, is_valid)
       minima%searches = minima%searches + 1
@@ -98,7 +92,6 @@ contains
 
    !> Sort the minima, the least first.
    pure subroutine sort_minima(minima, n_free)
-      !> The minima.
       type(minima_t), intent(inout) :: minima
       !> Number of free variables.
       integer, intent(in) :: n_free

@@ -6,13 +6,13 @@
 !> an estimate by about that part of its standard error, so steps forward will do on the way, and central ones for the covariance.
 !> At a bound of the model's table, and where a neighbour has no solution or is of another regime, the step is taken to the other side.
 !>
-!> Where the model knows the fold x_f, the end of contact, a point is a place s = sqrt(x - x_f), over which ordinates are smooth
+!> Where the model knows the fold x_f, the end of contact, a point is a index s = sqrt(x - x_f), over which ordinates are smooth
 !> (`adfric_fit_model_slopes`), and no step crosses the fold. A point of contact beyond has the ordinate of the fold; where the abscissa
 !> is a load, one more row says how far it is beyond, as in `adfric_fit_sphere_curve`. With errors of the abscissa the state is the
 !> nearest point of the curve (`adfric_fit_model_foot`).
 module adfric_fit_model_curve
    use adfric_base_kinds, only: dp
-   use adfric_fit_curve, only: curve_t, take_points, nuisance_slopes
+   use adfric_fit_curve, only: fit_curve_t, take_points, nuisance_slopes
    use adfric_fit_model_foot, only: feet_t, find_feet
    use adfric_fit_model_points, only: model_points_t, new_model_points, fold_t, is_beyond_fold
    use adfric_fit_model_slopes, only: slopes_t, set_slopes
@@ -25,7 +25,7 @@ module adfric_fit_model_curve
    public :: model_curve_t, new_model_curve
 
    !> A measured curve of any model.
-   type, extends(curve_t) :: model_curve_t
+   type, extends(fit_curve_t) :: model_curve_t
       !> What is asked of the model.
       type(model_points_t) :: points
       !> Which offset is taken off the abscissa; 0: none.
@@ -34,7 +34,7 @@ module adfric_fit_model_curve
       type(free_t), allocatable :: frees(:)
       !> How well loads of the abscissa are resolved, for points beyond the fold.
       real(dp) :: resolution = 1
-      !> Places of the feet at the last evaluation.
+      !> Indices of the feet at the last evaluation.
       type(feet_t) :: feet
       !> Error of the derivatives of the last evaluation, relative.
       real(dp) :: error = 0
@@ -50,11 +50,8 @@ contains
 
    !> Take a data set.
    subroutine new_model_curve(self, fit, number, unit)
-      !> Receives the curve.
       type(model_curve_t), intent(out) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Number of the data set.
       integer, intent(in) :: number
       !> The standard error of all ordinates where none is given.
       real(dp), intent(in) :: unit
@@ -73,26 +70,18 @@ contains
       end associate
    end subroutine new_model_curve
 
-   !> See `curve_t`: a second row for a point whose load, or foot, is not on the curve.
+   !> See `fit_curve_t`: a second row for a point whose load, or foot, is not on the curve.
    pure integer function most_rows(self)
-      !> The curve.
       class(model_curve_t), intent(in) :: self
 
       most_rows = self%n
       if (self%is_latent .or. self%points%is_by_load .and. self%points%pull_off_load > 0) most_rows = 2*self%n
    end function most_rows
 
-   !> See `curve_t`.
+   !> See `fit_curve_t`.
    subroutine evaluate(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
-      !> The curve.
       class(model_curve_t), intent(inout) :: self
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Values of the nuisances of the curve.
-      real(dp), intent(in) :: nuisance(:)
-      !> Derivatives of each free variable by the number that is fitted.
-      real(dp), intent(in) :: slopes(:)
-      !> Are central differences wanted?
+      real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       logical, intent(in) :: is_exact
       !> Receives the number of rows.
       integer, intent(out) :: n_rows
@@ -142,9 +131,7 @@ contains
 
    !> What all points have, and free points have alone: the zero and the slope of the base line. `fitted` is that part of the ordinate.
    subroutine take_base_line(self, nuisance, of_nuisance, r, j)
-      !> The curve.
       class(model_curve_t), intent(inout) :: self
-      !> Values of the nuisances of the curve.
       real(dp), intent(in) :: nuisance(:)
       !> Derivatives of the nuisances; shape `(n_free, n_nuisances)`.
       real(dp), intent(in) :: of_nuisance(:, :)
@@ -172,9 +159,7 @@ contains
 
    !> Points whose abscissas have no errors.
    subroutine add_exact(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
-      !> The curve.
       class(model_curve_t), intent(inout) :: self
-      !> Ordinates and their derivatives.
       type(slopes_t), intent(in) :: of
       !> The points of contact.
       integer, intent(in) :: contacts(:)
@@ -205,12 +190,10 @@ contains
       end do
    end subroutine add_exact
 
-   !> Points whose abscissas have errors: the distance along the normal at the foot, where the place on the curve does not count; of a
-   !> foot that is the fold both distances.
+   !> Points whose abscissas have errors: the distance along the normal at the foot, where the index on the curve does not count; of
+   !> a foot that is the fold both distances.
    subroutine add_latent(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
-      !> The curve, with the feet.
       class(model_curve_t), intent(inout) :: self
-      !> Ordinates and their derivatives at the feet.
       type(slopes_t), intent(in) :: of
       !> The points of contact.
       integer, intent(in) :: contacts(:)
@@ -232,13 +215,13 @@ contains
          self%fitted(i) = gain*of%y(k) + self%fitted(i)
          self%foot(i) = self%feet%x(k) + x_zero
          v = (self%fitted(i) - self%y(i))/self%sigma(i)
-         v_by = j(i, :) + gain*of%by_at_place(k, :) + of%y(k)*gain_by
+         v_by = j(i, :) + gain*of%by_at_position(k, :) + of%y(k)*gain_by
          self%is_apart(i) = is_beyond_fold(of%regimes(k)) .and. .not. abs(of%fold%y) > 0
          r(i) = v
          j(i, :) = v_by
          if (.not. self%x_sigma(i) > 0) cycle
          u = (self%foot(i) - self%x(i))/self%x_sigma(i)
-         u_by = (of%x_by_at_place(k, :) + x_zero_by)/self%x_sigma(i)
+         u_by = (of%x_by_at_position(k, :) + x_zero_by)/self%x_sigma(i)
          if (is_beyond_fold(of%regimes(k)) .and. abs(of%fold%y) > 0) then
             n_rows = n_rows + 1
             r(n_rows) = u
@@ -254,23 +237,16 @@ contains
       end do
    end subroutine add_latent
 
-   !> See `curve_t`: the pull-off load of models that have it among their results.
+   !> See `fit_curve_t`: the pull-off load of models that have it among their results.
    subroutine find_event(self, kind, values, nuisance, slopes, value, gradient, is_valid)
-      !> The curve, whose nuisances shift the event.
       class(model_curve_t), intent(inout) :: self
       !> One of `event_...`.
       integer, intent(in) :: kind
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Values of the nuisances of the curve.
-      real(dp), intent(in) :: nuisance(:)
-      !> Derivatives of each free variable by the number that is fitted.
-      real(dp), intent(in) :: slopes(:)
+      real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       !> Receives the load [N].
       real(dp), intent(out) :: value
       !> Receives its derivatives.
       real(dp), intent(out) :: gradient(:)
-      !> Has the model such an event?
       logical, intent(out) :: is_valid
       type(model_curve_t) :: event
       real(dp) :: none(n_nuisances), r(1), j(1, size(slopes))

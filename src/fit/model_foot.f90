@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The points of a curve of any model that are nearest to measured ones, in standard errors of both coordinates: their feet.
 !>
-!> A foot is sought over a place s: x = x_f + s^2 where the curve ends at a loaded fold x_f, beside which the ordinate is smooth over s, else
-!> x = x_f + s. With u = (x - X_i)/sX and v = (y - Y_i)/sY the slope of half the squared distance is u u_s + v v_s. Its root lies between
-!> places with slopes of both signs. A step of Gauss and Newton is the first one, secants follow, and one that leaves the bracket is
-!> halved. All points go together, for a model answers many points at once. The curve ends at a loaded fold, and so may the search.
+!> A foot is sought over a position s: x = x_f + s^2 where the curve ends at a loaded fold x_f, beside which the ordinate is smooth
+!> over s, else x = x_f + s. With u = (x - X_i)/sX and v = (y - Y_i)/sY the slope of half the squared distance is u u_s + v v_s. Its
+!> root lies between positions with slopes of both signs. A step of Gauss and Newton is the first one, secants follow, and one that
+!> leaves the bracket is halved. All points go together, for a model answers many points at once. The curve ends at a loaded fold,
+!> and so may the search.
 !>
 !> No foot is farther from the point than the state with the measured abscissa, or the fold, is. So samples within that distance show which
 !> foot is the nearest where there are several, as beside a fold.
@@ -21,35 +22,33 @@ module adfric_fit_model_foot
       real(dp), allocatable :: x(:)
    end type feet_t
 
-   !> Measured points that are left, with what is known of their feet.
-   type :: search_t
-      !> Places, and brackets of the feet.
+   !> Measured points that remain, with what is known of their feet.
+   type :: foot_search_t
+      !> Positions, and brackets of the feet.
       real(dp), allocatable :: s(:), low(:), high(:)
-      !> The places before, and the slopes there; 0 at first.
+      !> The positions before, and the slopes there; 0 at first.
       real(dp), allocatable :: last(:), last_slope(:)
       !> Which points have no foot yet.
       integer, allocatable :: open(:)
-      !> Is a place the root of the distance from the fold, and does the distance fall from the lower end of each bracket?
+      !> Is a position the root of the distance from the fold, and does the distance fall from the lower end of each bracket?
       logical :: is_root = .false.
       !> Not known of the end of the curve until it has been looked at.
       logical, allocatable :: is_end_known(:)
-   end type search_t
+   end type foot_search_t
 
-   !> Most steps; a step that is shorter than this part of the place, or of the error of the abscissa, is the last.
+   !> Most steps; a step that is shorter than this part of the position, or of the error of the abscissa, is the last.
    integer, parameter :: max_steps = 80
    real(dp), parameter :: last_step = 1.0e-9_dp
    !> Samples to each side of the measured abscissa.
    integer, parameter :: n_samples = 4
-   !> Relative step of the difference over a place.
+   !> Relative step of the difference over a position.
    real(dp), parameter :: difference = 1.0e-6_dp
 
 contains
 
    !> Find the feet.
    subroutine find_feet(points, values, x, y, x_sigma, sigma, gain, feet, is_valid)
-      !> What is asked of the model.
       type(model_points_t), intent(in) :: points
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> Measured abscissas and ordinates, less their zeros.
       real(dp), intent(in) :: x(:), y(:)
@@ -57,11 +56,10 @@ contains
       real(dp), intent(in) :: x_sigma(:), sigma(:)
       !> Factor between the model and the ordinates.
       real(dp), intent(in) :: gain
-      !> Receives the feet.
       type(feet_t), intent(inout) :: feet
-      !> Has the model a value at all places?
+      !> Has the model a value at all positions?
       logical, intent(out) :: is_valid
-      type(search_t) :: search
+      type(foot_search_t) :: search
       type(fold_t) :: fold
       integer :: k, step
 
@@ -88,11 +86,8 @@ contains
 
    !> Start at the nearest of some samples, between its neighbours.
    subroutine look_around(points, values, fold, x, y, x_sigma, sigma, gain, search, is_valid)
-      !> What is asked of the model.
       type(model_points_t), intent(in) :: points
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
-      !> The fold, or the origin of places.
       type(fold_t), intent(in) :: fold
       !> Measured abscissas and ordinates, less their zeros.
       real(dp), intent(in) :: x(:), y(:)
@@ -100,11 +95,10 @@ contains
       real(dp), intent(in) :: x_sigma(:), sigma(:)
       !> Factor between the model and the ordinates.
       real(dp), intent(in) :: gain
-      !> The places and brackets.
-      type(search_t), intent(inout) :: search
-      !> Has the model a value at all places?
+      type(foot_search_t), intent(inout) :: search
+      !> Has the model a value at all positions?
       logical, intent(out) :: is_valid
-      real(dp), dimension(size(search%open)) :: at, first, distance, least, places, nearest
+      real(dp), dimension(size(search%open)) :: at, first, distance, least, positions, nearest
       integer :: regimes(size(search%open)), k
       real(dp) :: unused
       type(fold_t) :: other
@@ -113,21 +107,21 @@ contains
          do k = 0, 2*n_samples
             ! the measured abscissa, then to both sides of it
             if (k == 0) then
-               places = x(open)
+               positions = x(open)
             else
-               places = x(open) + x_sigma(open)*first*(-1)**k*((k + 1)/2)/n_samples
+               positions = x(open) + x_sigma(open)*first*(-1)**k*((k + 1)/2)/n_samples
             end if
-            if (search%is_root) places = max(places, fold%x)
-            call points%ask(values, places, at, regimes, unused, other)
+            if (search%is_root) positions = max(positions, fold%x)
+            call points%ask(values, positions, at, regimes, unused, other)
             is_valid = all(regimes >= 0)
             if (.not. is_valid) return
-            distance = hypot((places - x(open))/x_sigma(open), (gain*at - y(open))/sigma(open))
+            distance = hypot((positions - x(open))/x_sigma(open), (gain*at - y(open))/sigma(open))
             if (k == 0) then
                first = distance
                least = distance
-               nearest = places
+               nearest = positions
             else
-               where (distance < least) nearest = places
+               where (distance < least) nearest = positions
                least = min(distance, least)
             end if
          end do
@@ -144,11 +138,8 @@ contains
 
    !> One step of all points that have no foot yet.
    subroutine make_step(points, values, fold, x, y, x_sigma, sigma, gain, search, is_valid)
-      !> What is asked of the model.
       type(model_points_t), intent(in) :: points
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
-      !> The fold, or the origin of places.
       type(fold_t), intent(in) :: fold
       !> Measured abscissas and ordinates, less their zeros.
       real(dp), intent(in) :: x(:), y(:)
@@ -156,9 +147,8 @@ contains
       real(dp), intent(in) :: x_sigma(:), sigma(:)
       !> Factor between the model and the ordinates.
       real(dp), intent(in) :: gain
-      !> The places and brackets.
-      type(search_t), intent(inout) :: search
-      !> Has the model a value at all places?
+      type(foot_search_t), intent(inout) :: search
+      !> Has the model a value at all positions?
       logical, intent(out) :: is_valid
       real(dp), dimension(size(search%open)) :: h, at, beside, u_s
       logical :: is_left(size(search%open))
@@ -196,7 +186,7 @@ contains
             if (bend > 0 .and. abs(search%last_slope(i)) > 0) step = -slope*(search%s(i) - search%last(i))**2/bend
             search%last(i) = search%s(i)
             search%last_slope(i) = slope
-            step = place_after(search, i, step, size_of) - search%s(i)
+            step = position_after(search, i, step, size_of) - search%s(i)
             search%s(i) = search%s(i) + step
             is_left(k) = abs(step) > last_step*max(abs(search%s(i)), size_of)
          end do
@@ -205,30 +195,29 @@ contains
 
    contains
 
-      !> Ask the model at places.
+      !> Ask the model at positions.
       subroutine ask_at(s, ordinates, is_there)
-         !> The places.
+         !> The positions.
          real(dp), intent(in) :: s(:)
          !> Receives the ordinates.
          real(dp), intent(out) :: ordinates(:)
          !> Has the model a value at all of them?
          logical, intent(out) :: is_there
          integer :: regimes(size(s))
-         real(dp) :: unused, places(size(s))
+         real(dp) :: unused, positions(size(s))
          type(fold_t) :: other
 
-         places = fold%x + s
-         if (search%is_root) places = fold%x + s**2
-         call points%ask(values, places, ordinates, regimes, unused, other)
+         positions = fold%x + s
+         if (search%is_root) positions = fold%x + s**2
+         call points%ask(values, positions, ordinates, regimes, unused, other)
          is_there = all(regimes >= 0)
       end subroutine ask_at
 
    end subroutine make_step
 
-   !> The place after a step, within what is known of where the foot is.
-   pure real(dp) function place_after(search, i, step, size_of) result(place)
-      !> The places and brackets.
-      type(search_t), intent(in) :: search
+   !> The position after a step, within what is known of where the foot is.
+   pure real(dp) function position_after(search, i, step, size_of) result(position)
+      type(foot_search_t), intent(in) :: search
       !> Number of the point.
       integer, intent(in) :: i
       !> The step that is wanted.
@@ -237,17 +226,17 @@ contains
       real(dp), intent(in) :: size_of
 
       associate (low => search%low(i), high => search%high(i), s => search%s(i))
-         place = s + step
-         if (place > low .and. place < high) return
-         if (place <= low .and. .not. search%is_end_known(i)) then
+         position = s + step
+         if (position > low .and. position < high) return
+         if (position <= low .and. .not. search%is_end_known(i)) then
             ! the end of the curve is the foot, unless the distance falls from there
-            place = low
+            position = low
          else if (abs(low) < huge(low) .and. high < huge(high)) then
-            place = (low + high)/2
+            position = (low + high)/2
          else
-            place = s + sign(size_of, step)
+            position = s + sign(size_of, step)
          end if
       end associate
-   end function place_after
+   end function position_after
 
 end module adfric_fit_model_foot

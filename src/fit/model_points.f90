@@ -7,7 +7,7 @@
 module adfric_fit_model_points
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_fit_problem, only: free_t
    use adfric_fit_sphere_basis, only: basis_t, set_basis
    use adfric_describe_model, only: model_t
@@ -39,11 +39,11 @@ module adfric_fit_model_points
    type :: model_points_t
       !> The model.
       class(model_t), pointer :: model => null()
-      !> Places of abscissa and ordinate, and of the result `regime`; 0: none.
+      !> Positions of abscissa and ordinate, and of the result `regime`; 0: none.
       integer :: abscissa = 0, ordinate = 0, regime = 0
-      !> Places of the results that say where the fold is, and of the variable that is the stiffness of a spring; 0: none.
+      !> Positions of the results that say where the fold is, and of the variable that is the stiffness of a spring; 0: none.
       integer :: pull_off_load = 0, pull_off_approach = 0, spring = 0
-      !> Place of the result `pull_off_load`, for events.
+      !> Position of the result `pull_off_load`, for events.
       integer :: pull_off_result = 0
       !> Is the abscissa a load, and is the ordinate one?
       logical :: is_by_load = .false., is_load = .false.
@@ -58,13 +58,11 @@ contains
 
    !> Take the model, the abscissa and the ordinate.
    subroutine new_model_points(self, model, base, abscissa, ordinate, is_sphere)
-      !> Receives what is asked for.
       type(model_points_t), intent(out) :: self
-      !> The model.
       class(model_t), pointer, intent(in) :: model
       !> Values of all variables of the model; those of free ones have no meaning.
       real(dp), intent(in) :: base(:)
-      !> Places of the abscissa in the variables, and of the ordinate in the results.
+      !> Positions of the abscissa in the variables, and of the ordinate in the results.
       integer, intent(in) :: abscissa, ordinate
       !> Is it a smooth sphere, as `adfric_fit_path` has it?
       logical, intent(in) :: is_sphere
@@ -102,7 +100,6 @@ contains
 
    !> Is a regime that of a point beyond the fold?
    elemental logical function is_beyond_fold(regime)
-      !> The regime.
       integer, intent(in) :: regime
 
       is_beyond_fold = regime == regime_beyond
@@ -110,9 +107,7 @@ contains
 
    !> Ask the model for the ordinates at abscissas.
    subroutine ask(self, values, x, y, regimes, error, fold)
-      !> What is asked for.
       class(model_points_t), intent(in) :: self
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> Abscissas.
       real(dp), intent(in) :: x(:)
@@ -122,7 +117,6 @@ contains
       integer, intent(out) :: regimes(:)
       !> Receives the relative error of a result: the largest one, or the mean where there is a fold, beside which it is large.
       real(dp), intent(out) :: error
-      !> Receives the fold.
       type(fold_t), intent(out) :: fold
       real(dp), allocatable :: all_values(:, :), results(:, :), error_estimate(:)
       real(dp) :: counts(size(self%model%counts)), largest, total
@@ -172,11 +166,8 @@ contains
 
    !> The fold alone.
    subroutine find_fold(self, values, fold)
-      !> What is asked for.
       class(model_points_t), intent(in) :: self
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
-      !> Receives the fold.
       type(fold_t), intent(out) :: fold
       real(dp) :: all_values(size(values), 1), results(size(self%model%results), 1), error_estimate(1), &
          & counts(size(self%model%counts))
@@ -196,13 +187,10 @@ contains
 
    !> The fold that the results of a point name: load and approach at which contact separates.
    pure subroutine read_fold(self, values, results, fold)
-      !> What is asked for.
       class(model_points_t), intent(in) :: self
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> Results of a point.
       real(dp), intent(in) :: results(:)
-      !> Receives the fold.
       type(fold_t), intent(inout) :: fold
 
       fold%is_known = self%pull_off_load > 0 .and. self%pull_off_approach > 0
@@ -220,9 +208,7 @@ contains
 
    !> An ordinate at the fold that no result names: near it the ordinate is a straight line over the root of the distance.
    subroutine find_ordinate(self, values, fold)
-      !> What is asked for.
       class(model_points_t), intent(in) :: self
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> The fold, which receives its ordinate.
       type(fold_t), intent(inout) :: fold
@@ -246,17 +232,16 @@ contains
    pure subroutine find_sphere_fold(values, fold)
       !> Values of all variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
-      !> Receives the fold.
       type(fold_t), intent(inout) :: fold
       type(basis_t) :: basis
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       type(free_t) :: none(0)
       real(dp) :: no_slopes(0)
 
       call set_basis(basis, values, none, no_slopes)
       call set_path(path, basis%theory, .true., basis%lambda, 0.0_dp)
       fold%is_known = .true.
-      fold%x = basis%approach*path%held_at_fold
+      fold%x = basis%approach*path%prescribed_at_fold
       fold%y = basis%force*path%fold%p
       if (basis%theory == theory_hertz) fold%y = 0
    end subroutine find_sphere_fold

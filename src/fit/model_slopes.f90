@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Ordinates of any model and their derivatives by differences, with or without a fold.
 !>
-!> Above the fold x_f a point is a place s = sqrt(d), d = x - x_f. Ordinates are smooth over s, and at a given x near the fold they are
-!> not: y is about y_f + c s. So a variable v is moved at a fixed place, and the place at fixed variables:
+!> Above the fold x_f a point is a position s = sqrt(d), d = x - x_f. Ordinates are smooth over s, and at a given x near the fold
+!> they are not: y is about y_f + c s. So a variable v is moved at a fixed position, and the position at fixed variables:
 !>
 !>     dy/dv at x = dy/dv at d - y_x dx_f/dv,    y_x = y_s/(2 s).
 !>
@@ -25,41 +25,34 @@ module adfric_fit_model_slopes
       type(fold_t) :: fold
       !> Derivatives of the fold's abscissa; shape `(n_free)`.
       real(dp), allocatable :: fold_x_by(:)
-      !> Derivatives of the ordinates by the numbers that are fitted, at a given abscissa and at a given place; shape `(n, n_free)`.
-      real(dp), allocatable :: by(:, :), by_at_place(:, :)
-      !> Derivatives of the abscissas at a given place; shape `(n, n_free)`.
-      real(dp), allocatable :: x_by_at_place(:, :)
-      !> Derivatives of abscissa and ordinate by the place; shape `(n)`.
+      !> Derivatives of the ordinates by the numbers that are fitted, at a given abscissa and at a given position; shape `(n,
+      !> n_free)`.
+      real(dp), allocatable :: by(:, :), by_at_position(:, :)
+      !> Derivatives of the abscissas at a given position; shape `(n, n_free)`.
+      real(dp), allocatable :: x_by_at_position(:, :)
+      !> Derivatives of abscissa and ordinate by the position; shape `(n)`.
       real(dp), allocatable :: x_s(:), y_s(:)
       !> Relative error of the derivatives.
       real(dp) :: derivative_error = 0
    end type slopes_t
 
-   !> Steps of a place are those of one of at least this part of the largest one.
-   real(dp), parameter :: least_place = 0.01_dp
+   !> Steps of a position are those of one of at least this part of the largest one.
+   real(dp), parameter :: least_position = 0.01_dp
 
 contains
 
    !> Find ordinates and derivatives.
    subroutine set_slopes(of, points, values, x, size_of_x, frees, slopes, is_central, wants_x, is_valid)
-      !> Receives them.
       type(slopes_t), intent(out) :: of
-      !> What is asked of the model.
       type(model_points_t), intent(in) :: points
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> Abscissas.
       real(dp), intent(in) :: x(:)
       !> Size of the abscissas, for steps.
       real(dp), intent(in) :: size_of_x
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> Derivatives of each free variable by the number that is fitted.
       real(dp), intent(in) :: slopes(:)
-      !> Are central differences wanted?
-      logical, intent(in) :: is_central
-      !> Are derivatives by the abscissa wanted?
-      logical, intent(in) :: wants_x
+      logical, intent(in) :: is_central, wants_x
       !> Has the model a value at all points?
       logical, intent(out) :: is_valid
       real(dp) :: e, h
@@ -68,7 +61,7 @@ contains
       n = size(x)
       allocate (of%y(n), of%regimes(n))
       allocate (of%y_x(n), of%x_s(n), of%y_s(n), of%fold_x_by(size(slopes)), source=0.0_dp)
-      allocate (of%by(n, size(slopes)), of%by_at_place(n, size(slopes)), of%x_by_at_place(n, size(slopes)), source=0.0_dp)
+      allocate (of%by(n, size(slopes)), of%by_at_position(n, size(slopes)), of%x_by_at_position(n, size(slopes)), source=0.0_dp)
       call points%ask(values, x, of%y, of%regimes, e, of%fold)
       is_valid = all(of%regimes >= 0)
       if (.not. is_valid) return
@@ -84,37 +77,33 @@ contains
          if (.not. is_valid) return
       end do
       if (of%fold%is_known) then
-         if (wants_x .or. any(abs(of%fold_x_by) > 0)) call move_places(of, points, values, x, h, is_central, is_valid)
+         if (wants_x .or. any(abs(of%fold_x_by) > 0)) call move_positions(of, points, values, x, h, is_central, is_valid)
          do k = 1, size(slopes)
-            of%by(:, k) = of%by_at_place(:, k) - of%y_x*of%fold_x_by(k)
+            of%by(:, k) = of%by_at_position(:, k) - of%y_x*of%fold_x_by(k)
          end do
       else
          if (wants_x) call differentiate(of, points, values, x, size_of_x, 0, 1.0_dp, h, is_central, of%y_x, is_valid)
-         of%by_at_place = of%by
+         of%by_at_position = of%by
          of%x_s = 1
          of%y_s = of%y_x
       end if
    end subroutine set_slopes
 
-   !> Derivatives by a variable at given places.
+   !> Derivatives by a variable at given positions.
    subroutine move_variable(of, points, values, x, variable, free, slope, h, is_central, is_valid)
       !> In: with ordinates and fold. Out: with the derivatives by the variable.
       type(slopes_t), intent(inout) :: of
-      !> What is asked of the model.
       type(model_points_t), intent(in) :: points
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> Abscissas.
       real(dp), intent(in) :: x(:)
-      !> Place of the variable in the model's table, and its number among the free ones.
+      !> Position of the variable in the model's table, and its number among the free ones.
       integer, intent(in) :: variable, free
       !> Derivative of the variable by the number that is fitted.
       real(dp), intent(in) :: slope
       !> Relative step.
       real(dp), intent(in) :: h
-      !> Is a central difference wanted?
       logical, intent(in) :: is_central
-      !> Is there a derivative?
       logical, intent(out) :: is_valid
       real(dp) :: above(size(x)), below(size(x)), up, down
       type(fold_t) :: fold_above, fold_below
@@ -137,23 +126,22 @@ contains
          fold_below = of%fold
          down = 0
       end if
-      of%by_at_place(:, free) = (above - below)/(up - down)*slope
+      of%by_at_position(:, free) = (above - below)/(up - down)*slope
       of%fold_x_by(free) = (fold_above%x - fold_below%x)/(up - down)*slope
-      of%x_by_at_place(:, free) = of%fold_x_by(free)
+      of%x_by_at_position(:, free) = of%fold_x_by(free)
 
    contains
 
-      !> Ordinates at the same places, with the variable moved as far as the table of the model lets it go.
+      !> Ordinates at the same positions, with the variable moved as far as the table of the model lets it go.
       subroutine shift(part, shifted, fold, step, is_there)
          !> The relative step.
          real(dp), intent(in) :: part
          !> Receives the ordinates.
          real(dp), intent(out) :: shifted(:)
-         !> Receives the fold.
          type(fold_t), intent(out) :: fold
          !> Receives the step of the variable.
          real(dp), intent(out) :: step
-         !> Has the model a value at all places?
+         !> Has the model a value at all positions?
          logical, intent(out) :: is_there
          real(dp) :: moved(size(values))
 
@@ -166,38 +154,34 @@ contains
          if (.not. is_there) return
          call points%find_fold(moved, fold)
          is_there = fold%is_known
-         if (is_there) call ask_places(of, points, moved, x - of%fold%x, fold, shifted, is_there)
+         if (is_there) call ask_positions(of, points, moved, x - of%fold%x, fold, shifted, is_there)
       end subroutine shift
 
    end subroutine move_variable
 
-   !> Derivatives by the places.
-   subroutine move_places(of, points, values, x, h, is_central, is_valid)
-      !> In: with ordinates and fold. Out: with the derivatives by place and abscissa.
+   !> Derivatives by the positions.
+   subroutine move_positions(of, points, values, x, h, is_central, is_valid)
+      !> In: with ordinates and fold. Out: with the derivatives by position and abscissa.
       type(slopes_t), intent(inout) :: of
-      !> What is asked of the model.
       type(model_points_t), intent(in) :: points
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> Abscissas.
       real(dp), intent(in) :: x(:)
       !> Relative step.
       real(dp), intent(in) :: h
-      !> Is a central difference wanted?
       logical, intent(in) :: is_central
-      !> Is there a derivative?
       logical, intent(out) :: is_valid
       real(dp), dimension(size(x)) :: s, step, above, below, down
 
       s = sqrt(max(x - of%fold%x, 0.0_dp))
-      step = h*max(s, least_place*maxval(s))
-      call ask_places(of, points, values, (s + step)**2, of%fold, above, is_valid)
+      step = h*max(s, least_position*maxval(s))
+      call ask_positions(of, points, values, (s + step)**2, of%fold, above, is_valid)
       if (.not. is_valid) return
       below = of%y
       down = 0
       if (is_central) then
          down = merge(step, 0.0_dp, s > 2*step)
-         call ask_places(of, points, values, (s - down)**2, of%fold, below, is_valid)
+         call ask_positions(of, points, values, (s - down)**2, of%fold, below, is_valid)
          if (.not. is_valid) return
       end if
       where (is_beyond_fold(of%regimes))
@@ -207,23 +191,19 @@ contains
          of%x_s = 2*s
          of%y_x = of%y_s/(2*s)
       end where
-   end subroutine move_places
+   end subroutine move_positions
 
    !> Ordinates at given distances from a fold; those beyond it have that of the fold.
-   subroutine ask_places(of, points, values, distances, fold, y, is_there)
-      !> Which points lie beyond the fold.
+   subroutine ask_positions(of, points, values, distances, fold, y, is_there)
       type(slopes_t), intent(in) :: of
-      !> What is asked of the model.
       type(model_points_t), intent(in) :: points
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> Distances from the fold.
       real(dp), intent(in) :: distances(:)
-      !> The fold at these values.
       type(fold_t), intent(in) :: fold
       !> Receives the ordinates.
       real(dp), intent(out) :: y(:)
-      !> Has the model a value at all places?
+      !> Has the model a value at all positions?
       logical, intent(out) :: is_there
       integer :: inside(count(.not. is_beyond_fold(of%regimes))), regimes(count(.not. is_beyond_fold(of%regimes))), k
       real(dp) :: found(count(.not. is_beyond_fold(of%regimes))), unused
@@ -236,31 +216,26 @@ contains
       call points%ask(values, fold%x + distances(inside), found, regimes, unused, other)
       is_there = all(regimes >= 0)
       y(inside) = found
-   end subroutine ask_places
+   end subroutine ask_positions
 
    !> Derivative of the ordinates by a variable, or by the abscissa, where there is no fold.
    subroutine differentiate(of, points, values, x, size_of_x, variable, slope, h, is_central, y_by, is_valid)
-      !> Ordinates and regimes.
       type(slopes_t), intent(in) :: of
-      !> What is asked of the model.
       type(model_points_t), intent(in) :: points
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> Abscissas.
       real(dp), intent(in) :: x(:)
       !> Size of the abscissas.
       real(dp), intent(in) :: size_of_x
-      !> Place of the variable in the model's table; 0: the abscissa.
+      !> Position of the variable in the model's table; 0: the abscissa.
       integer, intent(in) :: variable
       !> Derivative of the variable by the number that is fitted.
       real(dp), intent(in) :: slope
       !> Relative step.
       real(dp), intent(in) :: h
-      !> Is a central difference wanted?
       logical, intent(in) :: is_central
       !> Receives the derivative.
       real(dp), intent(out) :: y_by(:)
-      !> Is there one at every point?
       logical, intent(out) :: is_valid
       real(dp), dimension(size(x)) :: above, below
       integer, dimension(size(x)) :: above_regimes, below_regimes
@@ -284,7 +259,7 @@ contains
 
    contains
 
-      !> Ordinates at a step from the place, as far as the table of the model lets it go.
+      !> Ordinates at a step from the position, as far as the table of the model lets it go.
       subroutine shift(part, shifted, shifted_regimes, step)
          !> The relative step.
          real(dp), intent(in) :: part

@@ -22,7 +22,6 @@ contains
 
    !> Names of the free variables as datasets, separated by a blank: without the group, unless two of them would have one name.
    function list_free_names(fit) result(names)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
       character(:), allocatable :: names
       character(:), allocatable :: name
@@ -72,7 +71,6 @@ contains
 
    !> What stands behind the names of what each data set has; nothing if there is only one.
    pure function suffix_of(fit, data_set) result(suffix)
-      !> The fit with its data sets.
       type(fit_t), intent(in) :: fit
       !> Number of the data set, from 1.
       integer, intent(in) :: data_set

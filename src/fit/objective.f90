@@ -8,7 +8,7 @@ module adfric_fit_objective
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_base_watch, only: watch_t
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_loss, only: get_loss, loss_width_of
    use adfric_fit_model_curve, only: model_curve_t, new_model_curve
    use adfric_fit_problem, only: fit_t, free_t, event_t, n_nuisances, loss_gauss
@@ -68,9 +68,7 @@ contains
 
    !> Make the sum of squares of a fit. Curves keep what helps their next evaluation, so each thread has its own.
    subroutine new_objective(self, fit, unit, lower, upper, unknown_unit)
-      !> Receives the sum of squares.
       type(objective_t), intent(out) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> Units of the free variables that are not fitted by their logarithm; shape `(n_free)`.
       real(dp), intent(in) :: unit(:)
@@ -117,7 +115,6 @@ contains
 
    !> Most rows of an evaluation.
    pure integer function most_rows_of(self)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
       integer :: k
 
@@ -132,7 +129,6 @@ contains
 
    !> Number of points, and of points, events and priors together.
    pure subroutine count_terms(self, n_points, n_terms)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
       !> Receives the number of points.
       integer, intent(out) :: n_points
@@ -145,7 +141,6 @@ contains
 
    !> Has a data set a loss that is not the square?
    pure logical function is_robust(self)
-      !> The sum of squares.
       class(objective_t), intent(in) :: self
 
       is_robust = .not. self%is_plain .and. any(self%loss /= loss_gauss)
@@ -153,7 +148,6 @@ contains
 
    !> Points beyond the fold at the last evaluation.
    pure integer function n_beyond(self)
-      !> The sum of squares.
       class(objective_t), intent(in) :: self
       integer :: k
 
@@ -168,7 +162,6 @@ contains
 
    !> Relative error of the derivatives at the last evaluation; 0 where they are exact.
    pure real(dp) function derivative_error(self)
-      !> The sum of squares.
       class(objective_t), intent(in) :: self
       integer :: k
 
@@ -180,9 +173,7 @@ contains
 
    !> Values of the free variables, and their derivatives by the numbers that are fitted.
    pure subroutine take_estimate(self, q, v, slopes)
-      !> The sum of squares.
       class(objective_t), intent(in) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> Receives the values.
       real(dp), intent(out) :: v(:)
@@ -200,7 +191,6 @@ contains
 
    !> Put the values of the free variables to where they belong.
    pure subroutine set_values(self, v)
-      !> The sum of squares.
       class(objective_t), intent(inout) :: self
       !> Values of the free variables.
       real(dp), intent(in) :: v(:)
@@ -217,9 +207,7 @@ contains
 
    !> See `least_squares_t`.
    subroutine evaluate(self, q, n_rows, r, j, cost, is_valid)
-      !> The sum of squares.
       class(objective_t), intent(inout) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> Receives the number of rows.
       integer, intent(out) :: n_rows
@@ -302,7 +290,6 @@ contains
 
    !> Add a row for each event.
    subroutine add_events(self, slopes, n_rows, r, j, cost, is_valid)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
       !> Derivatives of the free variables by the numbers that are fitted.
       real(dp), intent(in) :: slopes(:)
@@ -314,7 +301,6 @@ contains
       real(dp), intent(inout) :: j(:, :)
       !> The cost is added.
       real(dp), intent(inout) :: cost
-      !> Has the model all events?
       logical, intent(out) :: is_valid
       real(dp) :: value, gradient(self%n_free)
       integer :: k
@@ -342,9 +328,7 @@ contains
 
    !> Add a row for each prior.
    subroutine add_priors(self, q, n_rows, r, j, cost)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> Number of rows so far; it rises.
       integer, intent(inout) :: n_rows

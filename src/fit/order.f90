@@ -27,14 +27,13 @@ contains
       if (.not. step > 0) step = max(abs(sorted(1)), tiny(step))
    end function median_step
 
-   !> Places of numbers in rising order; equal ones keep theirs (merge sort).
-   pure function order_of(numbers) result(places)
-      !> The numbers.
+   !> Indices of numbers in rising order; equal ones keep theirs (merge sort).
+   pure function order_of(numbers) result(indices)
       real(dp), intent(in) :: numbers(:)
-      integer :: places(size(numbers))
+      integer :: indices(size(numbers))
       integer :: merged(size(numbers)), width, first, middle, last, i, k, m
 
-      places = [(i, i=1, size(numbers))]
+      indices = [(i, i=1, size(numbers))]
       width = 1
       do while (width < size(numbers))
          do first = 1, size(numbers), 2*width
@@ -44,21 +43,21 @@ contains
             k = middle
             do m = first, last
                if (k > last) then
-                  merged(m) = places(i)
+                  merged(m) = indices(i)
                   i = i + 1
                else if (i >= middle) then
-                  merged(m) = places(k)
+                  merged(m) = indices(k)
                   k = k + 1
-               else if (numbers(places(i)) <= numbers(places(k))) then
-                  merged(m) = places(i)
+               else if (numbers(indices(i)) <= numbers(indices(k))) then
+                  merged(m) = indices(i)
                   i = i + 1
                else
-                  merged(m) = places(k)
+                  merged(m) = indices(k)
                   k = k + 1
                end if
             end do
          end do
-         places = merged
+         indices = merged
          if (width > size(numbers)/2) exit
          width = 2*width
       end do
@@ -66,7 +65,6 @@ contains
 
    !> Sort numbers, the least first.
    pure subroutine sort(numbers)
-      !> The numbers.
       real(dp), intent(inout) :: numbers(:)
       real(dp) :: number
       integer :: gap, i, k

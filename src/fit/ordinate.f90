@@ -4,14 +4,13 @@ module adfric_fit_ordinate
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_fit_sphere_basis, only: basis_t, of_radius, of_modulus, of_work, of_strength
-   use adfric_fit_state, only: state_t
-   use adfric_round_sphere_variables, only: r_load, r_approach, r_contact_radius, r_adhesion_radius, r_friction_radius, r_contact_area, &
-      & r_friction_area, r_friction_force
+   use adfric_fit_state, only: fit_state_t
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: ordinate_t, get_ordinate, get_unit, is_ordinate
 
-   !> A function of the state, and its derivatives: `_t` by the place, `_l` by lambda, `_x` by the edge fraction.
+   !> A function of the state, and its derivatives: `_t` by the index, `_l` by lambda, `_x` by the edge fraction.
    type :: ordinate_t
       !> The value and its derivatives.
       real(dp) :: y = 0, y_t = 0, y_tt = 0, y_l = 0, y_x = 0
@@ -20,19 +19,19 @@ module adfric_fit_ordinate
 contains
 
    !> Is a result of the model `sphere` one of these?
-   pure logical function is_ordinate(place)
-      !> Place of the result.
-      integer, intent(in) :: place
+   pure logical function is_ordinate(index)
+      !> Index of the result.
+      integer, intent(in) :: index
 
-      is_ordinate = any(place == [r_load, r_approach, r_contact_radius, r_adhesion_radius, r_friction_radius, r_contact_area, &
-         & r_friction_area, r_friction_force])
+      is_ordinate = any(index == [out%load, out%approach, out%contact_radius, out%adhesion_radius, out%friction_radius, &
+         & out%contact_area, &
+         & out%friction_area, out%friction_force])
    end function is_ordinate
 
    !> The unit of an ordinate, and the derivatives of its logarithm by the numbers that are fitted.
-   pure subroutine get_unit(place, basis, unit, by_free)
-      !> Place of the result.
-      integer, intent(in) :: place
-      !> The sphere.
+   pure subroutine get_unit(index, basis, unit, by_free)
+      !> Index of the result.
+      integer, intent(in) :: index
       type(basis_t), intent(in) :: basis
       !> Receives the unit.
       real(dp), intent(out) :: unit
@@ -40,12 +39,12 @@ contains
       real(dp), intent(out) :: by_free(:)
 
       associate (b => basis%by_free)
-         select case (place)
-         case (r_load)
+         select case (index)
+         case (out%load)
             unit = basis%force
             by_free = b(:, of_work) + b(:, of_radius)
             return
-         case (r_approach)
+         case (out%approach)
             unit = basis%approach
             by_free = (2*b(:, of_work) + b(:, of_radius) - 2*b(:, of_modulus))/3
             return
@@ -53,43 +52,42 @@ contains
             unit = basis%length
             by_free = (b(:, of_work) + 2*b(:, of_radius) - b(:, of_modulus))/3
          end select
-         if (.not. any(place == [r_contact_area, r_friction_area, r_friction_force])) return
+         if (.not. any(index == [out%contact_area, out%friction_area, out%friction_force])) return
          unit = pi*unit**2
          by_free = 2*by_free
-         if (place /= r_friction_force) return
+         if (index /= out%friction_force) return
          unit = basis%strength*unit
          by_free = by_free + b(:, of_strength)
       end associate
    end subroutine get_unit
 
    !> The function of the state.
-   pure subroutine get_ordinate(place, edge, s, o)
-      !> Place of the result.
-      integer, intent(in) :: place
+   pure subroutine get_ordinate(index, edge, s, o)
+      !> Index of the result.
+      integer, intent(in) :: index
       !> Edge fraction x.
       real(dp), intent(in) :: edge
-      !> The state, with all derivatives.
-      type(state_t), intent(in) :: s
+      type(fit_state_t), intent(in) :: s
       !> Receives the function and its derivatives.
       type(ordinate_t), intent(out) :: o
 
-      select case (place)
-      case (r_load)
+      select case (index)
+      case (out%load)
          o = ordinate_t(s%p, s%p_t, s%p_tt, s%p_l)
          return
-      case (r_approach)
+      case (out%approach)
          o = ordinate_t(s%d, s%d_t, s%d_tt, s%d_l)
          return
-      case (r_contact_radius, r_contact_area)
+      case (out%contact_radius, out%contact_area)
          o = ordinate_t(s%a, s%a_t, s%a_tt, s%a_l)
-      case (r_adhesion_radius)
+      case (out%adhesion_radius)
          o = ordinate_t(s%c, s%c_t, s%c_tt, s%c_l)
       case default
          ! without contact nothing rubs
          if (s%a > 0) o = ordinate_t(s%a + edge*(s%c - s%a), s%a_t + edge*(s%c_t - s%a_t), s%a_tt + edge*(s%c_tt - s%a_tt), &
             & s%a_l + edge*(s%c_l - s%a_l), s%c - s%a)
       end select
-      if (.not. any(place == [r_contact_area, r_friction_area, r_friction_force])) return
+      if (.not. any(index == [out%contact_area, out%friction_area, out%friction_force])) return
       o%y_x = 2*o%y*o%y_x
       o%y_l = 2*o%y*o%y_l
       o%y_tt = 2*(o%y_t**2 + o%y*o%y_tt)

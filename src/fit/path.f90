@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The states of a sphere that a held load, or the held base of a spring, can have: the path from its end of stability, the fold, outward.
+!> The states of a sphere that a prescribed load, or the prescribed base of a spring, can have: the path from its end of stability,
+!> the fold, outward.
 !>
-!> What is held is phi: the load P, or the position of the base delta + ks P with the reduced compliance ks of the spring. Along the
-!> path phi rises from the fold to infinity, so that each phi above that of the fold belongs to one state. The place t of
-!> `adfric_fit_state` falls outward in Maugis-Dugdale, and rises in the other theories (`side`).
+!> What is prescribed is phi: the load P, or the position of the base delta + ks P with the reduced compliance ks of the spring.
+!> Along the path phi rises from the fold to infinity, so that each phi above that of the fold belongs to one state. The position t
+!> of `adfric_fit_state` falls outward in Maugis-Dugdale, and rises in the other theories (`side`).
 !>
 !> Fold of the load: P_t = 0 has one root (`adfric_round_sphere_maugis_dugdale`). Fold of the base: phi_t = delta_t + ks P_t is negative at the
 !> fold of the load, where delta_t < 0, and positive where delta_t = 0, beyond which P_t > 0. So the root lies between the two, or the path goes
@@ -13,16 +14,16 @@ module adfric_fit_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
-   use adfric_round_sphere_contact, only: contact_t, theory_hertz, theory_jkr, theory_maugis_dugdale, control_load
-   use adfric_round_sphere_dugdale_curve, only: guess_place, get_disc_radius
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_hertz, theory_jkr, theory_maugis_dugdale, control_load
+   use adfric_round_sphere_dugdale_curve, only: guess_position, get_disc_radius
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
-   use adfric_fit_state, only: state_t, get_state, add_derivatives
+   use adfric_fit_state, only: fit_state_t, get_state, add_derivatives
    implicit none (type, external)
    private
-   public :: path_t, set_path, find_state, move_state, held_value, is_outer, ends_unloaded
+   public :: sphere_path_t, set_path, find_state, move_state, prescribed_value, is_outer, ends_unloaded
 
    !> A path.
-   type :: path_t
+   type :: sphere_path_t
       !> One of `theory_...`.
       integer :: theory = theory_maugis_dugdale
       !> Is the base of a spring held, not the load?
@@ -31,15 +32,15 @@ module adfric_fit_path
       logical :: ends_at_touch = .true.
       !> Maugis's parameter, and the reduced compliance L/(k D) of the spring.
       real(dp) :: lambda = 0, ks = 0
-      !> -1: the place falls outward; 1: it rises.
+      !> -1: the position falls outward; 1: it rises.
       integer :: side = -1
       !> The fold, with all derivatives, and phi there.
-      type(state_t) :: fold
-      !> What is held at the fold, and its second derivative by the place.
-      real(dp) :: held_at_fold = 0, held_tt = 0
-      !> Derivatives of the place of the fold by lambda and ks.
+      type(fit_state_t) :: fold
+      !> What is prescribed at the fold, and its second derivative by the position.
+      real(dp) :: prescribed_at_fold = 0, prescribed_tt = 0
+      !> Derivatives of the position of the fold by lambda and ks.
       real(dp) :: fold_l = 0, fold_ks = 0
-   end type path_t
+   end type sphere_path_t
 
    !> A Newton step of this size, relative to the distance from the ends of the path, is the last: the parabola leaves its cube.
    real(dp), parameter :: close_enough = 1.0e-5_dp
@@ -52,7 +53,7 @@ contains
    !> Make a path, and find its fold.
    pure subroutine set_path(path, theory, is_base, lambda, ks, has_apart)
       !> In: the path of a neighbour that helps the search, or a new one. Out: the path.
-      type(path_t), intent(inout) :: path
+      type(sphere_path_t), intent(inout) :: path
       !> One of `theory_...`.
       integer, intent(in) :: theory
       !> Is the base of a spring held, not the load?
@@ -78,51 +79,46 @@ contains
       path%side = merge(-1, 1, theory == theory_maugis_dugdale)
       call find_fold(path)
       call add_derivatives(theory, lambda, path%fold)
-      path%held_at_fold = held_value(path, path%fold)
+      path%prescribed_at_fold = prescribed_value(path, path%fold)
       path%fold_l = 0
       path%fold_ks = 0
       associate (s => path%fold)
-         path%held_tt = s%p_tt
-         if (is_base) path%held_tt = s%d_tt + ks*s%p_tt
-         if (.not. abs(path%held_tt) > 0) return
+         path%prescribed_tt = s%p_tt
+         if (is_base) path%prescribed_tt = s%d_tt + ks*s%p_tt
+         if (.not. abs(path%prescribed_tt) > 0) return
          ! touch stays where it is, at th = pi/2
          if (path%ends_at_touch .and. s%t >= half_pi .and. path%side < 0) return
          if (is_base) then
-            path%fold_l = -(s%d_tl + ks*s%p_tl)/path%held_tt
-            path%fold_ks = -s%p_t/path%held_tt
+            path%fold_l = -(s%d_tl + ks*s%p_tl)/path%prescribed_tt
+            path%fold_ks = -s%p_t/path%prescribed_tt
          else
-            path%fold_l = -s%p_tl/path%held_tt
+            path%fold_l = -s%p_tl/path%prescribed_tt
          end if
       end associate
    end subroutine set_path
 
-   !> What is held: load, or position of the base.
-   pure real(dp) function held_value(path, s)
-      !> The path.
-      type(path_t), intent(in) :: path
-      !> A state.
-      type(state_t), intent(in) :: s
+   !> What is prescribed: load, or position of the base.
+   pure real(dp) function prescribed_value(path, s)
+      type(sphere_path_t), intent(in) :: path
+      type(fit_state_t), intent(in) :: s
 
-      held_value = s%p
-      if (path%is_base) held_value = s%d + path%ks*s%p
-   end function held_value
+      prescribed_value = s%p
+      if (path%is_base) prescribed_value = s%d + path%ks*s%p
+   end function prescribed_value
 
-   !> Its derivative by the place.
-   pure real(dp) function held_slope(path, s)
-      !> The path.
-      type(path_t), intent(in) :: path
-      !> A state.
-      type(state_t), intent(in) :: s
+   !> Its derivative by the position.
+   pure real(dp) function prescribed_slope(path, s)
+      type(sphere_path_t), intent(in) :: path
+      type(fit_state_t), intent(in) :: s
 
-      held_slope = s%p_t
-      if (path%is_base) held_slope = s%d_t + path%ks*s%p_t
-   end function held_slope
+      prescribed_slope = s%p_t
+      if (path%is_base) prescribed_slope = s%d_t + path%ks*s%p_t
+   end function prescribed_slope
 
-   !> Does one place lie farther outward than another?
+   !> Does one position lie farther outward than another?
    pure logical function is_outer(path, t, than)
-      !> The path.
-      type(path_t), intent(in) :: path
-      !> The places.
+      type(sphere_path_t), intent(in) :: path
+      !> The positions.
       real(dp), intent(in) :: t, than
 
       is_outer = path%side*(t - than) > 0
@@ -130,8 +126,7 @@ contains
 
    !> Does contact begin at the end of the path without a jump? There the load, the area and their friction are 0, as out of contact.
    pure logical function ends_unloaded(path)
-      !> The path.
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
 
       ends_unloaded = path%theory == theory_hertz .and. path%is_base
    end function ends_unloaded
@@ -139,8 +134,8 @@ contains
    !> Find the fold.
    pure subroutine find_fold(path)
       !> The path; it receives the fold.
-      type(path_t), intent(inout) :: path
-      type(state_t) :: s
+      type(sphere_path_t), intent(inout) :: path
+      type(fit_state_t) :: s
       real(dp) :: low, high, disc, first
 
       low = 0
@@ -156,7 +151,7 @@ contains
          path%is_base = .true.
          low = path%fold%t
          call get_state(path%theory, path%lambda, half_pi - before_end, s)
-         if (held_slope(path, s) >= 0) then
+         if (prescribed_slope(path, s) >= 0) then
             call find_zero_slope(path, low, high)
             return
          end if
@@ -179,14 +174,14 @@ contains
       end select
    end subroutine find_fold
 
-   !> Newton's method for the place between two where phi_t = 0; phi_t rises there.
+   !> Newton's method for the position between two where phi_t = 0; phi_t rises there.
    pure subroutine find_zero_slope(path, from, to)
       !> The path. In: with a guess of the fold. Out: with the fold.
-      type(path_t), intent(inout) :: path
+      type(sphere_path_t), intent(inout) :: path
       !> Ends of the bracket.
       real(dp), intent(in) :: from, to
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       real(dp) :: low, high, t, value, slope, step
       integer :: k
 
@@ -196,13 +191,13 @@ contains
       if (path%theory == theory_maugis_dugdale .and. .not. t > 0 .and. .not. path%is_base) then
          theory%lambda = path%lambda
          call theory%pull_off(control_load, contact)
-         t = atan(exp(contact%place))
+         t = atan(exp(contact%position))
       end if
       if (.not. (t > low .and. t < high)) t = (low + high)/2
       do k = 1, max_steps
          call get_state(path%theory, path%lambda, t, path%fold)
          call add_derivatives(path%theory, path%lambda, path%fold)
-         value = held_slope(path, path%fold)
+         value = prescribed_slope(path, path%fold)
          slope = path%fold%p_tt
          if (path%is_base) slope = path%fold%d_tt + path%ks*path%fold%p_tt
          if (value < 0) low = t
@@ -219,17 +214,16 @@ contains
       end do
    end subroutine find_zero_slope
 
-   !> Find the state with a held value.
-   pure subroutine find_state(path, held, t, s, last_step, is_beyond)
-      !> The path.
-      type(path_t), intent(in) :: path
+   !> Find the state with a prescribed value.
+   pure subroutine find_state(path, prescribed, t, s, last_step, is_beyond)
+      type(sphere_path_t), intent(in) :: path
       !> Load, or position of the base, reduced.
-      real(dp), intent(in) :: held
-      !> In: a guess, or 0. Out: the place of the state.
+      real(dp), intent(in) :: prescribed
+      !> In: a guess, or 0. Out: the position of the state.
       real(dp), intent(inout) :: t
-      !> Receives a state near the place, with the derivatives by the place.
-      type(state_t), intent(inout) :: s
-      !> Receives Newton's step from that state to the place, for `move_state`.
+      !> Receives a state near the position, with the derivatives by the position.
+      type(fit_state_t), intent(inout) :: s
+      !> Receives Newton's step from that state to the position, for `move_state`.
       real(dp), intent(out) :: last_step
       !> Is there no such state? Then the fold is given.
       logical, intent(out) :: is_beyond
@@ -238,7 +232,7 @@ contains
       integer :: k
 
       last_step = 0
-      is_beyond = .not. held > path%held_at_fold
+      is_beyond = .not. prescribed > path%prescribed_at_fold
       if (is_beyond) then
          s = path%fold
          t = s%t
@@ -247,11 +241,11 @@ contains
       inner = path%fold%t
       has_outer = path%side < 0
       outer = 0
-      if (.not. (path%side*(t - inner) > 0 .and. t > 0)) call guess_state(path, held, inner, t)
+      if (.not. (path%side*(t - inner) > 0 .and. t > 0)) call guess_state(path, prescribed, inner, t)
       do k = 1, max_steps
          call get_state(path%theory, path%lambda, t, s)
-         value = held_value(path, s) - held
-         slope = held_slope(path, s)
+         value = prescribed_value(path, s) - prescribed
+         slope = prescribed_slope(path, s)
          if (value > 0) then
             outer = t
             has_outer = .true.
@@ -263,7 +257,7 @@ contains
          if (is_inside .and. has_outer) is_inside = is_outer(path, outer, t + step)
          if (.not. is_inside) then
             step = merge((inner + outer)/2, 2*t + 1, has_outer) - t
-            ! a place near 0 is far outward
+            ! a position near 0 is far outward
             if (path%side < 0 .and. .not. outer > 0) step = -t/2
             if (.not. abs(step) > 4*epsilon(t)*t) exit
             t = t + step
@@ -278,19 +272,17 @@ contains
       end do
    end subroutine find_state
 
-   !> Go the last step of Newton's method for what is held, along parabolas, from a state with all derivatives.
+   !> Go the last step of Newton's method for what is prescribed, along parabolas, from a state with all derivatives.
    pure subroutine move_state(path, s, newton_step)
-      !> The path.
-      type(path_t), intent(in) :: path
-      !> The state.
-      type(state_t), intent(inout) :: s
-      !> Change of the place by Newton's method.
+      type(sphere_path_t), intent(in) :: path
+      type(fit_state_t), intent(inout) :: s
+      !> Change of the position by Newton's method.
       real(dp), intent(in) :: newton_step
       real(dp) :: bend, step, half
 
       bend = s%p_tt
       if (path%is_base) bend = s%d_tt + path%ks*s%p_tt
-      step = newton_step - bend*newton_step**2/(2*held_slope(path, s))
+      step = newton_step - bend*newton_step**2/(2*prescribed_slope(path, s))
       half = step/2
       s%t = s%t + step
       s%a = s%a + step*(s%a_t + half*s%a_tt)
@@ -308,18 +300,17 @@ contains
    end subroutine move_state
 
    !> A first guess of the state: by the parabola at the fold, or as a large contact.
-   pure subroutine guess_state(path, held, inner, t)
-      !> The path.
-      type(path_t), intent(in) :: path
+   pure subroutine guess_state(path, prescribed, inner, t)
+      type(sphere_path_t), intent(in) :: path
       !> Load, or position of the base, reduced, above that of the fold.
-      real(dp), intent(in) :: held
-      !> The innermost place.
+      real(dp), intent(in) :: prescribed
+      !> The innermost position.
       real(dp), intent(in) :: inner
       !> Receives the guess.
       real(dp), intent(out) :: t
       real(dp) :: above, radius, far
 
-      above = held - path%held_at_fold
+      above = prescribed - path%prescribed_at_fold
       radius = cube_root(above + 0.5_dp)
       if (path%is_base) then
          radius = sqrt(above + 0.3_dp)
@@ -327,14 +318,14 @@ contains
       end if
       select case (path%theory)
       case (theory_maugis_dugdale)
-         far = atan(exp(guess_place(path%lambda, 1.0_dp, radius)))
+         far = atan(exp(guess_position(path%lambda, 1.0_dp, radius)))
       case (theory_jkr)
          far = radius*sqrt(radius)
       case default
          far = radius
       end select
       t = far
-      if (path%held_tt > 0) t = inner + path%side*sqrt(2*above/path%held_tt)
+      if (path%prescribed_tt > 0) t = inner + path%side*sqrt(2*above/path%prescribed_tt)
       if (.not. (t > 0) .or. is_outer(path, t, far)) t = far
       if (.not. is_outer(path, t, inner)) t = merge(inner/2, 2*inner + 1, path%side < 0)
    end subroutine guess_state

@@ -44,7 +44,7 @@ module adfric_fit_problem
       character(:), allocatable :: name
       !> SI unit, `-` for a pure number.
       character(:), allocatable :: unit
-      !> Place in the model's table of variables; 0 for a nuisance.
+      !> Position in the model's table of variables; 0 for a nuisance.
       integer :: variable = 0
       !> Number of the data set of a nuisance, and which one it is (`nuisance_...`); 0 for a variable of the model.
       integer :: data_set = 0, nuisance = 0
@@ -62,7 +62,7 @@ module adfric_fit_problem
    type :: data_set_t
       !> Name for messages, such as the file.
       character(:), allocatable :: name
-      !> Place of the abscissa in the model's variables, and of the ordinate in its results.
+      !> Position of the abscissa in the model's variables, and of the ordinate in its results.
       integer :: abscissa = 0, ordinate = 0
       !> Abscissa and ordinate, SI units; shape `(n_points)`.
       real(dp), allocatable :: x(:), y(:)
@@ -112,7 +112,7 @@ module adfric_fit_problem
       real(dp), allocatable :: levels(:)
       !> Most starts of the search; 0: as many as the variables ask for (`adfric_fit_starts`).
       integer :: n_starts = 0
-      !> Theories to be compared, as places in the choices of the model's variable `theory`; size 0: none.
+      !> Theories to be compared, as positions in the choices of the model's variable `theory`; size 0: none.
       integer, allocatable :: theories(:)
       !> Names of derived quantities that are asked for, separated by blanks; empty: all that there are.
       character(:), allocatable :: derived

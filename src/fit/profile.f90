@@ -2,25 +2,26 @@
 !> The profile of S over one variable, the least S over all others, and the sets where it stays below a limit.
 !>
 !> Is every piece of a set found? Each piece {S_p - S_min <= T} holds a local minimum of S, or one that a bound holds: S_p is continuous
-!> and has a least value on a closed piece, and at a place where two valleys of the other variables cross S_p has no least value, for the
-!> lesser of two functions has a maximum there. So it is enough to walk from every known minimum to both sides until S_p is above the
-!> largest limit, or to the bound; a piece whose minimum the search has missed is missed here, too. For lambda the nodes are 47 on a grid,
-!> and every minimum. All nodes are solved from all minima and from both neighbours. S_p itself is the least of several valleys, and a valley
-!> need not have a minimum of its own. Lambda is what makes valleys, so the walks of the other variables start each node from the nodes
-!> of the profile over lambda, too.
+!> and has a least value on a closed piece, and at a position where two valleys of the other variables cross S_p has no least value,
+!> for the lesser of two functions has a maximum there. So it is enough to walk from every known minimum to both sides until S_p is
+!> above the largest limit, or to the bound; a piece whose minimum the search has missed is missed here, too. For lambda the nodes
+!> are 47 on a grid, and every minimum. All nodes are solved from all minima and from both neighbours. S_p itself is the least of
+!> several valleys, and a valley need not have a minimum of its own. Lambda is what makes valleys, so the walks of the other
+!> variables start each node from the nodes of the profile over lambda, too.
 !>
-!> Is every end of a piece found? Between neighbouring nodes a gap may be too narrow for them. It lies where two valleys cross: there, at the place
-!> where their tangents meet, one more node is put. Crossings are refined by the secant rule with the exact slope of S_p, 2 J' r.
+!> Is every end of a piece found? Between neighbouring nodes a gap may be too narrow for them. It lies where two valleys cross:
+!> there, at the position where their tangents meet, one more node is put. Crossings are refined by the secant rule with the exact
+!> slope of S_p, 2 J' r.
 module adfric_fit_profile
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_objective, only: objective_t
-   use adfric_fit_profile_nodes, only: profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
+   use adfric_fit_profile_nodes, only: interval_profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
    use adfric_fit_scales, only: scales_t
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
    implicit none (type, external)
    private
-   public :: profile_t, find_profile, find_pieces
+   public :: interval_profile_t, find_profile, find_pieces
 
    !> Nodes of a grid over lambda, and most nodes of a walk.
    integer, parameter :: n_grid = 47, most_walk = 60
@@ -36,15 +37,10 @@ contains
 
    !> Find the profile over one variable.
    subroutine find_profile(self, objective, scales, limits, work, free, minima, costs, others, variance, error, limit, is_lambda)
-      !> Receives the profile.
-      type(profile_t), intent(out) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(out) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> Number of the variable.
       integer, intent(in) :: free
@@ -60,7 +56,6 @@ contains
       real(dp), intent(in) :: error
       !> Limits of S - S_min, over the variance.
       real(dp), intent(in) :: limit(:)
-      !> Does the variable set lambda?
       logical, intent(in) :: is_lambda
       real(dp) :: starts(size(minima, 1), size(minima, 2) + size(others, 2)), largest
       integer :: k
@@ -89,15 +84,10 @@ contains
 
    !> Walk from a minimum to one side, until S is above the largest limit, or to the bound.
    subroutine walk(self, objective, scales, limits, work, minima, from, error, largest, side)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> All minima; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)
@@ -141,15 +131,10 @@ contains
 
    !> Solve each node from its neighbours.
    subroutine sweep(self, objective, scales, limits, work)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       integer :: k
 
@@ -181,24 +166,19 @@ contains
 
    !> Put a node where the tangents of neighbours meet above both, and one between two minima that are neighbours.
    subroutine look_between(self, objective, scales, limits, work, largest)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> The largest limit.
       real(dp), intent(in) :: largest
-      real(dp), allocatable :: places(:), starts(:, :, :)
+      real(dp), allocatable :: positions(:), starts(:, :, :)
       real(dp) :: at, bend
       integer :: k, n
 
       n = 0
-      allocate (places(self%n), starts(size(self%q, 1), 2, self%n))
+      allocate (positions(self%n), starts(size(self%q, 1), 2, self%n))
       do k = 1, self%n - 1
          if (min(self%cost(k), self%cost(k + 1)) - self%least > largest*self%variance) cycle
          bend = self%slope(k) - self%slope(k + 1)
@@ -209,25 +189,20 @@ contains
             if (.not. (at > self%x(k) .and. at < self%x(k + 1))) cycle
          end if
          n = n + 1
-         places(n) = at
+         positions(n) = at
          starts(:, :, n) = self%q(:, k:k + 1)
       end do
       do k = 1, n
-         call add_node(self, objective, scales, limits, work, starts(:, :, k), places(k))
+         call add_node(self, objective, scales, limits, work, starts(:, :, k), positions(k))
       end do
    end subroutine look_between
 
    !> The pieces of the set where S - S_min stays below a limit, as numbers that are fitted; NaN: open at the bound.
    subroutine find_pieces(self, objective, scales, limits, work, limit, pieces, n_pieces)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> The limit, over the variance.
       real(dp), intent(in) :: limit
@@ -256,21 +231,16 @@ contains
 
    !> Where S - S_min crosses a limit between two nodes: false position, halved where one end stays (Illinois).
    subroutine refine(self, objective, scales, limits, work, limit, inner, outer, at)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> The limit, over the variance.
       real(dp), intent(in) :: limit
       !> Numbers of the nodes within the set and outside.
       integer, intent(in) :: inner, outer
-      !> Receives the place.
+      !> Receives the position.
       real(dp), intent(out) :: at
       real(dp) :: a, b, fa, fb, cost, slope, starts(size(self%q, 1), 2), q(size(self%q, 1)), value
       logical :: has_value

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The nodes of a profile: the least S over all other variables at places of one.
+!> The nodes of a profile: the least S over all other variables at positions of one.
 !>
 !> A search that falls below S_min has found a better answer; it is handed back.
 module adfric_fit_profile_nodes
@@ -10,7 +10,7 @@ module adfric_fit_profile_nodes
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
-   public :: profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
+   public :: interval_profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
 
    !> Most nodes.
    integer, parameter :: most_nodes = 600
@@ -18,14 +18,14 @@ module adfric_fit_profile_nodes
    real(dp), parameter :: node_step = 1.0e-4_dp
 
    !> A profile on its way.
-   type :: profile_t
+   type :: interval_profile_t
       !> Number of the variable, and of nodes.
       integer :: free = 0, n = 0
       !> Nodes, rising; S there, its slope, and all numbers that are fitted; shape `(n_free, n)`.
       real(dp), allocatable :: x(:), cost(:), slope(:), q(:, :)
       !> Least S, and variance of a point, by which S - S_min is divided.
       real(dp) :: least = 0, variance = 1
-      !> S - S_min over the variance below which a place belongs to all sets.
+      !> S - S_min over the variance below which a position belongs to all sets.
       real(dp) :: enough = 0
       !> Is a node a minimum of S?
       logical, allocatable :: is_minimum(:)
@@ -35,17 +35,16 @@ module adfric_fit_profile_nodes
       real(dp), allocatable :: below(:)
       !> Most points beyond the fold at any node.
       integer :: n_beyond = 0
-   end type profile_t
+   end type interval_profile_t
 
 contains
 
    !> Begin a profile without nodes.
    pure subroutine new_profile(self, free, n_free, least, variance, enough)
-      !> Receives the profile.
-      type(profile_t), intent(out) :: self
+      type(interval_profile_t), intent(out) :: self
       !> Number of the variable, and of all free ones.
       integer, intent(in) :: free, n_free
-      !> Least S, variance of a point, and S - S_min over it below which a place belongs to all sets.
+      !> Least S, variance of a point, and S - S_min over it below which a position belongs to all sets.
       real(dp), intent(in) :: least, variance, enough
 
       self%free = free
@@ -57,15 +56,13 @@ contains
       allocate (self%is_minimum(most_nodes), source=.false.)
    end subroutine new_profile
 
-   !> Put a node in its place; at a place that has one the lesser S stays.
+   !> Put a node in its place; at a position that has one the lesser S stays.
    pure subroutine insert_node(self, x, cost, slope, q, is_minimum)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The place, S and its slope there.
+      type(interval_profile_t), intent(inout) :: self
+      !> The position, S and its slope there.
       real(dp), intent(in) :: x, cost, slope
       !> All numbers that are fitted.
       real(dp), intent(in) :: q(:)
-      !> Is it a minimum of S?
       logical, intent(in) :: is_minimum
       integer :: i, n
 
@@ -95,38 +92,32 @@ contains
       self%n = n + 1
    end subroutine insert_node
 
-   !> The least S over all other variables at a place, from one start.
+   !> The least S over all other variables at a position, from one start.
    subroutine solve_node(self, objective, scales, limits, work, x, q, cost, slope, has_value)
       !> The profile, which notes what is below its least S.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> The place.
       real(dp), intent(in) :: x
       !> In: a start for the others. Out: all numbers that are fitted.
       real(dp), intent(inout) :: q(:)
       !> Receives S and its slope.
       real(dp), intent(out) :: cost, slope
-      !> Has the model a value there?
       logical, intent(out) :: has_value
       type(squares_limits_t) :: coarse
       type(squares_outcome_t) :: outcome
-      logical :: is_held(size(q)), is_unfolded
+      logical :: is_fixed(size(q)), is_unfolded
 
       q(self%free) = x
-      is_held = .false.
-      is_held(self%free) = .true.
+      is_fixed = .false.
+      is_fixed(self%free) = .true.
       coarse = limits
       coarse%step_tolerance = max(node_step, limits%step_tolerance)
       coarse%relative_tolerance = max(limits%relative_tolerance, 1.0e-9_dp)
       coarse%most_steps = 60
-      call find_minimum(objective, scales, is_held, coarse, work, q, outcome, is_unfolded)
+      call find_minimum(objective, scales, is_fixed, coarse, work, q, outcome, is_unfolded)
       has_value = outcome%status /= squares_no_value
       cost = outcome%cost
       slope = 0
@@ -139,19 +130,13 @@ contains
       end if
    end subroutine solve_node
 
-   !> The least S over all other variables at a place, from several starts.
+   !> The least S over all other variables at a position, from several starts.
    subroutine solve_best_node(self, objective, scales, limits, work, x, starts, q, cost, slope, has_value)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> The place.
       real(dp), intent(in) :: x
       !> Starts; shape `(n_free, n_starts)`.
       real(dp), intent(in) :: starts(:, :)
@@ -159,7 +144,6 @@ contains
       real(dp), intent(out) :: q(:)
       !> Receives S and its slope.
       real(dp), intent(out) :: cost, slope
-      !> Has the model a value there?
       logical, intent(out) :: has_value
       real(dp) :: trial(size(q)), trial_cost, trial_slope
       logical :: is_valid
@@ -185,19 +169,13 @@ contains
 
    !> Add a node, solved from all minima.
    subroutine add_node(self, objective, scales, limits, work, starts, x)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> Starts; shape `(n_free, n_starts)`.
       real(dp), intent(in) :: starts(:, :)
-      !> The place.
       real(dp), intent(in) :: x
       real(dp) :: q(size(starts, 1)), cost, slope
       logical :: has_value

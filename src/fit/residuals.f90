@@ -4,7 +4,7 @@ module adfric_fit_residuals
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_order, only: order_of
    use adfric_fit_problem, only: fit_t
    use adfric_fit_solution, only: solution_t
@@ -32,8 +32,7 @@ contains
 
    !> Copy what an evaluation has left of a curve.
    subroutine take_curve(curve, sigma, solution)
-      !> The curve.
-      class(curve_t), intent(in) :: curve
+      class(fit_curve_t), intent(in) :: curve
       !> Standard error of a point in the units of the residuals.
       real(dp), intent(in) :: sigma
       !> Receives the fitted ordinates and residuals.
@@ -41,17 +40,16 @@ contains
 
       associate (data => solution%data_sets(curve%data_set))
          data%points_used = curve%n
-         data%fitted(curve%place) = curve%fitted
-         data%residual(curve%place) = curve%residual/sigma
+         data%fitted(curve%index) = curve%fitted
+         data%residual(curve%index) = curve%residual/sigma
          if (.not. allocated(data%is_apart)) allocate (data%is_apart(size(data%fitted)))
          data%is_apart = .false.
-         data%is_apart(curve%place) = curve%is_apart
+         data%is_apart(curve%index) = curve%is_apart
       end associate
    end subroutine take_curve
 
    !> Outliers, runs and correlation.
    subroutine look_at_residuals(fit, solution)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> In: with the residuals of all data sets. Out: with what they say.
       type(solution_t), intent(inout) :: solution
@@ -104,7 +102,6 @@ contains
       real(dp), intent(in) :: r(:)
       !> Which of them count.
       logical, intent(in) :: is_used(:)
-      !> Receives the sums.
       type(runs_t), intent(inout) :: runs
       real(dp) :: sorted(count(is_used)), plus, minus, n
 

@@ -24,7 +24,6 @@ contains
    subroutine get_result_rows(fit, rows)
       !> The fit with its model and its free variables.
       type(fit_t), intent(in) :: fit
-      !> Receives the rows.
       type(result_t), allocatable, intent(out) :: rows(:)
       type(derived_t), allocatable :: derived(:)
       character(:), allocatable :: names, name
@@ -82,9 +81,7 @@ contains
 
    !> The values of the rows.
    subroutine get_result_values(fit, solution, derived_names, values)
-      !> The fit that has been solved.
       type(fit_t), intent(in) :: fit
-      !> What was found.
       type(solution_t), intent(in) :: solution
       !> Names of the derived quantities in the order of their rows.
       type(derived_t), intent(in) :: derived_names(:)
@@ -114,7 +111,6 @@ contains
 
    !> The values of the fit as a whole.
    subroutine set_values_of_fit(solution, values)
-      !> What was found.
       type(solution_t), intent(in) :: solution
       !> Receives the values; shape `(n_of_fit)`.
       real(dp), intent(inout) :: values(:)
@@ -134,9 +130,7 @@ contains
 
    !> Value and error of a derived quantity; left as they are if the solution has it not.
    subroutine find_derived(solution, row, pair)
-      !> What was found.
       type(solution_t), intent(in) :: solution
-      !> The derived quantity, which has the name.
       type(derived_t), intent(in) :: row
       !> Receives value and standard error.
       real(dp), intent(inout) :: pair(2)

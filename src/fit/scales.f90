@@ -8,7 +8,7 @@ module adfric_fit_scales
       & nuisance_contact_point, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_curve, only: is_sphere_curve
    use adfric_numerics_bounded_least_squares, only: most_variables
-   use adfric_round_sphere_variables, only: v_load
+   use adfric_round_sphere_variables, only: in => sphere_input
    implicit none (type, external)
    private
    public :: scales_t, set_scales, find_refusal, least_lambda, largest_lambda
@@ -32,9 +32,7 @@ contains
 
    !> Find units and bounds.
    subroutine set_scales(self, fit)
-      !> Receives units and bounds.
       type(scales_t), intent(out) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
       real(dp) :: low, high
       integer :: k
@@ -63,9 +61,7 @@ contains
 
    !> Bounds of a variable: those given, those of lambda, those of the model's table.
    pure subroutine get_bounds(fit, free, low, high)
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> The free variable.
       type(free_t), intent(in) :: free
       !> Receives the bounds.
       real(dp), intent(out) :: low, high
@@ -88,9 +84,7 @@ contains
 
    !> The size of a variable that is not fitted by its logarithm: the error of its prior, or a hundredth of what it shifts.
    pure real(dp) function unit_of(fit, free) result(unit)
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> The free variable.
       type(free_t), intent(in) :: free
 
       unit = 0
@@ -118,7 +112,6 @@ contains
 
    !> The largest size of the numbers that are finite.
    pure real(dp) function largest_of(numbers)
-      !> The numbers.
       real(dp), intent(in) :: numbers(:)
       integer :: i
 
@@ -156,7 +149,7 @@ contains
             & any(fit%frees%nuisance == nuisance_spring_stiffness .and. fit%frees%data_set == k))) then
             reason = 'a spring_stiffness is for a sphere only, an indenter has a machine_stiffness with the abscissa base_approach'
          end if
-         if (is_sphere .and. fit%data_sets(k)%abscissa == v_load &
+         if (is_sphere .and. fit%data_sets(k)%abscissa == in%load &
             & .and. is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness))) &
             & reason = 'a spring needs the abscissa approach'
          if (len(reason) > 0) return

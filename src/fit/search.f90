@@ -2,8 +2,8 @@
 !> All minima of a fit's sum of squares that count.
 !>
 !> Lambda is always scanned (`adfric_fit_lambda_scan`), since friction against load may have two answers for it. Other fits start at the
-!> user's start or what the data show, at the next best places that a look at a whole curve gives, and at places around it by a
-!> fixed list, six in all. With a loss the searches start at the
+!> user's start or what the data show, at the next best positions that a look at a whole curve gives, and at positions around it by
+!> a fixed list, six in all. With a loss the searches start at the
 !> answers of least squares, too.
 module adfric_fit_search
    use adfric_base_kinds, only: dp
@@ -30,17 +30,11 @@ contains
 
    !> Find all minima.
    subroutine find_minima(self, fit, scales, limits, work, minima)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> Receives the minima.
       type(minima_t), intent(out) :: minima
       type(minima_t) :: plain
       real(dp) :: q(self%n_free)
@@ -67,15 +61,10 @@ contains
 
    !> All searches of one kind of cost.
    subroutine search_all(self, fit, scales, limits, work, minima)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima

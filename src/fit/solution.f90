@@ -63,7 +63,8 @@ module adfric_fit_solution
       real(dp), allocatable :: estimate(:), error(:)
       !> Standard errors of the variables as they are fitted: relative ones for those fitted by their logarithm.
       real(dp), allocatable :: error_internal(:)
-      !> Covariance in the units of the variables, and of the variables as they are fitted; of all variables, as if no bound held one.
+      !> Covariance in the units of the variables, and of the variables as they are fitted; of all variables, as if no bound
+      !> prescribed one.
       real(dp), allocatable :: covariance(:, :), covariance_internal(:, :)
       !> Correlations.
       real(dp), allocatable :: correlation(:, :)

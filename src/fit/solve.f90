@@ -33,7 +33,6 @@ contains
    subroutine solve_fit(fit, solution)
       !> What is to be fitted; it has been checked.
       type(fit_t), intent(in) :: fit
-      !> Receives what is found.
       type(solution_t), intent(out) :: solution
       type(course_t) :: course
       type(fit_t) :: marked
@@ -48,11 +47,7 @@ contains
 
    !> Keep which points have been found to be in contact.
    subroutine keep_marks(fit, marked, solution)
-      !> The fit as it was given.
-      type(fit_t), intent(in) :: fit
-      !> The fit with its base lines.
-      type(fit_t), intent(in) :: marked
-      !> Receives the marks.
+      type(fit_t), intent(in) :: fit, marked
       type(solution_t), intent(inout) :: solution
       integer :: k
 
@@ -64,11 +59,8 @@ contains
 
    !> Curves, intervals and other theories, with the points of base lines known.
    subroutine finish_marked(fit, course, solution)
-      !> What is to be fitted.
       type(fit_t), intent(in) :: fit
-      !> What the parts share.
       type(course_t), intent(inout) :: course
-      !> The estimates; receives what follows.
       type(solution_t), intent(inout) :: solution
 
       if (solution%status /= fit_solved) return
@@ -81,9 +73,7 @@ contains
 
    !> Fit the same data by other theories.
    subroutine compare_theories(fit, solution)
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Receives what they find.
       type(solution_t), intent(inout) :: solution
       type(fit_t) :: other
       type(course_t) :: course
@@ -118,11 +108,8 @@ contains
 
    !> Intervals of all variables. A profile that falls below the least S has found a better minimum: the fit is finished again with it.
    subroutine take_intervals(course, fit, solution)
-      !> What the parts share.
       type(course_t), intent(inout) :: course
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Receives the intervals.
       type(solution_t), intent(inout) :: solution
       real(dp) :: below(size(fit%frees))
       real(dp), allocatable :: others(:, :)

@@ -12,8 +12,7 @@ module adfric_fit_sphere_basis
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
    use adfric_round_sphere_units, only: get_sphere_units
-   use adfric_round_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, &
-      & v_adhesion_range, v_lambda, v_shear_strength, v_edge_fraction, v_theory
+   use adfric_round_sphere_variables, only: in => sphere_input
    implicit none (type, external)
    private
    public :: basis_t, set_basis, theory_of, of_radius, of_modulus, of_work, of_strength, of_lambda, of_edge
@@ -42,22 +41,19 @@ contains
       !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
 
-      theory_of = nint(values(v_theory)) - 2
+      theory_of = nint(values(in%theory)) - 2
       if (theory_of < 0) then
          theory_of = theory_hertz
-         if (is_set(values(v_work_of_adhesion))) theory_of = theory_maugis_dugdale
+         if (is_set(values(in%work_of_adhesion))) theory_of = theory_maugis_dugdale
       end if
    end function theory_of
 
    !> The reduced variables, and how they change.
    pure subroutine set_basis(self, values, frees, slopes)
-      !> Receives the sphere.
       type(basis_t), intent(inout) :: self
       !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> Derivatives of each free variable by the number that is fitted.
       real(dp), intent(in) :: slopes(:)
       real(dp) :: modulus, work, change
       integer :: k
@@ -65,14 +61,14 @@ contains
       if (.not. allocated(self%by_free)) allocate (self%by_free(size(frees), n_basis))
       self%by_free = 0
       self%theory = theory_of(values)
-      modulus = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+      modulus = contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio))
       ! without adhesion the units are those of w = E* R
-      work = modulus*values(v_radius)
-      if (self%theory /= theory_hertz) work = values(v_work_of_adhesion)
-      call get_sphere_units(values(v_radius), modulus, work, self%length, self%approach, self%force, self%stress)
+      work = modulus*values(in%radius)
+      if (self%theory /= theory_hertz) work = values(in%work_of_adhesion)
+      call get_sphere_units(values(in%radius), modulus, work, self%length, self%approach, self%force, self%stress)
       self%strength = 0
-      if (is_set(values(v_shear_strength))) self%strength = values(v_shear_strength)
-      self%edge = values(v_edge_fraction)
+      if (is_set(values(in%shear_strength))) self%strength = values(in%shear_strength)
+      self%edge = values(in%edge_fraction)
       self%lambda = 1
       if (self%theory == theory_maugis_dugdale) self%lambda = lambda_of(values, work, self%stress)
       do k = 1, size(frees)
@@ -81,19 +77,19 @@ contains
          if (abs(values(frees(k)%variable)) > 0) change = slopes(k)/values(frees(k)%variable)
          associate (row => self%by_free(k, :))
             select case (frees(k)%variable)
-            case (v_radius)
+            case (in%radius)
                row(of_radius) = change
-            case (v_contact_modulus:v_second_poisson_ratio)
+            case (in%contact_modulus:in%second_poisson_ratio)
                row(of_modulus) = slopes(k)*modulus_slope(values, frees(k)%variable)
-            case (v_work_of_adhesion)
+            case (in%work_of_adhesion)
                row(of_work) = change
-            case (v_shear_strength)
+            case (in%shear_strength)
                row(of_strength) = change
-            case (v_lambda, v_adhesion_stress)
+            case (in%lambda, in%adhesion_stress)
                row(of_lambda) = change
-            case (v_adhesion_range)
+            case (in%adhesion_range)
                row(of_lambda) = -change
-            case (v_edge_fraction)
+            case (in%edge_fraction)
                row(of_edge) = slopes(k)
             end select
          end associate
@@ -109,14 +105,13 @@ contains
       real(dp), intent(in) :: work, stress
 
       lambda_of = 1
-      if (is_set(values(v_lambda))) lambda_of = values(v_lambda)
-      if (is_set(values(v_adhesion_stress))) lambda_of = values(v_adhesion_stress)/stress
-      if (is_set(values(v_adhesion_range))) lambda_of = work/values(v_adhesion_range)/stress
+      if (is_set(values(in%lambda))) lambda_of = values(in%lambda)
+      if (is_set(values(in%adhesion_stress))) lambda_of = values(in%adhesion_stress)/stress
+      if (is_set(values(in%adhesion_range))) lambda_of = work/values(in%adhesion_range)/stress
    end function lambda_of
 
-   !> Let lambda change with R, E* and w where the stress or the range of adhesion is held, and w with E* R without adhesion.
+   !> Let lambda change with R, E* and w where the stress or the range of adhesion is prescribed, and w with E* R without adhesion.
    pure subroutine finish_chain(self, values)
-      !> The sphere.
       type(basis_t), intent(inout) :: self
       !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
@@ -126,31 +121,30 @@ contains
          if (self%theory == theory_hertz) b(:, of_work) = b(:, of_modulus) + b(:, of_radius)
          if (self%theory /= theory_maugis_dugdale) then
             b(:, of_lambda) = 0
-         else if (is_set(values(v_adhesion_stress)) .or. is_set(values(v_adhesion_range))) then
-            power = merge(-1.0_dp, 2.0_dp, is_set(values(v_adhesion_stress)))/3
+         else if (is_set(values(in%adhesion_stress)) .or. is_set(values(in%adhesion_range))) then
+            power = merge(-1.0_dp, 2.0_dp, is_set(values(in%adhesion_stress)))/3
             b(:, of_lambda) = b(:, of_lambda) + power*b(:, of_work) + b(:, of_radius)/3 - 2*b(:, of_modulus)/3
          end if
       end associate
    end subroutine finish_chain
 
    !> Derivative of ln E* by one of the moduli or Poisson's ratios.
-   pure real(dp) function modulus_slope(values, place)
+   pure real(dp) function modulus_slope(values, index)
       !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable.
-      integer, intent(in) :: place
-      real(dp) :: low(v_contact_modulus:v_second_poisson_ratio), high(v_contact_modulus:v_second_poisson_ratio), h
+      integer, intent(in) :: index
+      real(dp) :: low(in%contact_modulus:in%second_poisson_ratio), high(in%contact_modulus:in%second_poisson_ratio), h
 
-      if (place == v_contact_modulus) then
-         modulus_slope = 1/values(place)
+      if (index == in%contact_modulus) then
+         modulus_slope = 1/values(index)
          return
       end if
-      low = values(v_contact_modulus:v_second_poisson_ratio)
+      low = values(in%contact_modulus:in%second_poisson_ratio)
       high = low
-      h = relative_step*max(abs(values(place)), tiny(h))
-      if (.not. abs(values(place)) > 0) h = relative_step
-      low(place) = low(place) - h
-      high(place) = high(place) + h
+      h = relative_step*max(abs(values(index)), tiny(h))
+      if (.not. abs(values(index)) > 0) h = relative_step
+      low(index) = low(index) - h
+      high(index) = high(index) + h
       modulus_slope = log(contact_modulus_of(high)/contact_modulus_of(low))/(2*h)
    end function modulus_slope
 

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A measured curve of the model `sphere`, with exact derivatives.
 !>
-!> With X = X0 phi + x0 and Y = Y0 y + y0 (units X0, Y0, zeros x0, y0; phi, y functions of the place t and of lambda, see `adfric_fit_path` and
-!> `adfric_fit_ordinate`), and d ln X0, d ln Y0, d ln ks, d lambda the changes with a free variable:
+!> With X = X0 phi + x0 and Y = Y0 y + y0 (units X0, Y0, zeros x0, y0; phi, y functions of the index t and of lambda, see
+!> `adfric_fit_path` and `adfric_fit_ordinate`), and d ln X0, d ln Y0, d ln ks, d lambda the changes with a free variable:
 !>
 !> - Exact abscissas: t is where X(t) = X_i, so dY = Y0 (y dlnY0 + y_l dl + (y_t/phi_t) (-phi dlnX0 - dx0/X0 - phi_l dl - P dks)) + dy0.
 !> - Abscissas with errors: the state is the nearest point of the curve, the foot (`adfric_fit_foot`). By the envelope theorem the distance
@@ -11,30 +11,29 @@
 !> - A point of contact beyond the fold has the fold's ordinate; where the abscissa is a load, one more row says how far it is beyond,
 !>   in units of the median step of the loads over the root of 12. S has a kink there, and its count is reported.
 !>
-!> A place found for one set of variables is the start for the next, moved along a parabola.
+!> A index found for one set of variables is the start for the next, moved along a parabola.
 module adfric_fit_sphere_curve
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t, take_points
+   use adfric_fit_curve, only: fit_curve_t, take_points
    use adfric_fit_foot, only: foot_t, find_foot
    use adfric_fit_frame, only: frame_t, new_frame, set_frame
    use adfric_fit_order, only: median_step
    use adfric_fit_ordinate, only: ordinate_t, get_ordinate, is_ordinate
-   use adfric_fit_path, only: path_t, set_path, find_state, move_state, is_outer, ends_unloaded
+   use adfric_fit_path, only: sphere_path_t, set_path, find_state, move_state, is_outer, ends_unloaded
    use adfric_fit_problem, only: free_t, fit_t, data_set_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset
    use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_work, of_lambda
-   use adfric_fit_state, only: state_t, add_derivatives
+   use adfric_fit_state, only: fit_state_t, add_derivatives
    use adfric_round_sphere_contact, only: theory_maugis_dugdale
-   use adfric_round_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
-      & v_tangential_displacement, v_base_displacement, v_lateral_stiffness, v_pressure_factor, r_load, r_friction_force, units_si
+   use adfric_round_sphere_variables, only: units_si, in => sphere_input, out => sphere_output
    implicit none (type, external)
    private
    public :: sphere_curve_t, new_sphere_curve, is_sphere_curve, is_plain_sphere, take_values
 
    !> A measured curve of a sphere.
-   type, extends(curve_t) :: sphere_curve_t
-      !> The ordinate, a place in the results of the model.
+   type, extends(fit_curve_t) :: sphere_curve_t
+      !> The ordinate, a index in the results of the model.
       integer :: ordinate = 0
       !> Is the abscissa the position of a base, not the load?
       logical :: is_base = .false.
@@ -44,15 +43,16 @@ module adfric_fit_sphere_curve
       real(dp) :: resolution = 1
       !> The sphere, its path, and what all points have in common.
       type(basis_t) :: basis
-      !> The path of held states.
-      type(path_t) :: path
+      !> The path of prescribed states.
+      type(sphere_path_t) :: path
       !> What all points have in common.
       type(frame_t) :: common
-      !> Of the last evaluation: places (0: none), what was held there, and its derivatives by the place (two), lambda and ks.
-      real(dp), allocatable :: t(:), held(:), held_t(:), held_tt(:), held_l(:), held_ks(:)
+      !> Of the last evaluation: indices (0: none), what was prescribed there, and its derivatives by the index (two), lambda and
+      !> ks.
+      real(dp), allocatable :: t(:), prescribed(:), prescribed_t(:), prescribed_tt(:), prescribed_l(:), prescribed_ks(:)
       !> Of the last evaluation: lambda and ks.
       real(dp) :: last_lambda = 0, last_ks = 0
-      !> Derivatives of the residuals by what a free variable may change: the places `by_...`; shape `(n, n_changes)`.
+      !> Derivatives of the residuals by what a free variable may change: the indices `by_...`; shape `(n, n_changes)`.
       real(dp), allocatable :: change(:, :)
    contains
       procedure :: evaluate
@@ -69,59 +69,52 @@ contains
    !> Is a data set of the model `sphere` one that this module computes? Otherwise the model itself is asked, as where an approach has
    !> errors.
    logical function is_sphere_curve(fit, data)
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> The data set.
       type(data_set_t), intent(in) :: data
 
       is_sphere_curve = is_plain_sphere(fit, data)
-      if (data%abscissa == v_approach .and. allocated(data%x_sigma)) is_sphere_curve = .false.
+      if (data%abscissa == in%approach .and. allocated(data%x_sigma)) is_sphere_curve = .false.
    end function is_sphere_curve
 
    !> Is a data set one of a smooth sphere at rest or in steady sliding, on its stable branch?
    logical function is_plain_sphere(fit, data)
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> The data set.
       type(data_set_t), intent(in) :: data
       !> What takes a contact out of steady sliding.
-      integer, parameter :: beside_sliding(*) = [v_tangential_force, v_tangential_displacement, v_base_displacement, &
-         & v_lateral_stiffness]
+      integer, parameter :: beside_sliding(*) = [in%tangential_force, in%tangential_displacement, in%base_displacement, &
+         & in%lateral_stiffness]
 
       is_plain_sphere = .false.
       if (fit%model%name /= 'sphere') return
-      is_plain_sphere = (data%abscissa == v_load .or. data%abscissa == v_approach) .and. is_ordinate(data%ordinate) &
-         & .and. nint(fit%base(v_units)) == units_si .and. nint(fit%base(v_branch)) == 1 &
-         & .and. .not. fit%base(v_interaction) > 0 .and. .not. any(fit%frees%variable == v_interaction) &
-         & .and. .not. any(fit%frees%variable == v_pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
-      if (is_plain_sphere .and. is_set(fit%base(v_pressure_factor))) is_plain_sphere = .not. abs(fit%base(v_pressure_factor)) > 0
+      is_plain_sphere = (data%abscissa == in%load .or. data%abscissa == in%approach) .and. is_ordinate(data%ordinate) &
+         & .and. nint(fit%base(in%units)) == units_si .and. nint(fit%base(in%branch)) == 1 &
+         & .and. .not. fit%base(in%interaction) > 0 .and. .not. any(fit%frees%variable == in%interaction) &
+         & .and. .not. any(fit%frees%variable == in%pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
+      if (is_plain_sphere .and. is_set(fit%base(in%pressure_factor))) is_plain_sphere = .not. abs(fit%base(in%pressure_factor)) > 0
    end function is_plain_sphere
 
    !> Take a data set.
    subroutine new_sphere_curve(self, fit, number, unit)
-      !> Receives the curve.
       type(sphere_curve_t), intent(out) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Number of the data set.
       integer, intent(in) :: number
       !> The standard error of all ordinates where none is given.
       real(dp), intent(in) :: unit
 
       call take_points(self, number, fit%data_sets(number), unit)
       self%ordinate = fit%data_sets(number)%ordinate
-      self%is_base = fit%data_sets(number)%abscissa == v_approach
+      self%is_base = fit%data_sets(number)%abscissa == in%approach
       self%frees = fit%frees
-      allocate (self%t(self%n), self%held(self%n), self%held_t(self%n), self%held_tt(self%n), self%held_l(self%n), &
-         & self%held_ks(self%n), source=0.0_dp)
+      allocate (self%t(self%n), self%prescribed(self%n), self%prescribed_t(self%n), self%prescribed_tt(self%n), &
+         & self%prescribed_l(self%n), &
+         & self%prescribed_ks(self%n), source=0.0_dp)
       allocate (self%change(self%n, n_changes), source=0.0_dp)
       self%resolution = median_step(pack(self%x, self%is_contact))/sqrt(12.0_dp)
       call new_frame(self%common, size(fit%frees))
    end subroutine new_sphere_curve
 
-   !> See `curve_t`: a second row for every point at most.
+   !> See `fit_curve_t`: a second row for every point at most.
    pure integer function most_rows(self)
-      !> The curve.
       class(sphere_curve_t), intent(in) :: self
 
       most_rows = 2*self%n
@@ -131,12 +124,7 @@ contains
    subroutine take_values(self, values, nuisance, slopes)
       !> The curve; it receives what all points have in common.
       class(sphere_curve_t), intent(inout) :: self
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Values of the nuisances of the curve.
-      real(dp), intent(in) :: nuisance(:)
-      !> Derivatives of each free variable by the number that is fitted.
-      real(dp), intent(in) :: slopes(:)
+      real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       real(dp) :: ks
 
       call set_basis(self%basis, values, self%frees, slopes)
@@ -144,16 +132,11 @@ contains
       call set_path(self%path, self%basis%theory, self%is_base, self%basis%lambda, ks)
    end subroutine take_values
 
-   !> See `curve_t`.
+   !> See `fit_curve_t`.
    subroutine evaluate(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
-      !> The curve, which keeps the places for its next evaluation.
+      !> The curve, which keeps the indices for its next evaluation.
       class(sphere_curve_t), intent(inout) :: self
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Values of the nuisances of the curve.
-      real(dp), intent(in) :: nuisance(:)
-      !> Derivatives of each free variable by the number that is fitted.
-      real(dp), intent(in) :: slopes(:)
+      real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       !> Has no meaning here: the derivatives are always exact.
       logical, intent(in) :: is_exact
       !> Receives the number of rows.
@@ -192,7 +175,6 @@ contains
 
    !> Derivatives of the points' residuals by the free variables, of which most change few things.
    pure subroutine add_changes(self, j)
-      !> The curve.
       class(sphere_curve_t), intent(in) :: self
       !> Receives the derivatives.
       real(dp), intent(inout) :: j(:, :)
@@ -213,7 +195,6 @@ contains
 
    !> A point whose abscissa has no error.
    subroutine evaluate_exact(self, i, n_rows, r, j)
-      !> The curve.
       class(sphere_curve_t), intent(inout) :: self
       !> Number of the point.
       integer, intent(in) :: i
@@ -223,15 +204,15 @@ contains
       real(dp), intent(inout) :: r(:)
       !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       type(ordinate_t) :: o
-      real(dp) :: held, share, held_l, held_ks, weight, last_step
+      real(dp) :: prescribed, share, prescribed_l, prescribed_ks, weight, last_step
       logical :: is_beyond
 
       associate (c => self%common, path => self%path)
-         held = (self%x(i) - c%x_zero)/c%x_unit
-         call predict(self, i, held)
-         call find_state(path, held, self%t(i), s, last_step, is_beyond)
+         prescribed = (self%x(i) - c%x_zero)/c%x_unit
+         call predict(self, i, prescribed)
+         call find_state(path, prescribed, self%t(i), s, last_step, is_beyond)
          self%is_beyond(i) = is_beyond .and. .not. ends_unloaded(path)
          self%is_apart(i) = is_beyond .and. ends_unloaded(path)
          if (.not. is_beyond) then
@@ -254,49 +235,48 @@ contains
             self%change(i, by_tilt) = self%x(i)/self%sigma(i)
             if (self%is_base) return
             n_rows = n_rows + 1
-            r(n_rows) = c%x_unit*(path%held_at_fold - held)/self%resolution
-            j(n_rows, :) = (c%x_unit*(path%held_at_fold*c%x_unit_by + s%p_l*c%lambda_by) + c%x_zero_by)/self%resolution
+            r(n_rows) = c%x_unit*(path%prescribed_at_fold - prescribed)/self%resolution
+            j(n_rows, :) = (c%x_unit*(path%prescribed_at_fold*c%x_unit_by + s%p_l*c%lambda_by) + c%x_zero_by)/self%resolution
             return
          end if
-         held_l = s%p_l
-         held_ks = 0
-         self%held_t(i) = s%p_t
-         self%held_tt(i) = s%p_tt
+         prescribed_l = s%p_l
+         prescribed_ks = 0
+         self%prescribed_t(i) = s%p_t
+         self%prescribed_tt(i) = s%p_tt
          if (self%is_base) then
-            held_l = s%d_l + path%ks*s%p_l
-            held_ks = s%p
-            self%held_t(i) = s%d_t + path%ks*s%p_t
-            self%held_tt(i) = s%d_tt + path%ks*s%p_tt
+            prescribed_l = s%d_l + path%ks*s%p_l
+            prescribed_ks = s%p
+            self%prescribed_t(i) = s%d_t + path%ks*s%p_t
+            self%prescribed_tt(i) = s%d_tt + path%ks*s%p_tt
          end if
-         self%held(i) = held
-         self%held_l(i) = held_l
-         self%held_ks(i) = held_ks
-         share = o%y_t/self%held_t(i)
+         self%prescribed(i) = prescribed
+         self%prescribed_l(i) = prescribed_l
+         self%prescribed_ks(i) = prescribed_ks
+         share = o%y_t/self%prescribed_t(i)
          self%change(i, by_y_unit) = weight*o%y
-         self%change(i, by_x_unit) = -weight*share*held
-         self%change(i, by_lambda) = weight*(o%y_l - share*held_l)
+         self%change(i, by_x_unit) = -weight*share*prescribed
+         self%change(i, by_lambda) = weight*(o%y_l - share*prescribed_l)
          self%change(i, by_edge) = weight*o%y_x
          self%change(i, by_y_zero) = 1/self%sigma(i)
          self%change(i, by_tilt) = self%x(i)/self%sigma(i)
          self%change(i, by_x_zero) = -weight*share/c%x_unit
-         self%change(i, by_ks) = -weight*share*held_ks
+         self%change(i, by_ks) = -weight*share*prescribed_ks
       end associate
    end subroutine evaluate_exact
 
-   !> Move the last place of a point along the tangent to where it is now, if it is not far.
-   subroutine predict(self, i, held)
-      !> The curve.
+   !> Move the last index of a point along the tangent to where it is now, if it is not far.
+   subroutine predict(self, i, prescribed)
       class(sphere_curve_t), intent(inout) :: self
       !> Number of the point.
       integer, intent(in) :: i
-      !> What is held now.
-      real(dp), intent(in) :: held
+      !> What is prescribed now.
+      real(dp), intent(in) :: prescribed
       real(dp) :: t, step, bend
 
       if (.not. self%t(i) > 0) return
-      step = (held - self%held(i) - self%held_l(i)*(self%path%lambda - self%last_lambda) &
-         & - self%held_ks(i)*(self%path%ks - self%last_ks))/self%held_t(i)
-      bend = self%held_tt(i)*step/(2*self%held_t(i))
+      step = (prescribed - self%prescribed(i) - self%prescribed_l(i)*(self%path%lambda - self%last_lambda) &
+         & - self%prescribed_ks(i)*(self%path%ks - self%last_ks))/self%prescribed_t(i)
+      bend = self%prescribed_tt(i)*step/(2*self%prescribed_t(i))
       if (abs(bend) < 0.3_dp) step = step*(1 - bend)
       t = self%t(i) + step
       if (abs(t - self%t(i)) < self%t(i)/2 .and. is_outer(self%path, t, self%path%fold%t)) self%t(i) = t
@@ -304,7 +284,6 @@ contains
 
    !> A point whose abscissa has an error.
    subroutine evaluate_latent(self, i, n_rows, r, j)
-      !> The curve.
       class(sphere_curve_t), intent(inout) :: self
       !> Number of the point.
       integer, intent(in) :: i
@@ -314,7 +293,7 @@ contains
       real(dp), intent(inout) :: r(:)
       !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       type(ordinate_t) :: o
       type(foot_t) :: point
       real(dp) :: u, v, u_t, v_t, length, x_weight, y_weight
@@ -362,23 +341,16 @@ contains
    !> gap is its range, in the other theories at touch. Until then nothing loads the spring. The end of contact under a load is the fold;
    !> that of a base is the end of all states, also of those without intimate contact.
    subroutine find_event(self, kind, values, nuisance, slopes, value, gradient, is_valid)
-      !> The curve, whose nuisances shift the event.
       class(sphere_curve_t), intent(inout) :: self
       !> One of `event_...`.
       integer, intent(in) :: kind
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Values of the nuisances of the curve.
-      real(dp), intent(in) :: nuisance(:)
-      !> Derivatives of each free variable by the number that is fitted.
-      real(dp), intent(in) :: slopes(:)
+      real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       !> Receives the load [N] or position [m].
       real(dp), intent(out) :: value
       !> Receives its derivatives.
       real(dp), intent(out) :: gradient(:)
-      !> Has the model such an event?
       logical, intent(out) :: is_valid
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: jump
 
       call take_values(self, values, nuisance, slopes)
@@ -399,8 +371,8 @@ contains
          else
             path = self%path
             call set_path(path, p%theory, .true., p%lambda, p%ks, .true.)
-            value = c%x_unit*path%held_at_fold + c%x_zero
-            gradient = c%x_unit*(path%held_at_fold*c%x_unit_by + (path%fold%d_l + p%ks*path%fold%p_l)*c%lambda_by &
+            value = c%x_unit*path%prescribed_at_fold + c%x_zero
+            gradient = c%x_unit*(path%prescribed_at_fold*c%x_unit_by + (path%fold%d_l + p%ks*path%fold%p_l)*c%lambda_by &
                & + path%fold%p*c%ks_by) + c%x_zero_by
          end if
       end associate

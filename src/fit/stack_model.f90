@@ -37,7 +37,7 @@ module adfric_fit_stack_model
       type(fit_t) :: fit
       !> Number of curves along each dimension, the slowest first; size 0 for a single fit.
       integer(i8), allocatable :: lengths(:)
-      !> Place in `variables` of the one before the first dimension of the stack.
+      !> Index in `variables` of the one before the first dimension of the stack.
       integer :: last_before = 0
       !> The curves; not allocated for a single fit, whose data sets have their points.
       class(curve_source_t), allocatable :: source
@@ -63,7 +63,7 @@ module adfric_fit_stack_model
 
 contains
 
-   !> A stack, or a single fit. Its variables are those of the model that is fitted, the files with the data, and the places along
+   !> A stack, or a single fit. Its variables are those of the model that is fitted, the files with the data, and the indices along
    !> each dimension of the stack.
    subroutine new_stack_model(self, fit, n_files, lengths, source)
       !> Receives the model of the run.
@@ -127,7 +127,6 @@ contains
 
    !> The model that is fitted goes with the stack.
    impure elemental subroutine remove_model(self)
-      !> The stack.
       type(stack_model_t), intent(inout) :: self
 
       if (associated(self%fitted_model)) deallocate (self%fitted_model)
@@ -135,7 +134,6 @@ contains
 
    !> Is it one fit, and no stack?
    pure logical function is_single(self)
-      !> The stack.
       class(stack_model_t), intent(in) :: self
 
       is_single = size(self%lengths) == 0
@@ -143,7 +141,6 @@ contains
 
    !> See `model_t`: the input of a fit has been checked before there is a stack.
    subroutine check_values(self, values, is_swept, problems)
-      !> The stack.
       class(stack_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -158,7 +155,6 @@ contains
 
    !> See `model_t`: a fit has no profiles along an axis that all curves share.
    pure logical function wants_profiles(self, values)
-      !> The stack.
       class(stack_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -170,7 +166,6 @@ contains
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The stack.
       class(stack_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -184,7 +179,6 @@ contains
 
    !> See `model_t`: a single fit is solved here, so that its results file can be created with all that it has.
    subroutine prepare(self)
-      !> The stack.
       class(stack_model_t), intent(inout) :: self
 
       call self%fitted_model%prepare()
@@ -196,7 +190,6 @@ contains
 
    !> See `model_t`.
    subroutine obey(self, watch)
-      !> The stack.
       class(stack_model_t), intent(inout) :: self
       !> Who is asked; null: nobody.
       class(watch_t), pointer, intent(in) :: watch
@@ -207,7 +200,6 @@ contains
 
    !> See `model_t`.
    subroutine release(self)
-      !> The stack.
       class(stack_model_t), intent(inout) :: self
 
       call self%fitted_model%release()
@@ -216,7 +208,6 @@ contains
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The stack; all threads solve with the same one.
       class(stack_model_t), intent(in) :: self
       !> Values of the variables for each curve; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -264,9 +255,7 @@ contains
 
    !> Number of a curve in the stack, from 1: the last dimension runs fastest.
    pure integer(i8) function curve_number(self, values)
-      !> The stack, with its lengths.
       class(stack_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       integer :: k
 
@@ -279,9 +268,7 @@ contains
 
    !> What a fit has found as results of a point.
    subroutine keep(self, solution, results, error_estimate, status)
-      !> The stack.
       class(stack_model_t), intent(in) :: self
-      !> What was found.
       type(solution_t), intent(in) :: solution
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -298,7 +285,6 @@ contains
 
    !> See `model_t`: there are none.
    subroutine solve_profiles(self, values, results, profiles)
-      !> The stack.
       class(stack_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -314,7 +300,6 @@ contains
 
    !> See `model_t`.
    function list_states(self) result(words)
-      !> The stack.
       class(stack_model_t), intent(in) :: self
       character(:), allocatable :: words
 
@@ -325,7 +310,6 @@ contains
 
    !> See `model_t`: what a single fit has in addition.
    subroutine get_extras(self, extras)
-      !> The stack, prepared.
       class(stack_model_t), intent(in) :: self
       !> Receives the datasets with their values.
       type(extra_t), allocatable, intent(out) :: extras(:)
@@ -338,18 +322,17 @@ contains
    end subroutine get_extras
 
    !> See `model_t`.
-   function unit_of(self, values, place) result(unit)
-      !> The stack.
+   function unit_of(self, values, index) result(unit)
       class(stack_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
-      if (place <= size(self%fitted_model%variables)) unit = self%fitted_model%unit_of(values(:size(self%fitted_model%variables)), &
-         place)
+      unit = self%variables(index)%unit
+      if (index <= size(self%fitted_model%variables)) unit = self%fitted_model%unit_of(values(:size(self%fitted_model%variables)), &
+         index)
    end function unit_of
 
 end module adfric_fit_stack_model

@@ -10,23 +10,21 @@ module adfric_fit_starts
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_curve_starts, only: find_curve_starts, has_curve_starts
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset, &
       & nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness
    use adfric_fit_sphere_basis, only: theory_of
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_numerics_bounded_least_squares, only: squares_work_t
    use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
    use adfric_round_sphere_units, only: get_sphere_units
-   use adfric_round_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, &
-      & v_adhesion_range, v_lambda, v_shear_strength, v_edge_fraction, v_load, r_contact_area, r_friction_area, r_friction_force, &
-      & r_load
+   use adfric_round_sphere_variables, only: in => sphere_input, out => sphere_output
    implicit none (type, external)
    private
-   public :: get_start, get_more_starts, lambda_free, place_of_lambda
+   public :: get_start, get_more_starts, lambda_free, position_of_lambda
 
    !> Sizes where nothing better is known: lambda, E* [Pa], tau0 [Pa], R [m], x.
    real(dp), parameter :: usual_lambda = 1.0_dp, usual_modulus = 1.0e9_dp, usual_strength = 1.0e8_dp, usual_radius = 1.0e-6_dp, &
@@ -36,7 +34,6 @@ contains
 
    !> Which free variable sets lambda; 0: none.
    pure integer function lambda_free(fit)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       integer :: k
 
@@ -52,42 +49,37 @@ contains
    end function lambda_free
 
    !> The number that is fitted where lambda has a value: ln of lambda, of the stress or of the range of adhesion.
-   pure real(dp) function place_of_lambda(self, free, lambda, v) result(place)
-      !> The sum of squares.
+   pure real(dp) function position_of_lambda(self, free, lambda, v) result(position)
       type(objective_t), intent(in) :: self
       !> Number of the free variable that sets lambda.
       integer, intent(in) :: free
-      !> Maugis's parameter.
       real(dp), intent(in) :: lambda
       !> Values of the free variables, of which those beside this one count.
       real(dp), intent(in) :: v(:)
       type(objective_t) :: other
       real(dp) :: length, approach, force, stress
 
-      place = log(lambda)
-      if (self%frees(free)%variable == v_lambda .or. size(self%spheres) == 0) return
+      position = log(lambda)
+      if (self%frees(free)%variable == in%lambda .or. size(self%spheres) == 0) return
       other%n_free = self%n_free
       other%frees = self%frees
       other%values = self%values
       other%nuisance = self%nuisance
       call other%set_values(v)
       associate (values => other%values)
-         call get_sphere_units(values(v_radius), contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio)), &
-            & values(v_work_of_adhesion), length, approach, force, stress)
-         place = log(lambda*stress)
-         if (self%frees(free)%variable == v_adhesion_range) place = log(values(v_work_of_adhesion)/(lambda*stress))
+         call get_sphere_units(values(in%radius), contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio)), &
+            & values(in%work_of_adhesion), length, approach, force, stress)
+         position = log(lambda*stress)
+         if (self%frees(free)%variable == in%adhesion_range) position = log(values(in%work_of_adhesion)/(lambda*stress))
       end associate
-   end function place_of_lambda
+   end function position_of_lambda
 
    !> A start, with lambda at a value where the user gives none.
    subroutine get_start(self, fit, lambda, work, q)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> Maugis's parameter; not set: the user's, or 1.
       real(dp), intent(in) :: lambda
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> Receives the numbers that are fitted.
       real(dp), intent(out) :: q(:)
@@ -104,13 +96,13 @@ contains
       call self%set_values(v)
       if (of_lambda > 0) then
          if (is_set(lambda) .or. .not. is_set(fit%frees(of_lambda)%start)) then
-            v(of_lambda) = exp(place_of_lambda(self, of_lambda, value, v))
+            v(of_lambda) = exp(position_of_lambda(self, of_lambda, value, v))
          end if
       end if
       call self%set_values(v)
       if (size(self%spheres) > 0) call look_at_loads(self, fit, value, v)
       if (of_lambda > 0) then
-         if (is_set(lambda)) v(of_lambda) = exp(place_of_lambda(self, of_lambda, value, v))
+         if (is_set(lambda)) v(of_lambda) = exp(position_of_lambda(self, of_lambda, value, v))
       end if
       allocate (starts(size(v), 0))
       if (size(self%others) > 0) then
@@ -123,9 +115,7 @@ contains
 
    !> Starts beside the first one, the best first; none where a look at the curve says nothing.
    subroutine get_more_starts(self, fit, first, starts)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> The first start, as numbers that are fitted.
       real(dp), intent(in) :: first(:)
@@ -150,7 +140,6 @@ contains
 
    !> The numbers that are fitted, within their bounds.
    pure subroutine take_numbers(self, v, q)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
       !> Values of the free variables.
       real(dp), intent(in) :: v(:)
@@ -167,9 +156,7 @@ contains
 
    !> The user's start of a variable, or a usual size.
    real(dp) function plain_start(self, fit, k) result(value)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> Number of the free variable.
       integer, intent(in) :: k
@@ -201,21 +188,21 @@ contains
 
    !> A usual size of a variable of the sphere.
    pure real(dp) function start_of_sphere(variable) result(value)
-      !> Place of the variable.
+      !> Position of the variable.
       integer, intent(in) :: variable
 
       select case (variable)
-      case (v_radius)
+      case (in%radius)
          value = usual_radius
-      case (v_lambda)
+      case (in%lambda)
          value = usual_lambda
-      case (v_edge_fraction)
+      case (in%edge_fraction)
          value = usual_edge
-      case (v_shear_strength)
+      case (in%shear_strength)
          value = usual_strength
-      case (v_work_of_adhesion)
+      case (in%work_of_adhesion)
          value = 0.05_dp
-      case (v_adhesion_range)
+      case (in%adhesion_range)
          value = 1.0e-9_dp
       case default
          value = usual_modulus
@@ -225,9 +212,7 @@ contains
    !> A nuisance as the data show it: zeros from the free points, the contact point from the first contact, a spring from the slope of
    !> the stiffest part.
    pure real(dp) function start_of_nuisance(fit, data_set, nuisance) result(value)
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Number of the data set.
       integer, intent(in) :: data_set
       !> One of `nuisance_...`.
       integer, intent(in) :: nuisance
@@ -274,38 +259,35 @@ contains
    subroutine look_at_loads(self, fit, lambda, v)
       !> The sum of squares, with the other values.
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Maugis's parameter.
       real(dp), intent(in) :: lambda
       !> Values of the free variables; those without a start of the user's are changed.
       real(dp), intent(inout) :: v(:)
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: lowest, largest, deepest, work, radius
       integer :: k, theory
 
       theory = theory_of(self%values)
       call get_extremes(self, fit, lowest, largest, deepest)
-      radius = self%values(v_radius)
+      radius = self%values(in%radius)
       do k = 1, size(v)
          if (is_set(fit%frees(k)%start) .or. is_set(fit%frees(k)%prior)) cycle
-         if (fit%frees(k)%variable == v_work_of_adhesion) then
+         if (fit%frees(k)%variable == in%work_of_adhesion) then
             call set_path(path, theory, .false., lambda, 0.0_dp)
             work = largest/(10*pi*radius)
             if (lowest < 0 .and. theory /= theory_hertz) work = lowest/(path%fold%p*pi*radius)
             if (work > 0) v(k) = work
-         else if (fit%frees(k)%variable == v_contact_modulus .and. deepest > 0 .and. largest > 0) then
+         else if (fit%frees(k)%variable == in%contact_modulus .and. deepest > 0 .and. largest > 0) then
             v(k) = 0.75_dp*largest/(sqrt(radius)*deepest*sqrt(deepest))
          end if
       end do
       call self%set_values(v)
    end subroutine look_at_loads
 
-   !> Lowest and largest load in contact, and the approach of the latter where the base of a spring is held.
+   !> Lowest and largest load in contact, and the approach of the latter where the base of a spring is prescribed.
    pure subroutine get_extremes(self, fit, lowest, largest, deepest)
       !> The sum of squares, with the values of the nuisances.
       type(objective_t), intent(in) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> Receives the lowest and the largest load.
       real(dp), intent(out) :: lowest, largest
@@ -320,7 +302,7 @@ contains
          associate (curve => self%spheres(k), nuisance => self%nuisance(:, self%spheres(k)%data_set))
             do i = 1, curve%n
                if (.not. curve%is_contact(i)) cycle
-               if (curve%is_base .and. curve%ordinate == r_load) then
+               if (curve%is_base .and. curve%ordinate == out%load) then
                   lowest = min(lowest, curve%y(i) - nuisance(nuisance_load_offset))
                   if (curve%y(i) - nuisance(nuisance_load_offset) <= largest) cycle
                   largest = curve%y(i) - nuisance(nuisance_load_offset)
@@ -342,11 +324,8 @@ contains
 
    !> E* from the size of areas, then tau0 from the size of friction forces.
    subroutine look_at_sizes(self, fit, work, v, q)
-      !> The sum of squares.
       type(objective_t), intent(inout) :: self
-      !> The fit.
       type(fit_t), intent(in) :: fit
-      !> Room to work in.
       type(squares_work_t), intent(inout) :: work
       !> Values of the free variables; those without a start of the user's are changed.
       real(dp), intent(inout) :: v(:)
@@ -358,18 +337,18 @@ contains
 
       do k = 1, size(v)
          if (is_set(fit%frees(k)%start) .or. is_set(fit%frees(k)%prior)) cycle
-         if (fit%frees(k)%variable == v_contact_modulus) then
+         if (fit%frees(k)%variable == in%contact_modulus) then
             call self%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
-            share = share_of([r_contact_area, r_friction_area])
+            share = share_of([out%contact_area, out%friction_area])
             if (is_valid .and. share > 0) v(k) = v(k)/(share*sqrt(share))
          end if
       end do
       call take_numbers(self, v, q)
       do k = 1, size(v)
          if (is_set(fit%frees(k)%start) .or. is_set(fit%frees(k)%prior)) cycle
-         if (fit%frees(k)%variable == v_shear_strength) then
+         if (fit%frees(k)%variable == in%shear_strength) then
             call self%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
-            share = share_of([r_friction_force])
+            share = share_of([out%friction_force])
             if (is_valid .and. share > 0) v(k) = v(k)*share
          end if
       end do
@@ -379,7 +358,7 @@ contains
 
       !> What the ordinates of some kinds are of those of the model, by least squares; 0: there are none.
       pure real(dp) function share_of(kinds)
-         !> Places of the results.
+         !> Positions of the results.
          integer, intent(in) :: kinds(:)
          real(dp) :: product, square, zero
          integer :: i, at

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> States of a smooth sphere along the curve of its theory, with the derivatives that a fit needs.
 !>
-!> Reduced variables as in `adfric_round_sphere_contact`. A state has a place t on its curve, and each theory its own t:
+!> Reduced variables as in `adfric_round_sphere_contact`. A state has a position t on its curve, and each theory its own t:
 !>
 !> - Maugis-Dugdale: the angle th of `adfric_round_sphere_dugdale_curve`, 0 < th <= pi/2, a = c cos th. With
 !>   A = lambda f/2, B = (4/3) lambda^2 k, the radius c is the root of A c^2 + B c = 1, and its derivatives follow from those of that
@@ -22,11 +22,11 @@ module adfric_fit_state
    use adfric_round_sphere_dugdale_curve, only: get_disc_radius
    implicit none (type, external)
    private
-   public :: state_t, get_state, add_derivatives
+   public :: fit_state_t, get_state, add_derivatives
 
-   !> A state, and its derivatives: `_t` by the place, `_l` by lambda.
-   type :: state_t
-      !> The place.
+   !> A state, and its derivatives: `_t` by the position, `_l` by lambda.
+   type :: fit_state_t
+      !> The position.
       real(dp) :: t = 0
       !> Radii a and c, and their derivatives.
       real(dp) :: a = 0, a_t = 0, a_tt = 0, a_l = 0, a_tl = 0, c = 0, c_t = 0, c_tt = 0, c_l = 0, c_tl = 0
@@ -36,23 +36,21 @@ module adfric_fit_state
       real(dp) :: d = 0, d_t = 0, d_tt = 0, d_l = 0, d_tl = 0
       !> sin th, cos th, f, k, A, den of Maugis-Dugdale.
       real(dp) :: sine = 0, cosine = 0, f = 0, k = 0, aa = 0, den = 1
-   end type state_t
+   end type fit_state_t
 
    !> Below this angle the difference in f loses digits.
    real(dp), parameter :: narrow = 0.5_dp
 
 contains
 
-   !> The state at a place: radii, load, approach, and their derivatives by the place. The rest has no meaning.
+   !> The state at a position: radii, load, approach, and their derivatives by the position. The rest has no meaning.
    pure subroutine get_state(theory, lambda, t, s)
       !> One of `theory_...`.
       integer, intent(in) :: theory
       !> Maugis's parameter; without meaning in the other theories.
       real(dp), intent(in) :: lambda
-      !> The place.
       real(dp), intent(in) :: t
-      !> Receives the state.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp), parameter :: root6 = sqrt(6.0_dp)
       real(dp) :: root
 
@@ -88,12 +86,8 @@ contains
 
    !> Maugis-Dugdale with contact.
    pure subroutine get_dugdale(lambda, th, s)
-      !> Maugis's parameter.
-      real(dp), intent(in) :: lambda
-      !> The place.
-      real(dp), intent(in) :: th
-      !> Receives the state.
-      type(state_t), intent(inout) :: s
+      real(dp), intent(in) :: lambda, th
+      type(fit_state_t), intent(inout) :: s
       real(dp) :: bb, total
 
       s%sine = sin(th)
@@ -120,12 +114,10 @@ contains
 
    !> Maugis-Dugdale without contact: P = -(pi/2) lambda c^2, delta = c^2/2 - (8/3pi) lambda c - 2/(pi lambda), c = c0 (1 - (t - pi/2)).
    pure subroutine get_apart(lambda, t, s)
-      !> Maugis's parameter.
       real(dp), intent(in) :: lambda
-      !> The place, between pi/2 and pi/2 + 1.
+      !> The position, between pi/2 and pi/2 + 1.
       real(dp), intent(in) :: t
-      !> Receives the state.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp) :: first
 
       first = get_disc_radius(lambda, 1.0_dp)
@@ -146,7 +138,7 @@ contains
       !> Maugis's parameter; without meaning in the other theories.
       real(dp), intent(in) :: lambda
       !> In: from `get_state`. Out: with all derivatives.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp), parameter :: root6 = sqrt(6.0_dp)
       real(dp) :: root
 
@@ -173,10 +165,9 @@ contains
 
    !> The same of Maugis-Dugdale with contact.
    pure subroutine add_dugdale(lambda, s)
-      !> Maugis's parameter.
       real(dp), intent(in) :: lambda
       !> In: from `get_dugdale`. Out: with all derivatives.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp) :: total, aa_t, aa_tt, bb_t, bb_tt, aa_l, aa_tl, bb_l, bb_tl, th
 
       th = s%t
@@ -209,10 +200,9 @@ contains
 
    !> The same without contact. c0 = 2/(B + sqrt(B^2 + 4 A)) with A = pi lambda/4, B = (4/3)(pi/2 - 1) lambda^2.
    pure subroutine add_apart(lambda, s)
-      !> Maugis's parameter.
       real(dp), intent(in) :: lambda
       !> In: from `get_apart`. Out: with all derivatives.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp), parameter :: slope = 8*(half_pi - 1)/3
       real(dp) :: first, first_l, den
 

@@ -7,7 +7,7 @@ module adfric_fit_theories
    use adfric_fit_problem, only: fit_t
    use adfric_fit_sphere_basis, only: theory_of
    use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
-   use adfric_round_sphere_variables, only: v_theory, v_lambda, v_adhesion_stress, v_adhesion_range, v_work_of_adhesion, v_load, r_load
+   use adfric_round_sphere_variables, only: in => sphere_input, out => sphere_output
    implicit none (type, external)
    private
    public :: make_theory, theory_name
@@ -15,18 +15,17 @@ module adfric_fit_theories
 contains
 
    !> Name of a theory.
-   subroutine theory_name(fit, place, name)
-      !> The fit.
+   subroutine theory_name(fit, position, name)
       type(fit_t), intent(in) :: fit
-      !> Place in the choices of the model's variable `theory`.
-      integer, intent(in) :: place
+      !> Index in the choices of the model's variable `theory`.
+      integer, intent(in) :: position
       !> Receives the name.
       character(:), allocatable, intent(out) :: name
       integer :: k, first
 
-      associate (choices => fit%model%variables(v_theory)%choices)
+      associate (choices => fit%model%variables(in%theory)%choices)
          first = 1
-         do k = 2, place
+         do k = 2, position
             first = first + index(choices(first:), ' ')
          end do
          name = choices(first:first + index(choices(first:)//' ', ' ') - 2)
@@ -34,11 +33,10 @@ contains
    end subroutine theory_name
 
    !> The same data fitted by another theory: without the variables that it does not have.
-   subroutine make_theory(fit, place, other, kept, is_possible)
-      !> The fit.
+   subroutine make_theory(fit, position, other, kept, is_possible)
       type(fit_t), intent(in) :: fit
-      !> Place in the choices of the model's variable `theory`.
-      integer, intent(in) :: place
+      !> Index in the choices of the model's variable `theory`.
+      integer, intent(in) :: position
       !> Receives the fit by the other theory.
       type(fit_t), intent(out) :: other
       !> Receives the numbers of the free variables that it has.
@@ -51,14 +49,14 @@ contains
       is_possible = .false.
       if (fit%model%name /= 'sphere') return
       other = fit
-      other%base(v_theory) = place
+      other%base(in%theory) = position
       theory = theory_of(other%base)
       has = .true.
       do k = 1, size(has)
          select case (fit%frees(k)%variable)
-         case (v_lambda, v_adhesion_stress, v_adhesion_range)
+         case (in%lambda, in%adhesion_stress, in%adhesion_range)
             has(k) = theory == theory_maugis_dugdale
-         case (v_work_of_adhesion)
+         case (in%work_of_adhesion)
             has(k) = theory /= theory_hertz
          end select
       end do
@@ -66,17 +64,16 @@ contains
       other%frees = fit%frees(kept)
       deallocate (other%theories)
       allocate (other%theories(0))
-      if (theory /= theory_maugis_dugdale) other%base([v_lambda, v_adhesion_stress, v_adhesion_range]) = unset
+      if (theory /= theory_maugis_dugdale) other%base([in%lambda, in%adhesion_stress, in%adhesion_range]) = unset
       is_possible = size(kept) > 0
       if (theory == theory_hertz) is_possible = is_possible .and. .not. has_negative_loads(fit)
-      if (theory == theory_maugis_dugdale) is_possible = any(is_set(fit%base([v_lambda, v_adhesion_stress, v_adhesion_range]))) &
-         & .or. any(fit%frees%variable == v_lambda .or. fit%frees%variable == v_adhesion_stress &
-         & .or. fit%frees%variable == v_adhesion_range)
+      if (theory == theory_maugis_dugdale) is_possible = any(is_set(fit%base([in%lambda, in%adhesion_stress, in%adhesion_range]))) &
+         & .or. any(fit%frees%variable == in%lambda .or. fit%frees%variable == in%adhesion_stress &
+         & .or. fit%frees%variable == in%adhesion_range)
    end subroutine make_theory
 
    !> Is a load in contact negative, or is there a pull-off?
    pure logical function has_negative_loads(fit)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       real(dp), allocatable :: loads(:)
       logical, allocatable :: counts(:)
@@ -86,9 +83,9 @@ contains
       if (allocated(fit%events)) has_negative_loads = size(fit%events) > 0
       do k = 1, size(fit%data_sets)
          associate (data => fit%data_sets(k))
-            if (data%abscissa == v_load) then
+            if (data%abscissa == in%load) then
                loads = data%x
-            else if (data%ordinate == r_load) then
+            else if (data%ordinate == out%load) then
                loads = data%y
             else
                cycle

@@ -23,7 +23,6 @@ contains
    subroutine search_minima(course, fit)
       !> The sum of squares with its scales; receives the minima.
       type(course_t), intent(inout) :: course
-      !> The fit.
       type(fit_t), intent(in) :: fit
       type(course_t) :: other
       type(fit_t) :: few
@@ -56,7 +55,6 @@ contains
 
    !> The same fit with every m-th of the points of each data set.
    subroutine thin_out(fit, few)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       !> Receives the fit with fewer points.
       type(fit_t), intent(out) :: few

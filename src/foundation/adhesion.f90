@@ -20,7 +20,7 @@
 !> A front with \( J > 2\delta \) has no gap of release. Contact then begins and ends at \( m - f = \sqrt{2 J \delta} \), as
 !> energy demands, where the pressure is \( -\sqrt{2\beta\pi\delta} \). A law with this stress, and with the range that leaves the
 !> surface energy \( \pi\delta \) what it is, has the jump \( \sqrt{2 J \delta} \), twice its range, and R = 0. It gives a column
-!> the same displacement for every m and f, so it is the same law: `acting_adhesion` puts it in the place of the given one.
+!> the same displacement for every m and f, so it is the same law: `acting_adhesion` puts it in the position of the given one.
 module adfric_foundation_adhesion
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
@@ -142,7 +142,6 @@ contains
 
    !> Energy that both edges of adhesion take when adhesion takes hold once and is lost once.
    elemental real(dp) function edge_work(self, beta, has_snapped, rise) result(work)
-      !> The adhesion of the strip.
       type(strip_adhesion_t), intent(in) :: self
       !> Ratio of retardation to relaxation time of the foundation [-], >= 1.
       real(dp), intent(in) :: beta

@@ -49,9 +49,7 @@ contains
 
    !> Balance of a steady state.
    pure subroutine get_balance(strip, state, balance)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state of the strip, in any regime.
       type(steady_state_t), intent(in) :: state
       !> Forces, zones, losses and mismatches of the strip, per period.
       type(balance_t), intent(out) :: balance
@@ -70,7 +68,6 @@ contains
 
    !> Contact everywhere (GM 17, with the factor that the print has lost).
    pure subroutine balance_saturated(strip, balance)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Receives the integrals of endless contact.
       type(balance_t), intent(inout) :: balance
@@ -88,7 +85,6 @@ contains
 
    !> Discrete contact, with whatever zones there are beside it.
    pure subroutine balance_contact(strip, state, balance)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Steady state with contact, with adhesion zones or without.
       type(steady_state_t), intent(in) :: state
@@ -126,9 +122,7 @@ contains
 
    !> Adhesion without contact: everywhere, or in one zone.
    pure subroutine balance_adhesion_only(strip, state, balance)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with adhesion and without contact.
       type(steady_state_t), intent(in) :: state
       !> Receives the integrals over the period.
       type(balance_t), intent(inout) :: balance
@@ -156,9 +150,7 @@ contains
    !> Integrals over the contact zone of r = p + stress, from r - u r' = drive tested with 1, sin and
    !> 1 - cos of the distance from its centre: sums of terms of one order in narrow contacts.
    pure subroutine add_contact(strip, state, sums, balance)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with contact.
       type(steady_state_t), intent(in) :: state
       !> Receives the integrals over the contact zone.
       type(sums_t), intent(inout) :: sums
@@ -203,9 +195,7 @@ contains
 
    !> The four terms of the integral of q^2 over the contact, q = loss (sin + u cos) + a decaying exponential.
    pure function contact_square(strip, state, s, c) result(terms)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with contact.
       type(steady_state_t), intent(in) :: state
       !> Sine and cosine of the shift.
       real(dp), intent(in) :: s, c
@@ -218,7 +208,7 @@ contains
          b = state%shift + width
          sw = sin(width)
          cw = cos(width)
-         ! what is left at the leading edge, where p = entry - stress and w = F
+         ! what remains at the leading edge, where p = entry - stress and w = F
          decaying = state%entry - lifted_profile(strip, b) - (even*cw + odd*sw)
          lost = decay(2*width/f%u)
          ! integrals of exp((x - width)/u) times cos x and sin x
@@ -231,9 +221,7 @@ contains
 
    !> The same integral by Gauss's rule, for narrow contacts in which the closed forms cancel: there q is smooth.
    pure real(dp) function integrate_square(strip, state) result(square)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with contact.
       type(steady_state_t), intent(in) :: state
       real(dp) :: b, start, passed, lost, q
       integer :: k
@@ -256,7 +244,6 @@ contains
 
    !> An open zone of constant pressure, in which w - p decays.
    pure subroutine add_open_zone(strip, excess, length, pressure, sums)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Displacement less pressure, w - p, where the zone begins (at its leading end) [c].
       real(dp), intent(in) :: excess
@@ -275,9 +262,7 @@ contains
 
    !> Energy that the two edges of the adhesion stress take.
    pure subroutine add_edge_loss(strip, state, released, balance)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with adhesion and free zones.
       type(steady_state_t), intent(in) :: state
       !> Displacement behind the trailing edge of adhesion, where the free zone begins [c].
       real(dp), intent(in) :: released
@@ -291,9 +276,7 @@ contains
 
    !> Change of the integral of the pressure with the depth of the strip, on its branch.
    pure real(dp) function get_load_slope(strip, state) result(slope)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state of the strip, in any regime.
       type(steady_state_t), intent(in) :: state
       real(dp) :: rates(4), by_width, by_shift
 
@@ -317,15 +300,13 @@ contains
    end function get_load_slope
 
    !> Change of the integral of the pressure with the depth of the strip while the edges of adhesion stay where they are: the
-   !> largest change that this penetration and all smaller ones can have (docs/theory/wavy.md).
+   !> largest change that this penetration and all smaller ones can have (docs/theory/columns_load.md).
    !>
    !> Where the phases of release and attachment are held, the length e of the dashpot, K p = w + (beta - 1)(w - e), answers
    !> continuously to everything else: over a change of the depth of 1 it relaxes towards 1 in contact, over the phase u, and
-   !> towards 0 where the pressure is held, over the phase v. The mean displacement tells the mean pressure.
+   !> towards 0 where the pressure is prescribed, over the phase v. The mean displacement tells the mean pressure.
    pure real(dp) function get_slope_bound(strip, state) result(bound)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state of the strip, in any regime.
       type(steady_state_t), intent(in) :: state
       real(dp) :: open, lost_closed, lost_open, lost
 
@@ -350,9 +331,7 @@ contains
 
    !> What follows from the sums.
    pure subroutine finish(strip, sums, balance)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Integrals over the whole period.
       type(sums_t), intent(in) :: sums
       !> In: the load. Out: its mismatch and the dissipation, too.
       type(balance_t), intent(inout) :: balance

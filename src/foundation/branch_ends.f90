@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Where a branch of strips across a 3-D surface ends, by Newton's method on the edges and the place together.
+!> Where a branch of strips across a 3-D surface ends, by Newton's method on the edges and the position together.
 !>
-!> At a fold the multiplier is 1 and the edge equations alone become singular; with the place as an unknown and the
+!> At a fold the multiplier is 1 and the edge equations alone become singular; with the position as an unknown and the
 !> multiplier as an equation they are regular. Where contact is lost, or begins, the gap in the adhesion zone just
 !> touches zero. A strip is linear in 1/Y (see `surface`), so derivatives with respect to 1/Y are exact differences.
 module adfric_foundation_branch_ends
@@ -10,7 +10,7 @@ module adfric_foundation_branch_ends
    use adfric_foundation_contact_zone, only: decay, longest_decay
    use adfric_foundation_edge_equations, only: edge_equations_t, get_edge_equations, get_adhesion_equations, free_length
    use adfric_foundation_edges, only: edge_rates_t, get_rates, get_multiplier, largest_share, is_admissible, is_admissible_adhesion
-   use adfric_foundation_phases, only: phases_left
+   use adfric_foundation_phases, only: remaining_phases
    use adfric_foundation_strip, only: strip_t, steady_state_t, lifted_profile, regime_adhesion_only, regime_adhesion_zones
    use adfric_foundation_surface, only: surface_t, new_surface_strip
    use adfric_foundation_wave_shape, only: share_at, phase_of_share
@@ -38,7 +38,6 @@ contains
 
    !> Where the branch of a state folds.
    pure subroutine find_fold(surface, penetration, theta, state, is_found)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -54,7 +53,6 @@ contains
 
    !> Where the gap in an adhesion zone without contact just touches zero.
    pure subroutine find_touch(surface, penetration, theta, state, is_found)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -78,7 +76,6 @@ contains
 
    !> Newton's method on the edges, 1/Y, and the condition that the branch ends.
    pure subroutine solve_end(surface, penetration, is_fold, theta, state, is_found)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -138,7 +135,6 @@ contains
 
    !> The strip at 1/Y, and one at twice that.
    pure subroutine new_family(surface, penetration, inverse, family)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -257,7 +253,6 @@ contains
 
    !> Slope of the drive.
    pure real(dp) function drive_slope(strip, xi)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
@@ -266,7 +261,7 @@ contains
    end function drive_slope
 
    !> The condition that the least gap in an adhesion zone without contact is zero. Where it is least it does not
-   !> change with the place, so only the edge where the zone begins and the strip count.
+   !> change with the position, so only the edge where the zone begins and the strip count.
    pure subroutine get_touch_row(family, state, row, value)
       !> The strip, and another one that tells the change with 1/Y.
       type(family_t), intent(in) :: family
@@ -281,7 +276,7 @@ contains
       b = state%half_width + state%shift
       row = 0
       associate (strip => family%strip, other => family%other, v => family%strip%foundation%v)
-         span = phases_left(strip, b, 0.0_dp, .false.)
+         span = remaining_phases(strip, b, 0.0_dp, .false.)
          value = huge(1.0_dp)
          if (span < 0 .or. span >= 2*state%half_width) return
          lost = decay(span/v)
@@ -296,7 +291,6 @@ contains
 
    !> Add a step to the edges of a state.
    pure subroutine take_step(state, step)
-      !> State whose edges are moved.
       type(steady_state_t), intent(inout) :: state
       !> Changes of half_width and shift, or also of trailing and leading [rad]; shape `(2)` or `(4)`.
       real(dp), intent(in) :: step(:)
@@ -311,7 +305,6 @@ contains
 
    !> Is the end that was found one of admissible states?
    pure subroutine judge_end(strip, is_fold, state, is_end)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Does the branch end in a fold? Else it ends where the gap touches zero.
       logical, intent(in) :: is_fold

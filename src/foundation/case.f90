@@ -8,16 +8,12 @@ module adfric_foundation_case
    use adfric_foundation_adhesion, only: adhesion_t, acting_adhesion
    use adfric_foundation_foundation, only: new_foundation
    use adfric_foundation_surface, only: surface_t
-   use adfric_foundation_variables, only: v_branch, v_edge, v_height, v_kind, v_load, v_mean_pressure, v_penetration, v_period, &
-      & v_poisson_ratio, &
-      & v_pull_off, v_range, &
-      & v_relative_tolerance, v_relaxation_time, v_retardation_ratio, v_slope, v_stiffness, v_stress, &
-      & v_strips, v_thickness, v_velocity, v_young_modulus
+   use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
    public :: wavy_case_t, resolve_case, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map
 
-   !> Places of the words in the choice of the surface.
+   !> Positions of the words in the choice of the surface.
    integer, parameter :: kind_2d = 1, kind_3d = 2, kind_profile = 3, kind_cosines = 4, kind_map = 5
    integer, parameter :: slope_finite = 2
 
@@ -49,51 +45,51 @@ contains
       type(wavy_case_t), intent(out) :: self
       real(dp) :: stiffness
 
-      self%period = values(v_period)
-      self%height = values(v_height)
-      stiffness = values(v_stiffness)
-      if (.not. is_set(stiffness)) stiffness = values(v_young_modulus) &
-         & /((1 - values(v_poisson_ratio)**2)*values(v_thickness))
+      self%period = values(in%period)
+      self%height = values(in%height)
+      stiffness = values(in%stiffness)
+      if (.not. is_set(stiffness)) stiffness = values(in%young_modulus) &
+         & /((1 - values(in%poisson_ratio)**2)*values(in%thickness))
       self%pressure_unit = stiffness*self%height
       self%load_unit = self%pressure_unit*self%period
       self%friction_unit = self%pressure_unit*self%height
       self%area_unit = self%period
 
       associate (surface => self%surface)
-         surface%shape%is_3d = nint(values(v_kind)) == kind_3d
+         surface%shape%is_3d = nint(values(in%kind)) == kind_3d
          if (surface%shape%is_3d) then
             self%load_unit = self%load_unit*self%period
             self%friction_unit = self%friction_unit*self%period
             self%area_unit = self%area_unit*self%period
          end if
          call new_foundation(surface%foundation, &
-            & two_pi*(values(v_velocity)*values(v_relaxation_time)/self%period), values(v_retardation_ratio))
-         if (is_set(values(v_edge))) self%given%edge = nint(values(v_edge))
-         surface%branch = nint(values(v_branch))
-         if (nint(values(v_slope)) == slope_finite) surface%shape%steepness = two_pi*self%height/self%period
-         surface%tolerance = values(v_relative_tolerance)
-         surface%n_strips = nint(values(v_strips))
-         if (is_set(values(v_stress))) then
-            if (values(v_stress) > 0) then
-               self%given%stress = values(v_stress)/self%pressure_unit
-               self%given%range = range_of(values(v_stress:v_range))/self%height
+            & two_pi*(values(in%velocity)*values(in%relaxation_time)/self%period), values(in%retardation_ratio))
+         if (is_set(values(in%edge))) self%given%edge = nint(values(in%edge))
+         surface%branch = nint(values(in%branch))
+         if (nint(values(in%slope)) == slope_finite) surface%shape%steepness = two_pi*self%height/self%period
+         surface%tolerance = values(in%relative_tolerance)
+         surface%n_strips = nint(values(in%strips))
+         if (is_set(values(in%stress))) then
+            if (values(in%stress) > 0) then
+               self%given%stress = values(in%stress)/self%pressure_unit
+               self%given%range = range_of(values(in%stress:in%range))/self%height
             end if
          end if
          surface%adhesion = acting_adhesion(self%given, surface%foundation%beta)
       end associate
 
-      self%is_elastic = .not. (values(v_velocity) > 0 .and. values(v_retardation_ratio) > 1) &
+      self%is_elastic = .not. (values(in%velocity) > 0 .and. values(in%retardation_ratio) > 1) &
          & .and. .not. self%surface%adhesion%stress > 0
-      self%is_load_given = .not. is_set(values(v_penetration))
-      if (is_set(values(v_load))) then
-         self%load = values(v_load)/self%load_unit
-      else if (is_set(values(v_mean_pressure))) then
-         self%load = values(v_mean_pressure)/self%pressure_unit
+      self%is_load_given = .not. is_set(values(in%penetration))
+      if (is_set(values(in%load))) then
+         self%load = values(in%load)/self%load_unit
+      else if (is_set(values(in%mean_pressure))) then
+         self%load = values(in%mean_pressure)/self%pressure_unit
       else
-         self%penetration = values(v_penetration)/self%height
+         self%penetration = values(in%penetration)/self%height
       end if
       self%wants_pull_off = self%is_load_given
-      if (is_set(values(v_pull_off))) self%wants_pull_off = values(v_pull_off) > 0
+      if (is_set(values(in%pull_off))) self%wants_pull_off = values(in%pull_off) > 0
       self%wants_pull_off = self%wants_pull_off .and. self%surface%adhesion%stress > 0
    end subroutine resolve_case
 

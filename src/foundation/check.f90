@@ -9,12 +9,7 @@ module adfric_foundation_check
    use adfric_describe_table, only: variable_t
    use adfric_foundation_case, only: wavy_case_t, resolve_case
    use adfric_foundation_stepped_check, only: check_load_values, require_modulus, require_single_time
-   use adfric_foundation_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, v_height_factor, &
-      & v_heights, v_interpolation, v_kind, v_load, v_moduli, v_n_x, v_n_y, v_penetration, v_period, v_periodise, v_phases, &
-      & v_poisson_ratio, v_profiles, v_range, v_reference_temperature, v_reverse, v_shift, &
-      & v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, v_relaxed_modulus, v_temperature, &
-      & v_terms_per_decade, v_thickness, &
-      & v_time_factor, v_velocity, v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
+   use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
    public :: check_wavy_values
@@ -27,24 +22,22 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`, `unset` where none is given; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
       before = problems%count()
-      call require(variables, values, [v_kind, v_period, v_height], problems)
+      call require(variables, values, [in%kind, in%period, in%height], problems)
       call check_foundation()
-      call check_stress(variables(v_stress:v_range), values(v_stress:v_range), problems)
-      call require(variables, values, [v_velocity], problems)
+      call check_stress(variables(in%stress:in%range), values(in%stress:in%range), problems)
+      call require(variables, values, [in%velocity], problems)
       call check_load_values(variables, values, problems)
-      call refuse_marched()
-      if (values(v_profiles) > 0 .and. is_swept(v_period)) then
-         call add(v_profiles, 'need one period, which is swept; sweep another variable or switch profiles off')
+      call refuse_stepped()
+      if (values(in%profiles) > 0 .and. is_swept(in%period)) then
+         call add(in%profiles, 'need one period, which is swept; sweep another variable or switch profiles off')
       end if
-      if (values(v_profiles) > 0 .and. (is_swept(v_n_x) .or. is_swept(v_n_y))) then
-         call add(v_profiles, 'need one axis, and its samples are swept; sweep another variable or switch profiles off')
+      if (values(in%profiles) > 0 .and. (is_swept(in%n_x) .or. is_swept(in%n_y))) then
+         call add(in%profiles, 'need one axis, and its samples are swept; sweep another variable or switch profiles off')
       end if
       if (problems%count() == before) call check_reduced()
 
@@ -52,7 +45,7 @@ contains
 
       !> Add a problem of one variable to the list.
       subroutine add(v, text)
-         !> Place of the variable in the table, one of `v_...`.
+         !> Index of the variable in the table, one of `v_...`.
          integer, intent(in) :: v
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
@@ -63,33 +56,33 @@ contains
       !> Foundation: a stiffness or a layer, and both times of the solid.
       subroutine check_foundation()
          logical :: has_layer(3)
-         integer, parameter :: layer(3) = [v_young_modulus, v_poisson_ratio, v_thickness]
+         integer, parameter :: layer(3) = [in%young_modulus, in%poisson_ratio, in%thickness]
 
          has_layer = is_set(values(layer))
-         if (is_set(values(v_stiffness)) .and. any(has_layer)) then
-            call add(v_stiffness, 'stands beside '//variables(layer(findloc(has_layer, .true., 1)))%name// &
+         if (is_set(values(in%stiffness)) .and. any(has_layer)) then
+            call add(in%stiffness, 'stands beside '//variables(layer(findloc(has_layer, .true., 1)))%name// &
                & '; give stiffness, or young_modulus, poisson_ratio and thickness')
-         else if (.not. is_set(values(v_stiffness))) then
+         else if (.not. is_set(values(in%stiffness))) then
             call require_modulus(variables, values, problems)
          end if
          call require_single_time(variables, values, problems)
       end subroutine check_foundation
 
       !> Refuse what belongs to heights and spectra.
-      subroutine refuse_marched()
-         integer, parameter :: places(*) = [v_heights, v_spacing, v_strip_spacing, v_amplitudes, v_phases, &
-            & v_interpolation, v_detrend, &
-            & v_periodise, v_blend_share, v_shortest_wavelength, v_reverse, v_height_factor, v_moduli, v_young_moduli, &
-            & v_relaxed_modulus, v_terms_per_decade, v_time_factor, v_shift, v_reference_temperature, v_wlf_c1, v_wlf_c2, &
-            & v_activation_energy, &
-            & v_temperature]
+      subroutine refuse_stepped()
+         integer, parameter :: indices(*) = [in%heights, in%spacing, in%strip_spacing, in%amplitudes, in%phases, &
+            & in%interpolation, in%detrend, &
+            & in%periodise, in%blend_share, in%shortest_wavelength, in%reverse, in%height_factor, in%moduli, in%young_moduli, &
+            & in%relaxed_modulus, in%terms_per_decade, in%time_factor, in%shift, in%reference_temperature, in%wlf_c1, in%wlf_c2, &
+            & in%activation_energy, &
+            & in%temperature]
          integer :: k
 
-         do k = 1, size(places)
-            if (is_set(values(places(k))) .or. is_swept(places(k))) call add(places(k), &
+         do k = 1, size(indices)
+            if (is_set(values(indices(k))) .or. is_swept(indices(k))) call add(indices(k), &
                & 'belongs to heights, cosines or a spectrum (relaxation_times or master_curve), which are not given')
          end do
-      end subroutine refuse_marched
+      end subroutine refuse_stepped
 
       !> Values that are possible one by one, and beyond all numbers together.
       subroutine check_reduced()
@@ -98,12 +91,12 @@ contains
 
          call resolve_case(values, resolved)
          associate (given => resolved%given)
-            if (.not. resolved%surface%foundation%v < largest) call add(v_velocity, &
+            if (.not. resolved%surface%foundation%v < largest) call add(in%velocity, &
                & 'times relaxation_time and retardation_ratio is too large for the period')
-            if (.not. max(given%stress, given%range) < largest) call add(v_stress, &
+            if (.not. max(given%stress, given%range) < largest) call add(in%stress, &
                & 'or its range is too large for this height and stiffness')
-            if (.not. max(abs(resolved%load), abs(resolved%penetration)) < largest) call add(merge(v_load, &
-               & v_penetration, resolved%is_load_given), 'is too large for this height and stiffness')
+            if (.not. max(abs(resolved%load), abs(resolved%penetration)) < largest) call add(merge(in%load, &
+               & in%penetration, resolved%is_load_given), 'is too large for this height and stiffness')
          end associate
       end subroutine check_reduced
 

@@ -14,7 +14,6 @@ contains
 
    !> Displacement and pressure at a phase, in units of the strip.
    elemental subroutine get_column(strip, state, xi, displacement, pressure)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Steady state of the strip, which tells where its zones end.
       type(steady_state_t), intent(in) :: state
@@ -65,7 +64,6 @@ contains
 
    !> Pressure of endless contact, above the mean level.
    elemental real(dp) function steady_pressure(strip, xi)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
@@ -75,7 +73,6 @@ contains
 
    !> A column that has left the contact, or entered adhesion: adhesion, free, adhesion again.
    elemental subroutine get_open_column(strip, state, trailing, excess, passed, displacement, pressure)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Steady state of the strip, which tells where its zones end.
       type(steady_state_t), intent(in) :: state

@@ -23,7 +23,7 @@ module adfric_foundation_crosswise
    integer, parameter :: max_intervals = 200
    !> How much closer than the tolerance an error is brought, by its estimate, which may be too small.
    real(dp), parameter :: margin = 4.0_dp
-   !> Intervals that there is room for at first.
+   !> Intervals that there is space for at first.
    integer, parameter :: n_usual = 8
    !> How many times more strips than usual are looked at in search of edges.
    integer, parameter :: finest = 32
@@ -50,7 +50,6 @@ contains
 
    !> Forces and areas of a surface at a penetration.
    pure subroutine get_totals(surface, penetration, memory, totals, error)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -113,7 +112,6 @@ contains
 
    !> GM's sum of 2N strips of equal width.
    pure subroutine sum_equal_strips(surface, penetration, n_strips, crest, totals, jumps)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -157,7 +155,6 @@ contains
 
    !> The integral over all strips, to the tolerance of the surface.
    pure subroutine integrate_strips(surface, penetration, memory, totals, error)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -200,13 +197,11 @@ contains
 
    !> Raise and halve intervals until all together meet the tolerance, or a strip of another regime is met.
    pure subroutine refine_intervals(surface, penetration, memory, base, is_last, intervals, n, is_uniform, is_fine)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> Sums over the strips in closed form.
       type(totals_t), intent(in) :: base
       !> Is the refinement to go on where a strip of another regime is met?
       logical, intent(in) :: is_last
@@ -219,10 +214,10 @@ contains
       !> Do all errors together meet the tolerance?
       logical, intent(out) :: is_fine
       real(dp) :: scales(2)
-      integer :: worst, n_whole, last_place
+      integer :: worst, n_whole, last_position
 
       n_whole = n
-      last_place = n
+      last_position = n
       is_fine = n == 0
       do while (.not. is_fine)
          call find_worst(surface%tolerance, base, intervals(:n), worst, scales, is_fine)
@@ -231,14 +226,14 @@ contains
             call raise(surface, penetration, intervals(worst), memory)
             associate (this => intervals(worst))
                ! the ends of a panel are not known so well that strips of the finest rule, or of parts, could not be beyond
-               if (this%place <= n_whole .and. this%level < n_levels) is_uniform = is_uniform .and. this%is_uniform
+               if (this%position <= n_whole .and. this%level < n_levels) is_uniform = is_uniform .and. this%is_uniform
             end associate
             if (.not. (is_uniform .or. is_last)) exit
          else
             if (n == max_intervals) exit
             if (n == size(intervals)) intervals = [intervals, intervals]
             n = n + 1
-            call split_interval(intervals(worst), intervals(n), last_place)
+            call split_interval(intervals(worst), intervals(n), last_position)
             call start_interval(surface, penetration, intervals(worst), memory)
             call start_interval(surface, penetration, intervals(n), memory)
          end if
@@ -247,7 +242,6 @@ contains
 
    !> One interval for every panel that has no closed form, which is added to the totals.
    pure subroutine start_intervals(surface, penetration, memory, intervals, n, totals, is_uniform)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -283,7 +277,6 @@ contains
 
    !> The first two rules of an interval, whose difference tells an error.
    pure subroutine start_interval(surface, penetration, interval, memory)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -298,7 +291,6 @@ contains
 
    !> Raise an interval to the next rule.
    pure subroutine raise(surface, penetration, interval, memory)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -309,23 +301,21 @@ contains
       type(steady_state_t), allocatable :: states(:, :)
 
       if (.not. allocated(memory%states)) allocate (memory%states(-n_half:n_half, n_usual))
-      if (interval%place > size(memory%states, 2)) then
-         allocate (states(-n_half:n_half, 2*interval%place))
+      if (interval%position > size(memory%states, 2)) then
+         allocate (states(-n_half:n_half, 2*interval%position))
          states(:, :size(memory%states, 2)) = memory%states
          call move_alloc(states, memory%states)
       end if
-      call raise_interval(surface, penetration, memory%needs_slope, interval, memory%states(:, interval%place))
+      call raise_interval(surface, penetration, memory%needs_slope, interval, memory%states(:, interval%position))
    end subroutine raise
 
    !> The interval with the largest error, and whether all errors together are within the tolerance.
    pure subroutine find_worst(tolerance, base, intervals, worst, scales, is_fine)
       !> Relative tolerance of load and friction [-].
       real(dp), intent(in) :: tolerance
-      !> Sums over the strips in closed form.
       type(totals_t), intent(in) :: base
-      !> All intervals in use.
       type(interval_t), intent(in) :: intervals(:)
-      !> Place of the interval with the largest error.
+      !> Position of the interval with the largest error.
       integer, intent(out) :: worst
       !> Sizes of load and friction that errors are relative to.
       real(dp), intent(out) :: scales(2)
@@ -359,11 +349,9 @@ contains
 
    !> Saturated strips from start to finish in closed form (GM 17).
    pure subroutine add_saturated_panel(surface, penetration, panel, totals)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> A panel in which all strips are saturated.
       type(panel_t), intent(in) :: panel
       !> Sums over strips; those of the panel are added.
       type(totals_t), intent(inout) :: totals

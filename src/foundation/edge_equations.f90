@@ -31,7 +31,6 @@ contains
 
    !> The edge equations at the edges of `state`.
    pure subroutine get_edge_equations(strip, state, equations)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Edges of contact and adhesion where the equations are evaluated [rad].
       type(steady_state_t), intent(in) :: state
@@ -129,9 +128,7 @@ contains
 
    !> Change of (half_width, shift, trailing, leading) with the depth of the strip.
    pure function get_edge_rates(strip, state) result(rates)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with contact and adhesion zones.
       type(steady_state_t), intent(in) :: state
       real(dp) :: rates(4)
       type(edge_equations_t) :: equations
@@ -170,7 +167,6 @@ contains
 
    !> The condition that the pressure returns to -stress at the trailing edge of contact.
    pure subroutine get_contact_equation(strip, state, sin_w, cos_w, sin_s, cos_s, value, by_a, by_b)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Edges of contact where the condition is evaluated [rad].
       type(steady_state_t), intent(in) :: state
@@ -212,7 +208,6 @@ contains
 
    !> The conditions that the gap is that of release and that of attachment at the ends of an adhesion zone without contact.
    pure subroutine get_adhesion_equations(strip, state, value, jacobian, by_depth)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The adhesion zone, by its half width and shift [rad].
       type(steady_state_t), intent(in) :: state
@@ -257,9 +252,7 @@ contains
 
    !> Change of the half width of an adhesion zone without contact with the depth of the strip.
    pure real(dp) function get_adhesion_rate(strip, state) result(rate)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with adhesion and without contact.
       type(steady_state_t), intent(in) :: state
       real(dp) :: value(2), jacobian(2, 2), by_depth(2)
 

@@ -6,7 +6,7 @@ module adfric_foundation_edges
    use adfric_foundation_contact_zone, only: decay, longest_decay
    use adfric_foundation_edge_equations, only: edge_equations_t, get_edge_equations, solve_edges, free_length, &
       & get_adhesion_equations, solve_pair, no_step
-   use adfric_foundation_phases, only: phases_left
+   use adfric_foundation_phases, only: remaining_phases
    use adfric_foundation_strip, only: strip_t, steady_state_t, drive, drive_round_off, lifted_profile, &
       & regime_adhesion_zones, regime_adhesion_only
    implicit none (type, external)
@@ -36,7 +36,6 @@ contains
 
    !> Newton's method on the edges of contact and adhesion, from the edges in `state`.
    pure subroutine refine_edges(strip, state)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> In: a guess of half_width, shift, trailing and leading. Out: the edges; `is_converged` tells whether they were found.
       type(steady_state_t), intent(inout) :: state
@@ -90,7 +89,6 @@ contains
 
    !> Newton's method on the two edges of adhesion where there is no contact.
    pure subroutine refine_adhesion_edges(strip, state)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> In: a guess of half_width and shift of the adhesion zone. Out: the edges; `is_converged` tells whether they were found.
       type(steady_state_t), intent(inout) :: state
@@ -119,9 +117,8 @@ contains
    end subroutine refine_adhesion_edges
 
    !> Do the edges of contact with adhesion zones fulfil every inequality of the model? The closed forms
-   !> then have no earlier event (see `march`), so signs at the edges are enough.
+   !> then have no earlier event (see `stepping`), so signs at the edges are enough.
    pure logical function is_admissible(strip, state)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The state that is judged, with contact and adhesion zones.
       type(steady_state_t), intent(in) :: state
@@ -141,7 +138,6 @@ contains
    !> Does an adhesion zone without contact fulfil every inequality? Its gap is least at the end of the interval where
    !> the drive is positive, or at the end of the zone.
    pure logical function is_admissible_adhesion(strip, state, may_touch)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The state that is judged, with adhesion and without contact.
       type(steady_state_t), intent(in) :: state
@@ -159,7 +155,7 @@ contains
       if (present(may_touch)) then
          if (may_touch) return
       end if
-      span = phases_left(strip, b, 0.0_dp, .false.)
+      span = remaining_phases(strip, b, 0.0_dp, .false.)
       if (span < 0 .or. span >= 2*state%half_width) return
       is_admissible_adhesion = strip%adhesion%attached_gap - 2*sin(b - span/2)*sin(span/2) &
          & - (lifted_profile(strip, b) + strip%adhesion%attach_gap - strip%adhesion%jump)*decay(span/strip%foundation%v) > 0
@@ -167,9 +163,7 @@ contains
 
    !> Derivative of the return map at a steady state with adhesion and free zones.
    pure real(dp) function get_multiplier(strip, state) result(multiplier)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with adhesion and free zones.
       type(steady_state_t), intent(in) :: state
       type(edge_rates_t) :: rates
       real(dp) :: kept, denominator
@@ -183,9 +177,7 @@ contains
 
    !> What the edges of adhesion do to a disturbance.
    pure type(edge_rates_t) function get_rates(strip, state) result(rates)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state with adhesion and free zones.
       type(steady_state_t), intent(in) :: state
       real(dp) :: a1, b, b1
 

@@ -122,19 +122,15 @@ contains
       end if
    end function leads_to
 
-   !> Newton's method from a neighbour's state, and the proof that nothing is passed on the way.
+   !> Newton's method from a neighbour's state, and the proof that nothing is passed on the path.
    pure subroutine follow_neighbour(surface, load, neighbour, memory, state, is_found)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> Load that is sought [h/K].
       real(dp), intent(in) :: load
-      !> Points that lead to this one.
       type(neighbour_t), intent(in) :: neighbour
       !> Strips found before, as first guesses. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> The state of the load.
       type(trial_t), intent(out) :: state
-      !> Was the state found?
       logical, intent(out) :: is_found
       type(trial_t) :: last
       real(dp) :: penetration, step, slope
@@ -166,9 +162,8 @@ contains
       end do
    end subroutine follow_neighbour
 
-   !> Is a state that carries the load the first one on the way from a neighbour?
+   !> Is a state that carries the load the first one on the path from a neighbour?
    pure logical function is_next(surface, last, state)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> The state of the neighbour, and the one that was found.
       type(trial_t), intent(in) :: last, state
@@ -186,11 +181,9 @@ contains
 
    !> The state of a load, from a neighbour or from nothing.
    pure subroutine search(surface, load, neighbour, memory, state, outcome)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> Load that is sought [h/K].
       real(dp), intent(in) :: load
-      !> Points that lead to this one, or none.
       type(neighbour_t), intent(in) :: neighbour
       !> Strips found before, as first guesses.
       type(memory_t), intent(inout) :: memory
@@ -238,7 +231,6 @@ contains
 
    !> Close a bracket: Newton's method from its better end, with bisection wherever that gains too little.
    pure subroutine close_bracket(surface, load, memory, low, high)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> Load that is sought [h/K].
       real(dp), intent(in) :: load
@@ -280,7 +272,6 @@ contains
 
    !> What is known of the point, and how well.
    pure subroutine finish(trial, excess, equilibrium)
-      !> The trial of the point.
       type(trial_t), intent(in) :: trial
       !> By how much the load of the trial may differ from one that is given [h/K].
       real(dp), intent(in) :: excess

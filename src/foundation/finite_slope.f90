@@ -28,9 +28,7 @@ contains
 
    !> Integral of the shear stress over a period, over the slope: in the units of `balance_t%friction`.
    pure subroutine get_finite_slope_friction(strip, state, slope, friction, small_slope)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state of the strip.
       type(steady_state_t), intent(in) :: state
       !> Largest slope of the strip, k h_y/2 [-], > 0.
       real(dp), intent(in) :: slope
@@ -64,14 +62,14 @@ contains
       end if
       ! pieces that grow from the leading edge, where the pressure changes over the length u
       start = 0
-      length = min(strip%foundation%u, half_pi/2, room_below(b))
+      length = min(strip%foundation%u, half_pi/2, space_below(b))
       do while (start < a + b)
          finish = min(start + length, a + b)
          ! beyond 40 u the exponential is gone and the pressure is a sine
          if (a + b - finish < length/4) finish = a + b
          total = total + integrate_piece(b - finish, b - start)
          start = finish
-         length = min(2*length, half_pi/2, room_below(b - finish))
+         length = min(2*length, half_pi/2, space_below(b - finish))
       end do
       friction = total(1)
       small_slope = total(2)
@@ -80,14 +78,14 @@ contains
 
       !> How far a piece may reach down from a phase. Steep slopes turn about crest and valley within 1/slope: a piece is no longer
       !> than its distance from there, or than that.
-      pure real(dp) function room_below(xi)
+      pure real(dp) function space_below(xi)
          !> Phase of the upper end of the piece [rad].
          real(dp), intent(in) :: xi
          real(dp) :: below
 
          below = xi - pi*floor(xi/pi)
-         room_below = max(asinh(1/max(slope, 0.1_dp)), 64*epsilon(xi), min(below/2, pi - below))
-      end function room_below
+         space_below = max(asinh(1/max(slope, 0.1_dp)), 64*epsilon(xi), min(below/2, pi - below))
+      end function space_below
 
       !> Integrals of sin/sqrt(1 + slope^2 sin^2), and of sin, with the sign of cos.
       pure function rise(xi)

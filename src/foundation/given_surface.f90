@@ -6,8 +6,7 @@ module adfric_foundation_given_surface
    use adfric_base_unset, only: unset
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_describe_table, only: variable_t
-   use adfric_foundation_variables, only: v_amplitudes, v_heights, v_master_curve, v_moduli, v_phases, v_relaxation_times, &
-      & v_young_moduli
+   use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
    public :: given_surface_t, take_given
@@ -25,34 +24,33 @@ module adfric_foundation_given_surface
 contains
 
    !> Keep the values of a list or a dataset.
-   subroutine take_given(self, variables, place, values, problems)
-      !> Receives the values.
+   subroutine take_given(self, variables, index, values, problems)
       type(given_surface_t), intent(inout) :: self
       !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Place of the variable, one of `v_...`.
-      integer, intent(in) :: place
+      !> Index of the variable, one of `v_...`.
+      integer, intent(in) :: index
       !> The values in SI units; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the values.
       type(problems_t), intent(inout) :: problems
 
-      select case (place)
-      case (v_heights)
+      select case (index)
+      case (in%heights)
          self%heights = values
          if (.not. maxval(values) > minval(values)) call add('are all the same')
-      case (v_amplitudes)
+      case (in%amplitudes)
          self%amplitudes = values(:, 1)
          if (.not. maxval(abs(values)) > 0) call add('are all 0')
-      case (v_phases)
+      case (in%phases)
          self%phases = values(:, 1)
-      case (v_moduli)
+      case (in%moduli)
          self%moduli = values(:, 1)
-      case (v_young_moduli)
+      case (in%young_moduli)
          self%young_moduli = values(:, 1)
-      case (v_relaxation_times)
+      case (in%relaxation_times)
          self%relaxation_times = values(:, 1)
-      case (v_master_curve)
+      case (in%master_curve)
          self%master_curve = values
       end select
 
@@ -63,7 +61,7 @@ contains
          !> What is wrong; the name is put before it.
          character(*), intent(in) :: text
 
-         call problems%add(variables(place)%group, variables(place)%name, text)
+         call problems%add(variables(index)%group, variables(index)%name, text)
       end subroutine add
 
    end subroutine take_given

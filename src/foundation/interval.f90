@@ -36,7 +36,7 @@ module adfric_foundation_interval
       !> Does the crest line or the valley line halve it, so that only what lies beyond is summed?
       logical :: is_mirrored = .false.
       !> Number under which its strips are remembered.
-      integer :: place = 0
+      integer :: position = 0
       !> Ends in \( z \).
       real(dp) :: start = -1, finish = 1
       !> The rule that was reached.
@@ -54,16 +54,16 @@ module adfric_foundation_interval
 contains
 
    !> A whole panel, without any strips yet.
-   pure type(interval_t) function new_interval(panel, place) result(interval)
+   pure type(interval_t) function new_interval(panel, position) result(interval)
       !> The panel that the interval covers; its ends are in [0, pi].
       type(panel_t), intent(in) :: panel
       !> Number under which the strips are remembered, from 1.
-      integer, intent(in) :: place
+      integer, intent(in) :: position
 
       if (has_asserts) call assert(panel%start >= 0 .and. panel%start < panel%finish .and. panel%finish <= pi, &
          & 'new_interval: 0 <= start < finish <= pi')
       interval%panel = panel
-      interval%place = place
+      interval%position = position
       interval%is_mirrored = panel%start <= 0 .or. panel%finish >= pi
       if (panel%start <= 0) then
          interval%panel%start = -panel%finish
@@ -76,7 +76,6 @@ contains
 
    !> Raise an interval to the next rule.
    pure subroutine raise_interval(surface, penetration, needs_slope, interval, states)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -108,7 +107,6 @@ contains
 
    !> Solve the strip at a node of the finest rule, and add it to all rules that know it.
    pure subroutine add_node(surface, penetration, needs_slope, interval, j, near, state)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -172,7 +170,6 @@ contains
 
    !> By how much load and friction differ.
    pure function change(one, two)
-      !> Two sums of the same unit.
       type(totals_t), intent(in) :: one, two
       real(dp) :: change(2)
 
@@ -181,7 +178,6 @@ contains
 
    !> Is there a higher rule, and do they converge fast?
    pure logical function can_be_raised(interval, scales)
-      !> The interval, at the second rule or higher.
       type(interval_t), intent(in) :: interval
       !> Sizes of load and friction that errors are relative to.
       real(dp), intent(in) :: scales(2)
@@ -193,23 +189,23 @@ contains
    end function can_be_raised
 
    !> Halve an interval; both halves begin anew, and are remembered apart from the whole, which comes first next time.
-   pure subroutine split_interval(interval, other, last_place)
+   pure subroutine split_interval(interval, other, last_position)
       !> In: the whole interval. Out: one half of it; of a mirrored one the part about the line.
       type(interval_t), intent(inout) :: interval
       !> The other half; of a mirrored one the part beyond.
       type(interval_t), intent(out) :: other
       !> The last number under which strips are remembered; it rises by two.
-      integer, intent(inout) :: last_place
+      integer, intent(inout) :: last_position
       type(interval_t) :: whole
       real(dp) :: inner
 
       whole = interval
       ! of a mirrored one, half of what is summed: the part about the line, and the part beyond
       inner = (whole%finish - whole%start)/merge(4, 2, whole%is_mirrored)
-      interval = interval_t(whole%panel, whole%is_mirrored, last_place + 1, whole%start, whole%finish - inner)
+      interval = interval_t(whole%panel, whole%is_mirrored, last_position + 1, whole%start, whole%finish - inner)
       if (whole%is_mirrored) interval%start = whole%start + inner
-      other = interval_t(whole%panel, .false., last_place + 2, whole%finish - inner, whole%finish)
-      last_place = last_place + 2
+      other = interval_t(whole%panel, .false., last_position + 2, whole%finish - inner, whole%finish)
+      last_position = last_position + 2
    end subroutine split_interval
 
 end module adfric_foundation_interval

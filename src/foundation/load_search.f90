@@ -4,7 +4,7 @@
 !> Loading and unloading meet a state where the load passes the one that is sought, so a search must not pass one. From a
 !> penetration that carries too much it is certain that nothing is passed within the reach of `get_reach`. A longer step is
 !> kept only where the load between its ends is plain (`is_plain`); otherwise its far end is put aside, and the stretch between
-!> is halved until it is certain or plain. What is left when both ends are indistinct is a jump, which passes no state: with
+!> is halved until it is certain or plain. What remains when both ends are indistinct is a jump, which passes no state: with
 !> rising penetration the load jumps downwards only.
 module adfric_foundation_load_search
    use adfric_base_kinds, only: dp
@@ -17,7 +17,7 @@ module adfric_foundation_load_search
    private
    public :: find_first_state, find_entry, downwards, upwards, search_found, search_empty
 
-   !> The way of a search, towards smaller or larger penetrations.
+   !> The path of a search, towards smaller or larger penetrations.
    integer, parameter :: downwards = -1, upwards = 1
    !> How a search ends: a state, no state for certain, or neither.
    integer, parameter :: search_found = 1, search_empty = 2, search_failed = 3
@@ -26,7 +26,7 @@ module adfric_foundation_load_search
    !> Longest step [h], of a surface whose stress and range are small.
    real(dp), parameter :: longest_step = 0.05_dp
 
-   !> Trials put aside: the last one is the next on the way.
+   !> Trials put aside: the last one is the next on the path.
    type :: aside_t
       !> Number of trials put aside.
       integer :: n = 0
@@ -36,14 +36,13 @@ module adfric_foundation_load_search
 
 contains
 
-   !> The first penetration that carries a load, on the way from one that does not: downwards the largest, from where all above
+   !> The first penetration that carries a load, on the path from one that does not: downwards the largest, from where all above
    !> carry more; upwards the smallest, from one that carries less.
    pure subroutine find_first_state(surface, load, direction, has_turned, limit, memory, near, far, outcome)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
-      !> The way of the search, `downwards` or `upwards`.
+      !> The path of the search, `downwards` or `upwards`.
       integer, intent(in) :: direction
       !> Does the search begin where the load has just turned? Downwards: from falling on the way to rising. Upwards: the surface
       !> has just been drawn in, so `near` may carry the load to within its tolerance where the load still falls, and that is not
@@ -53,7 +52,7 @@ contains
       real(dp), intent(in) :: limit
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> In: the penetration where the search begins. Out: the last one on the way before the state, if one is found.
+      !> In: the penetration where the search begins. Out: the last one on the path before the state, if one is found.
       type(trial_t), intent(inout) :: near
       !> If a state is found, a penetration beyond it; the state is the only one between the two.
       type(trial_t), intent(out) :: far
@@ -100,9 +99,8 @@ contains
 
    !> The next penetration of a search where no trial is put aside.
    pure subroutine step_on(surface, direction, is_turn, limit, near, last, next, is_over)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> The way of the search, `downwards` or `upwards`.
+      !> The path of the search, `downwards` or `upwards`.
       integer, intent(in) :: direction
       !> Has the load just turned? Upwards it still falls then.
       logical, intent(in) :: is_turn
@@ -132,11 +130,9 @@ contains
 
    !> The penetration up to which a search passes no state for certain [h].
    pure real(dp) function get_sure(surface, direction, near, slope_bound) result(sure)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> The way of the search, `downwards` or `upwards`.
+      !> The path of the search, `downwards` or `upwards`.
       integer, intent(in) :: direction
-      !> The trial where the search stands.
       type(trial_t), intent(in) :: near
       !> Bound of the slope up to the furthest penetration in question [1/K]; downwards the trial has its own.
       real(dp), intent(in) :: slope_bound
@@ -148,17 +144,16 @@ contains
       end if
    end function get_sure
 
-   !> Is no state passed on the way from one trial to the next, but for one that is crossed?
+   !> Is no state passed on the path from one trial to the next, but for one that is crossed?
    pure logical function is_clear(surface, direction, is_turn, sure, near, far, further)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> The way of the search, `downwards` or `upwards`.
+      !> The path of the search, `downwards` or `upwards`.
       integer, intent(in) :: direction
       !> Downwards: does the load rise with the penetration somewhere above `near`, between the same regimes?
       logical, intent(in) :: is_turn
       !> The penetration up to which no state is passed for certain [h].
       real(dp), intent(in) :: sure
-      !> The trial where the search stands, the next one on the way, and the one behind that, or once more the next one.
+      !> The trial where the search stands, the next one on the path, and the one behind that, or once more the next one.
       type(trial_t), intent(in) :: near, far, further
 
       is_clear = direction*(far%penetration - sure) <= 0 .or. is_one(far%penetration, sure)
@@ -174,7 +169,6 @@ contains
    !> The smallest penetration that carries less than a load, for a surface that adhesion draws in. What carries more is
    !> certain downwards from each trial.
    pure subroutine find_entry(surface, load, highest, memory, low, outcome)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Load that the penetration sought does not reach, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
@@ -219,7 +213,6 @@ contains
 
    !> Solve one more penetration, and put it aside.
    pure subroutine add_trial(surface, penetration, from, load, memory, aside, outcome)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> The penetration, and the one from which it is reached [h].
       real(dp), intent(in) :: penetration, from
@@ -258,7 +251,6 @@ contains
 
    !> How long the next step is [h]: along the tangent, and not too long.
    pure real(dp) function get_step(surface, trial, last) result(step)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> The trial where the step begins, and the one before it.
       type(trial_t), intent(in) :: trial, last

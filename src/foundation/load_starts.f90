@@ -2,8 +2,8 @@
 !> Where the search for the state of a load begins.
 !>
 !> Two surfaces enclose the load of every state at every penetration: without adhesion it carries no less, and with adhesion in
-!> the whole gap no more. The load of both is a convex function of the penetration (docs/theory/wavy.md), so Newton's method from above
-!> finds where they carry a load, and passes nothing.
+!> the whole gap no more. The load of both is a convex function of the penetration (docs/theory/columns_load.md), so Newton's
+!> method from above finds where they carry a load, and passes nothing.
 module adfric_foundation_load_starts
    use adfric_base_kinds, only: dp
    use adfric_foundation_crosswise, only: memory_t
@@ -29,7 +29,6 @@ contains
 
    !> The penetration of endless contact, which carries a load or more on every branch [h].
    pure real(dp) function highest(surface, load)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> The load [h/K].
       real(dp), intent(in) :: load
@@ -39,7 +38,6 @@ contains
 
    !> Without adhesion the load is a convex function of the penetration: Newton's method from above passes nothing.
    pure subroutine search_without_adhesion(surface, load, memory, state, outcome)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> Load that is sought [h/K].
       real(dp), intent(in) :: load
@@ -67,7 +65,6 @@ contains
 
    !> A penetration above which every state carries more than a load: with adhesion in the whole gap it carries as much.
    pure subroutine start_above(surface, load, high, outcome)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> The load [h/K].
       real(dp), intent(in) :: load
@@ -86,7 +83,6 @@ contains
 
    !> A penetration below which every state carries less than a load, and which carries less itself.
    pure subroutine start_below(surface, load, memory, low, outcome)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> The load [h/K].
       real(dp), intent(in) :: load
@@ -119,11 +115,10 @@ contains
    !> Newton's method from above on a surface whose load is a convex function of the penetration, to where it carries no more
    !> than `enough`, or is near a load.
    pure subroutine descend_convex(surface, load, enough, state, outcome)
-      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
       !> The load [h/K].
       real(dp), intent(in) :: load
-      !> A load not below it, where the way may end [h/K].
+      !> A load not below it, where the path may end [h/K].
       real(dp), intent(in) :: enough
       !> The last penetration, and what it carries.
       type(trial_t), intent(out) :: state

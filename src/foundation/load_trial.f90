@@ -4,7 +4,8 @@
 !> With a fixed pattern of what adheres and what is free the displacement is a convex function of the penetration D, and a
 !> larger pattern of adhesion lowers it. Adhesion grows with D on both branches, so of two penetrations D1 < D2
 !> $$ P(D_2) - P(D_1) \le s(D_2)\,(D_2 - D_1), \qquad 0 \le s \le l/K, $$
-!> where s is the slope of the load while the edges of adhesion stay where they are (`slope_bound`; docs/theory/wavy.md has the proof).
+!> where s is the slope of the load while the edges of adhesion stay where they are (`slope_bound`; docs/theory/columns_load.md
+!> has the proof).
 !> So a penetration that carries too much, by an excess e, is followed downwards by none that carries too little within e/s.
 module adfric_foundation_load_trial
    use adfric_base_kinds, only: dp
@@ -43,7 +44,6 @@ contains
 
    !> Load at a penetration.
    pure subroutine try_penetration(surface, penetration, load, memory, trial)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -62,11 +62,10 @@ contains
 
    !> Load at a penetration, or next to it towards `from` where a strip happens to be at the very end of its branch.
    pure subroutine try_near(surface, penetration, from, load, memory, trial)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> The penetration towards which it may move, by 3/128 of the way at most [h].
+      !> The penetration towards which it may move, by 3/128 of the path at most [h].
       real(dp), intent(in) :: from
       !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
@@ -86,7 +85,6 @@ contains
    pure logical function carries_load(surface, trial)
       !> The surface in reduced units, with the tolerance of its load.
       type(surface_t), intent(in) :: surface
-      !> The trial that is judged.
       type(trial_t), intent(in) :: trial
       real(dp) :: tolerance
 
@@ -99,7 +97,6 @@ contains
    !> Is the surface integrated across, with panels of one regime whose edges move with the penetration? Then the slope of the
    !> load is that of its strips and what the edges add, which is not known.
    pure logical function has_moving_edges(surface)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
 
       has_moving_edges = surface%shape%is_3d .and. surface%n_strips == 0
@@ -121,7 +118,6 @@ contains
    pure real(dp) function get_fall(surface, trial) result(fall)
       !> The surface in reduced units; adhesion pulls with its stress at most.
       type(surface_t), intent(in) :: surface
-      !> A trial that carries too much.
       type(trial_t), intent(in) :: trial
 
       fall = get_reach(trial, trial%totals%slope_bound)
@@ -131,17 +127,17 @@ contains
    end function get_fall
 
    !> Does the load between two penetrations cross each level between its ends once, and none beyond the end that is further on
-   !> the way?
+   !> the path?
    !>
    !> Where all adheres at the smaller penetration, and without adhesion, the load is convex and rises. Between the same regimes
    !> it is smooth, and turns at most twice: it rises with the penetration in one stretch between two where it falls
-   !> (docs/theory/wavy.md). So where it rises at the end that is further on the way it has passed no more than its largest value.
+   !> (docs/theory/columns_load.md). So where it rises at the end that is further on the path it has passed no more than its
+   !> largest value.
    pure logical function is_plain(surface, low, high, far)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> The trials at the smaller and the larger penetration.
       type(trial_t), intent(in) :: low, high
-      !> The one of the two that is further on the way.
+      !> The one of the two that is further on the path.
       type(trial_t), intent(in) :: far
       real(dp) :: width, reach
 
@@ -150,7 +146,7 @@ contains
       is_plain = low%totals%structure == high%totals%structure .and. far%totals%load_slope > 0
       if (.not. is_plain .or. .not. has_moving_edges(surface)) return
       width = high%penetration - low%penetration
-      ! what is certain from the start of the way is not in question
+      ! what is certain from the start of the path is not in question
       reach = abs(high%excess)
       if (far%penetration > low%penetration) reach = abs(low%excess)
       is_plain = high%totals%slope_bound*(width - plain_step) <= reach &
@@ -163,13 +159,12 @@ contains
    !> Where the slope is known, a load that falls with the penetration after it has risen, seen from above, has passed the
    !> least of its stretch (see `is_plain`). On surfaces that are integrated across, the parabola through three trials tells.
    pure logical function is_past_least(surface, has_risen, below, low, high)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Does the load rise with the penetration somewhere above `high`, between the same regimes?
       logical, intent(in) :: has_risen
       !> Three trials with rising penetration; `below` may be `low` where there is no third one.
       type(trial_t), intent(in) :: below, low, high
-      real(dp) :: width, wider, slope, curvature, place, least
+      real(dp) :: width, wider, slope, curvature, position, least
 
       is_past_least = .false.
       if (low%totals%structure /= high%totals%structure .or. .not. low%totals%is_converged) return
@@ -184,9 +179,9 @@ contains
       curvature = ((below%excess - high%excess)/wider - (low%excess - high%excess)/width)/(wider - width)
       slope = (high%excess - low%excess)/width + curvature*width
       least = min(high%excess, low%excess)
-      place = 0
-      if (curvature > 0) place = min(max(slope/(2*curvature), 0.0_dp), width)
-      is_past_least = high%excess - place*(slope - curvature*place) > least/2
+      position = 0
+      if (curvature > 0) position = min(max(slope/(2*curvature), 0.0_dp), width)
+      is_past_least = high%excess - position*(slope - curvature*position) > least/2
    end function is_past_least
 
 end module adfric_foundation_load_trial

@@ -12,16 +12,16 @@ module adfric_foundation_model
    use adfric_foundation_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_foundation_check, only: check_wavy_values
    use adfric_foundation_given_surface, only: given_surface_t, take_given
-   use adfric_foundation_stepped_case, only: has_heights, is_marched, size_of_period
-   use adfric_foundation_stepped_check, only: check_marched_values
-   use adfric_foundation_stepped_description, only: describe_marched, doubt_marched, derive_marched
-   use adfric_foundation_stepped_points, only: solve_marched_block, solve_marched_profiles, row_places, column_places
+   use adfric_foundation_stepped_case, only: has_heights, is_stepped, size_of_period
+   use adfric_foundation_stepped_check, only: check_stepped_values
+   use adfric_foundation_stepped_description, only: describe_stepped, doubt_stepped, derive_stepped
+   use adfric_foundation_stepped_points, only: solve_stepped_block, solve_stepped_profiles, row_indices, column_indices
    use adfric_foundation_profiles, only: get_profiles
    use adfric_foundation_strip_description, only: derive_strips, doubt_strips
    use adfric_foundation_strip_points, only: solve_strip_block
    use adfric_foundation_surface_bounds, only: measure_heights, measure_waves
-   use adfric_foundation_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_penetration, v_heights, v_kind, &
-      & v_load, v_n_x, v_n_y, v_period, v_profiles
+   use adfric_foundation_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, in => foundation_input, &
+      & out => foundation_output
    implicit none (type, external)
    private
    public :: wavy_model_t, new_wavy_model
@@ -77,7 +77,6 @@ contains
 
    !> Add to `problems` what is contradictory or impossible in the values together.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model, whose table of variables is read.
       class(wavy_model_t), intent(in) :: self
       !> Values in the order of `self%variables`, of a swept variable one of its values; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -86,8 +85,8 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (is_marched(values)) then
-         call check_marched_values(self%variables, values, self%given, is_swept, problems)
+      if (is_stepped(values)) then
+         call check_stepped_values(self%variables, values, self%given, is_swept, problems)
       else
          call check_wavy_values(self%variables, values, is_swept, problems)
       end if
@@ -102,26 +101,24 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (is_set(values(v_kind))) call take_units(get_wavy_results(has_width(values)), results)
+      if (is_set(values(in%kind))) call take_units(get_wavy_results(has_width(values)), results)
    end function describe_results
 
    !> SI unit of a variable: the load of a 2-D wave is one per width.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable, one of `v_...`.
-      integer, intent(in) :: place
+      !> Index of the variable, one of `v_...`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
-      if (place == v_load) unit = trim(merge('N  ', 'N/m', has_width(values)))
+      unit = self%variables(index)%unit
+      if (index == in%load) unit = trim(merge('N  ', 'N/m', has_width(values)))
    end function unit_of
 
    !> See `model_t`.
    pure real(dp) function nominal_size(self, values)
-      !> The model, with its heights.
       class(wavy_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -134,31 +131,29 @@ contains
       !> Values of one point in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      has_width = nint(values(v_kind)) == kind_3d .or. nint(values(v_kind)) == kind_map
+      has_width = nint(values(in%kind)) == kind_3d .or. nint(values(in%kind)) == kind_map
    end function has_width
 
    !> Keep the values of a list or a dataset.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which keeps the values.
+   subroutine take_dataset(self, index, values, problems)
       class(wavy_model_t), intent(inout) :: self
-      !> Place of the variable, one of `v_...`.
-      integer, intent(in) :: place
+      !> Index of the variable, one of `v_...`.
+      integer, intent(in) :: index
       !> The values in SI units; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the values.
       type(problems_t), intent(inout) :: problems
 
-      call take_given(self%given, self%variables, place, values, problems)
+      call take_given(self%given, self%variables, index, values, problems)
       ! a map takes long, and its points are given to threads one by one
-      if (place == v_heights .and. size(values) > large_map) self%largest_block = 1
+      if (index == in%heights .and. size(values) > large_map) self%largest_block = 1
    end subroutine take_dataset
 
    !> Keep what a dataset says of itself.
-   subroutine take_attribute(self, place, name, value, problems)
-      !> The model, which keeps the value.
+   subroutine take_attribute(self, index, name, value, problems)
       class(wavy_model_t), intent(inout) :: self
-      !> Place of the variable, one of `v_...`.
-      integer, intent(in) :: place
+      !> Index of the variable, one of `v_...`.
+      integer, intent(in) :: index
       !> Name of the attribute.
       character(*), intent(in) :: name
       !> Its value in SI units.
@@ -174,37 +169,34 @@ contains
       case ('reference_temperature')
          self%given%master_temperature = value
       end select
-      if (.not. value > 0) call problems%add(self%variables(place)%group, self%variables(place)%name, &
+      if (.not. value > 0) call problems%add(self%variables(index)%group, self%variables(index)%name, &
          & 'has an attribute '//name//' that is not > 0')
    end subroutine take_attribute
 
    !> What `adfric check` says of spectrum and heights.
    function describe_case(self, values) result(text)
-      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
       text = ''
-      if (is_marched(values)) text = describe_marched(values, self%given)
+      if (is_stepped(values)) text = describe_stepped(values, self%given)
    end function describe_case
 
    !> Does the user ask for profiles?
    pure logical function wants_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = values(v_profiles) > 0
+      wants_profiles = values(in%profiles) > 0
       associate (unused => self)
       end associate
    end function wants_profiles
 
    !> The profile axes y and x: one period about the crest.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for the names of its axes.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -212,14 +204,14 @@ contains
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
       allocate (axes(2))
-      if (is_marched(values)) then
-         call set_coordinate(axes(1), self%profile_axes, 1, row_places(values, self%given))
-         call set_coordinate(axes(2), self%profile_axes, 2, column_places(values, self%given))
+      if (is_stepped(values)) then
+         call set_coordinate(axes(1), self%profile_axes, 1, row_indices(values, self%given))
+         call set_coordinate(axes(2), self%profile_axes, 2, column_indices(values, self%given))
          return
       end if
       call set_coordinate(axes(1), self%profile_axes, 1, &
-         & about_crest(values(v_period), merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)))
-      call set_coordinate(axes(2), self%profile_axes, 2, about_crest(values(v_period), nint(values(v_n_x))))
+         & about_crest(values(in%period), merge(nint(values(in%n_y)), 1, nint(values(in%kind)) == kind_3d)))
+      call set_coordinate(axes(2), self%profile_axes, 2, about_crest(values(in%period), nint(values(in%n_x))))
    end subroutine get_profile_axes
 
    !> Coordinates over one period, as far on one side of the crest as on the other, to the last digit.
@@ -235,9 +227,8 @@ contains
       if (n > 1) coordinates = [(period*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
    end function about_crest
 
-   !> Make room for the pull-off loads that points share, each of which is found once.
+   !> Make space for the pull-off loads that points share, each of which is found once.
    subroutine prepare(self)
-      !> The model; all threads use what it keeps.
       class(wavy_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
@@ -245,7 +236,6 @@ contains
 
    !> Give back the pull-off loads that points have shared.
    subroutine release(self)
-      !> The model, which keeps nothing at the end.
       class(wavy_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) return
@@ -272,10 +262,10 @@ contains
       counts = 0
       n = size(values, 2)
       if (n > 0) then
-         if (is_marched(values(:, 1))) then
-            call solve_marched_block(self%given, values, results, error_estimate, status)
+         if (is_stepped(values(:, 1))) then
+            call solve_stepped_block(self%given, values, results, error_estimate, status)
             counts(1) = n
-            if (nint(values(v_kind, 1)) == kind_map) counts(1) = real(n, dp)*size(self%given%heights, 2)
+            if (nint(values(in%kind, 1)) == kind_map) counts(1) = real(n, dp)*size(self%given%heights, 2)
             return
          end if
       end if
@@ -284,7 +274,6 @@ contains
 
    !> Profiles of one solved point.
    subroutine solve_profiles(self, values, results, profiles)
-      !> The model, which knows the profile axes.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -296,25 +285,24 @@ contains
       type(wavy_case_t) :: point
 
       call self%get_profile_axes(values, axes)
-      if (is_marched(values)) then
-         call solve_marched_profiles(self%given, values, axes(2)%coordinates, profiles)
+      if (is_stepped(values)) then
+         call solve_stepped_profiles(self%given, values, axes(2)%coordinates, profiles)
          return
       end if
       call resolve_case(values, point)
-      call get_profiles(point, results(r_penetration), axes(2)%coordinates, axes(1)%coordinates, profiles)
+      call get_profiles(point, results(out%penetration), axes(2)%coordinates, axes(1)%coordinates, profiles)
    end subroutine solve_profiles
 
    !> Quantities that follow from the values of a point, for `adfric check` and the results file.
    function derive_quantities(self, values) result(derived)
-      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
 
       allocate (derived(0))
-      if (is_marched(values)) then
-         call derive_marched(derived, values, self%given)
+      if (is_stepped(values)) then
+         call derive_stepped(derived, values, self%given)
          return
       end if
       call derive_strips(derived, values)
@@ -322,14 +310,13 @@ contains
 
    !> See `model_t`.
    function describe_doubts(self, values) result(text)
-      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
-      if (is_marched(values)) then
-         text = doubt_marched(values, self%given)
+      if (is_stepped(values)) then
+         text = doubt_stepped(values, self%given)
          return
       end if
       text = doubt_strips(values)
@@ -337,7 +324,6 @@ contains
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
-      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

@@ -25,10 +25,10 @@ module adfric_foundation_panel_edges
    !> A contact of this half width carries next to nothing, and the edge where it is lost need not be sharper.
    real(dp), parameter :: narrow = 1.0e-3_dp, sharp_enough = 1.0e-9_dp
 
-   !> How far beyond an edge the next regime is looked at, as a share of the way left; the latter where the edge has been
+   !> How far beyond an edge the next regime is looked at, as a share of the path left; the latter where the edge has been
    !> solved for.
    real(dp), parameter :: beyond_edge = 1.0e-4_dp, beyond_end = 1.0e-8_dp
-   !> How far before its end a branch is looked at, as a share of the way there.
+   !> How far before its end a branch is looked at, as a share of the path there.
    real(dp), parameter :: last_look = 1.0e-3_dp
 
    !> How regimes end: where a closed form knows, where adhesion begins to be lost, in a fold, where the gap touches
@@ -61,7 +61,6 @@ contains
 
    !> Look at one strip.
    pure type(probe_t) function probe(surface, penetration, theta, guess, is_regime_known)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -80,11 +79,9 @@ contains
 
    !> Where the regime of a strip ends, on the way to another phase where it has ended.
    pure subroutine locate_edge(surface, penetration, inside, outside, edge, n_strips)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> A strip in the regime that ends.
       type(probe_t), intent(in) :: inside
       !> Crosswise phase where that regime has ended [rad].
       real(dp), intent(in) :: outside
@@ -114,11 +111,9 @@ contains
 
    !> Does a branch that Newton's method lost go on? `last` is where it was met again, `limit` where it has ended.
    pure subroutine look_for_more(surface, penetration, edge, last, limit, n_strips, is_found)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Where Newton's method lost the branch.
       type(edge_t), intent(in) :: edge
       !> In: any strip on the branch. Out: the last strip where the branch was met again, if it was.
       type(probe_t), intent(inout) :: last
@@ -129,13 +124,13 @@ contains
       !> Was the branch met again beyond the edge?
       logical, intent(out) :: is_found
       type(probe_t) :: next
-      real(dp) :: share, way
+      real(dp) :: share, path
 
       is_found = .false.
-      way = limit - edge%theta
+      path = limit - edge%theta
       share = beyond_edge
-      do while (share < 1 .and. share*abs(way) > sharp)
-         next = probe(surface, penetration, edge%theta + share*way)
+      do while (share < 1 .and. share*abs(path) > sharp)
+         next = probe(surface, penetration, edge%theta + share*path)
          n_strips = n_strips + 1
          if (next%state%regime /= edge%regime) then
             limit = next%theta
@@ -150,7 +145,6 @@ contains
    !> Where adhesion begins to be lost: the margin of the range is positive at `inside`, negative at `outside`.
    !> Regula falsi with the Illinois rule.
    pure subroutine locate_release(surface, penetration, inside, outside, edge, is_found, n_strips)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -196,7 +190,6 @@ contains
 
    !> Margin of the range in the state with adhesion in the whole gap.
    pure real(dp) function margin_at(surface, penetration, theta) result(margin)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -212,11 +205,9 @@ contains
 
    !> Where the branch of `inside` ends: Newton's method on its end as soon as that is near enough, bisection until then.
    pure subroutine locate_end(surface, penetration, inside, outside, edge, n_strips)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> A strip on the branch that ends.
       type(probe_t), intent(in) :: inside
       !> Crosswise phase where that branch has ended [rad].
       real(dp), intent(in) :: outside
@@ -259,11 +250,9 @@ contains
 
    !> Solve for the end of a branch from a strip on it, and see that it is that branch's, before `limit`.
    pure subroutine jump_to_end(surface, penetration, near, limit, edge, is_found)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> A strip on the branch that ends.
       type(probe_t), intent(in) :: near
       !> Crosswise phase where that branch has ended [rad].
       real(dp), intent(in) :: limit
@@ -300,7 +289,6 @@ contains
 
    !> Move an end to where it is now, from where it is on a neighbouring surface.
    pure subroutine solve_end(surface, penetration, edge, is_found)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -333,11 +321,9 @@ contains
 
    !> The first strip beyond the end of a branch.
    pure type(probe_t) function look_beyond(surface, penetration, edge, other) result(beyond)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Where and how the branch ends.
       type(edge_t), intent(in) :: edge
       !> Crosswise phase where the branch has ended [rad].
       real(dp), intent(in) :: other

@@ -52,7 +52,7 @@ module adfric_foundation_panels
       real(dp) :: penetration = 0
       !> Penetration at which these regimes were found from nothing [h].
       real(dp) :: since = 0
-      !> Strips solved on the way.
+      !> Strips solved on the path.
       integer :: n_strips = 0
    end type division_t
 
@@ -60,7 +60,6 @@ contains
 
    !> Divide half a period into panels.
    pure subroutine divide_surface(surface, penetration, fineness, division)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -96,7 +95,6 @@ contains
 
    !> Crosswise phases where the regime changes in closed form, with both ends, in increasing order.
    pure subroutine get_known_edges(surface, penetration, edges, kinds, n_edges)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -140,11 +138,9 @@ contains
    !> May edges be followed to a penetration? Only where their branch leads: unloading on the adhered branch, loading on
    !> the other. The other way, strips join the branch wherever they like.
    pure logical function may_track(surface, penetration, division)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Division of a neighbouring surface, or none.
       type(division_t), intent(in) :: division
 
       may_track = division%n_panels > 0
@@ -161,7 +157,6 @@ contains
    !> Follow the edges of a neighbouring surface to where they are now. It fails where an edge is not found nearby;
    !> an edge that is born elsewhere shows when strips of the wrong regime are met.
    pure subroutine track_edges(surface, penetration, edges, kinds, division, is_tracked)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -200,7 +195,6 @@ contains
 
    !> Are panels that will not be looked into, because they are free or saturated, still in their regime?
    pure subroutine check_panels(surface, penetration, division, is_right)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -228,7 +222,6 @@ contains
 
    !> Follow the edge between two panels.
    pure subroutine track_edge(surface, penetration, reach, before, this, n_strips, is_tracked)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -271,7 +264,6 @@ contains
 
    !> Divide a stretch without known edges.
    pure subroutine divide_stretch(surface, penetration, n_looks, start, finish, kind, division)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -289,10 +281,10 @@ contains
       count = 1
       ! without release the closed forms know every edge
       if (surface%adhesion%stress > 0) count = n_looks
-      last = probe(surface, penetration, start + (finish - start)*place(1, count))
+      last = probe(surface, penetration, start + (finish - start)*position(1, count))
       call add_panel(division, start, last%state%regime, kind)
       do k = 2, count
-         next = probe(surface, penetration, start + (finish - start)*place(k, count), last%state)
+         next = probe(surface, penetration, start + (finish - start)*position(k, count), last%state)
          call divide_between(surface, penetration, last, next, division)
          last = next
       end do
@@ -301,22 +293,21 @@ contains
    end subroutine divide_stretch
 
    !> Where to look on a stretch: close to its ends, where regimes are born, and evenly between.
-   pure real(dp) function place(k, count)
+   pure real(dp) function position(k, count)
       !> Number of the strip on the stretch, from 1.
       integer, intent(in) :: k
       !> Number of strips on the stretch.
       integer, intent(in) :: count
 
       if (count == 1) then
-         place = 0.5_dp
+         position = 0.5_dp
       else
-         place = min(max(real(k - 1, dp)/(count - 1), at_end), 1 - at_end)
+         position = min(max(real(k - 1, dp)/(count - 1), at_end), 1 - at_end)
       end if
-   end function place
+   end function position
 
    !> Find the edges between two strips: one edge of a regime at an end, then what lies beyond it.
    pure recursive subroutine divide_between(surface, penetration, one, two, division)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -352,7 +343,6 @@ contains
    !> adheres more, on the approach branch the one that adheres less: the other may still exist beyond. Ends in closed form have
    !> been found before.
    pure logical function ends_first(surface, one, two)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> The two regimes, each one of `regime_...`.
       integer, intent(in) :: one, two

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What two marched periods tell of all periods that start between them.
+!> What two stepped periods tell of all periods that start between them.
 !>
 !> A free column is known by its displacement w. Over a period w becomes T(w), and T increases. Its derivative is
 !> $$ M = e^{-2\pi/v}\,\frac{D_0+\delta-\pi+\kappa}{D_0+\delta-\pi}\;
@@ -19,17 +19,17 @@ module adfric_foundation_period_bounds
    use adfric_foundation_strip, only: strip_t, profile, drive_round_off
    implicit none (type, external)
    private
-   public :: probe_t, judge_between, bound_multiplier, rise_of_displacement
+   public :: bound_probe_t, judge_between, bound_multiplier, rise_of_displacement
    public :: between_clear, between_single, between_unknown
 
    !> What is known of the periods between two: none closes, one closes, or neither is sure.
    integer, parameter :: between_clear = 1, between_single = 2, between_unknown = 3
 
-   !> A period that was marched in a search.
-   type, extends(period_t) :: probe_t
+   !> A period that was stepped in a search.
+   type, extends(period_t) :: bound_probe_t
       !> By how much the period is longer (direction 1) or shorter (-1) than 2 pi [rad].
       real(dp) :: excess = 0
-   end type probe_t
+   end type bound_probe_t
 
    !> Share of a bound that is relied upon; the rest is for round-off.
    real(dp), parameter :: reliable = 0.999_dp
@@ -42,19 +42,18 @@ contains
 
    !> Does a period close between two?
    pure subroutine judge_between(strip, direction, near, far, is_far_open, verdict, centre)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> The period where the search stands: it is closed, and its excess is positive.
-      type(probe_t), intent(in) :: near
+      type(bound_probe_t), intent(in) :: near
       !> A period that starts further on in the direction of the search.
-      type(probe_t), intent(in) :: far
+      type(bound_probe_t), intent(in) :: far
       !> Is the excess of `far` positive?
       logical, intent(in) :: is_far_open
       !> What is known of the periods between the two, one of `between_...`.
       integer, intent(out) :: verdict
-      !> Where to look next if the verdict is unknown, as a share of the way from `near` to `far`.
+      !> Where to look next if the verdict is unknown, as a share of the path from `near` to `far`.
       real(dp), intent(out) :: centre
       real(dp) :: most, fewest, width, rise, from_near, from_far
 
@@ -94,10 +93,9 @@ contains
 
    !> Bounds of the multiplier of all periods that start between two.
    pure subroutine bound_multiplier(strip, late, early, fewest, most)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The period that starts later (at a smaller phase), and the one that starts earlier.
-      type(probe_t), intent(in) :: late, early
+      type(bound_probe_t), intent(in) :: late, early
       !> Lower bound of the multiplier.
       real(dp), intent(out) :: fewest
       !> Upper bound of the multiplier.
@@ -121,10 +119,9 @@ contains
    !> Least and greatest drive where adhesion is lost. One that is not lost has passed the end of the interval where it
    !> can be; one that never took hold, the beginning.
    pure subroutine bound_release(strip, late, early, low, high)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The period that starts later (at a smaller phase), and the one that starts earlier.
-      type(probe_t), intent(in) :: late, early
+      type(bound_probe_t), intent(in) :: late, early
       !> Least and greatest drive where adhesion is lost [c].
       real(dp), intent(out) :: low, high
       real(dp) :: first(2), last(2)
@@ -140,7 +137,6 @@ contains
    !> Least and greatest drive between two phases that are less than half a period apart, or on both sides of its only
    !> extremum between them, from its values and slopes there.
    pure subroutine bound_drive(strip, at_low, slope_at_low, at_high, slope_at_high, low, high)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Drive [c] and its slope [c/rad] at the smaller phase.
       real(dp), intent(in) :: at_low, slope_at_low
@@ -158,7 +154,6 @@ contains
    !> How much more the displacement of a free column is, brought back to the phase xi, if it comes into the range of adhesion
    !> at xi + d and not at xi.
    pure real(dp) function rise_of_displacement(strip, xi, d) result(rise)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Phase to which both displacements are brought [rad].
       real(dp), intent(in) :: xi

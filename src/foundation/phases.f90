@@ -6,16 +6,15 @@ module adfric_foundation_phases
    use adfric_foundation_strip, only: strip_t
    implicit none (type, external)
    private
-   public :: phases_left, phases_since, half_interval
+   public :: remaining_phases, phases_since, half_interval
 
 contains
 
    !> Phase left from xi to the next end of the interval where the drive is above a bound, or below it;
    !> a whole period if it always is, negative if it never is.
-   pure real(dp) function phases_left(strip, xi, bound, below, is_outside) result(left)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
+   pure real(dp) function remaining_phases(strip, xi, bound, below, is_outside) result(left)
       type(strip_t), intent(in) :: strip
-      !> Phase where the way begins [rad]; it falls along the way.
+      !> Phase where the path begins [rad]; it falls along the path.
       real(dp), intent(in) :: xi
       !> Bound of the drive [c].
       real(dp), intent(in) :: bound
@@ -38,11 +37,10 @@ contains
          if (below) crossing = pi + crossing
          if (is_outside .and. left < crossing) left = left + two_pi
       end associate
-   end function phases_left
+   end function remaining_phases
 
    !> Half the length of the interval where the drive is above a bound, or below it.
    pure real(dp) function half_interval(strip, bound, below) result(half)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Bound of the drive [c].
       real(dp), intent(in) :: bound
@@ -57,9 +55,8 @@ contains
 
    !> Phase passed at xi since the drive came above a bound; a whole period if it always is, 0 if it never is.
    pure real(dp) function phases_since(strip, xi, bound) result(since)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Phase where the way ends [rad].
+      !> Phase where the path ends [rad].
       real(dp), intent(in) :: xi
       !> Bound of the drive [c].
       real(dp), intent(in) :: bound

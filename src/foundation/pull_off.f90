@@ -106,7 +106,6 @@ contains
 
    !> A state that carries a load, where that without load is not found to its digits.
    pure subroutine find_loaded(surface, memory, start)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
@@ -126,9 +125,7 @@ contains
 
    !> Is a load so small that no state carries it, on any branch?
    pure logical function is_below_pull_off(self, surface, load)
-      !> The pull-off load that is known, or none.
       type(pull_off_t), intent(in) :: self
-      !> The surface that is to carry the load.
       type(surface_t), intent(in) :: surface
       !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
@@ -141,7 +138,6 @@ contains
 
    !> The least of all turns; only those that may be the least are looked at closely.
    pure subroutine compare_turns(surface, memory, turns, self)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
@@ -173,11 +169,9 @@ contains
 
    !> From a state go down to where the load is no longer smaller.
    pure subroutine follow_to_turn(surface, memory, start, turn, beyond)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> The state from which the way leads down.
       type(trial_t), intent(in) :: start
       !> The turn; its trial is not converged if there is none.
       type(turn_t), intent(out) :: turn
@@ -215,9 +209,8 @@ contains
       turn%least%totals%is_converged = here%totals%is_converged .and. beyond%totals%is_converged .and. k <= max_steps
    end subroutine follow_to_turn
 
-   !> Does the load fall from one penetration to a smaller one without turning on the way?
+   !> Does the load fall from one penetration to a smaller one without turning on the path?
    pure logical function is_smooth(surface, low, high)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> The trials at the smaller and the larger penetration.
       type(trial_t), intent(in) :: low, high
@@ -233,9 +226,8 @@ contains
       is_smooth = low%totals%structure == high%totals%structure .and. high%penetration - low%penetration <= smooth_step
    end function is_smooth
 
-   !> Where the slope of the load is known its zero is the place of a smooth turn: secants from next to it.
+   !> Where the slope of the load is known its zero is the position of a smooth turn: secants from next to it.
    pure subroutine polish(surface, memory, turn)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
@@ -264,7 +256,6 @@ contains
    !> The least load between two penetrations, one of which is known to carry less: by parabolas, and golden sections where
    !> these gain too little (Brent's method).
    pure subroutine narrow(surface, memory, lowest, highest, least, unknown)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory

@@ -45,7 +45,6 @@ contains
 
    !> Numbers of a surface that its pull-off load depends on: all but the branch.
    pure function key_of(surface) result(key)
-      !> The surface.
       type(surface_t), intent(in) :: surface
       real(dp) :: key(9)
 

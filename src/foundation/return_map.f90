@@ -4,9 +4,9 @@
 module adfric_foundation_return_map
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_foundation_strip_stepping, only: period_t, march_period, period_closed, period_never_released
-   use adfric_foundation_period_bounds, only: probe_t, judge_between, between_clear, between_single
-   use adfric_foundation_phases, only: phases_left, phases_since
+   use adfric_foundation_strip_stepping, only: period_t, step_period, period_closed, period_never_released
+   use adfric_foundation_period_bounds, only: bound_probe_t, judge_between, between_clear, between_single
+   use adfric_foundation_phases, only: remaining_phases, phases_since
    use adfric_foundation_strip, only: strip_t
    implicit none (type, external)
    private
@@ -23,7 +23,6 @@ contains
    !> Move the leading edge of adhesion until the period closes: Newton's method on the return map, one-sided. What lies
    !> between two steps is known from bounds, or is looked into, so that no steady state is passed.
    pure subroutine close_period(strip, direction, first_step, xi, period, is_converged)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
@@ -33,14 +32,13 @@ contains
       real(dp), intent(inout) :: xi
       !> The closed period, or one that shows that none closes (see its outcome).
       type(period_t), intent(out) :: period
-      !> Was a closed period found?
       logical, intent(out) :: is_converged
-      type(probe_t) :: near, far
+      type(bound_probe_t) :: near, far
       real(dp) :: step, last
       integer :: k
 
       step = first_step
-      call march_excess(strip, direction, xi, near)
+      call stepping_excess(strip, direction, xi, near)
       last = last_edge(strip, direction, xi)
       do k = 1, max_periods
          is_converged = is_closed(near)
@@ -54,7 +52,7 @@ contains
          step = min(step, direction*(near%start - last))
          if (.not. step > 0) exit
          far = near
-         call march_excess(strip, direction, near%start - direction*step, far)
+         call stepping_excess(strip, direction, near%start - direction*step, far)
          call look_between(strip, direction, near, far, is_converged)
          near = far
          if (is_converged .or. near%excess <= 0) exit
@@ -65,34 +63,32 @@ contains
 
    !> The last phase in a direction where a column may come into the range of adhesion.
    pure real(dp) function last_edge(strip, direction, xi) result(last)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
-      !> Phase of a leading edge from which the way leads on [rad].
+      !> Phase of a leading edge from which the path leads on [rad].
       real(dp), intent(in) :: xi
 
       associate (bound => strip%adhesion%stress - strip%adhesion%attach_gap)
          if (direction < 0) then
             last = xi + phases_since(strip, xi, bound)*(1 - 4*epsilon(xi))
          else
-            last = xi - phases_left(strip, xi, bound, .false.)*(1 - 4*epsilon(xi))
+            last = xi - remaining_phases(strip, xi, bound, .false.)*(1 - 4*epsilon(xi))
          end if
       end associate
    end function last_edge
 
-   !> March a period, and tell its excess.
-   pure subroutine march_excess(strip, direction, xi, probe)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
+   !> Time stepping a period, and tell its excess.
+   pure subroutine stepping_excess(strip, direction, xi, probe)
       type(strip_t), intent(in) :: strip
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Phase of the leading edge where the period starts [rad].
       real(dp), intent(in) :: xi
       !> In: a similar period, whose lengths are first guesses, or none. Out: this period.
-      type(probe_t), intent(inout) :: probe
+      type(bound_probe_t), intent(inout) :: probe
 
-      call march_period(strip, xi, probe%period_t)
+      call step_period(strip, xi, probe%period_t)
       select case (probe%outcome)
       case (period_closed)
          probe%excess = direction*(probe%leading + probe%contact + probe%trailing + probe%free - two_pi)
@@ -101,12 +97,11 @@ contains
       case default
          probe%excess = direction
       end select
-   end subroutine march_excess
+   end subroutine stepping_excess
 
    !> Is a period closed, but for an excess of either sign that is nothing?
    pure logical function is_closed(probe)
-      !> A period that was marched.
-      type(probe_t), intent(in) :: probe
+      type(bound_probe_t), intent(in) :: probe
 
       is_closed = probe%outcome == period_closed .and. abs(probe%excess) <= tolerance_of(probe)
    end function is_closed
@@ -114,8 +109,8 @@ contains
    !> Excess that is nothing. In fast sliding a period takes next to nothing of a disturbance away, and must close the
    !> better, as far as round-off allows.
    pure real(dp) function tolerance_of(probe) result(tolerance)
-      !> A period that was marched; its slope tells what is left of a disturbance.
-      type(probe_t), intent(in) :: probe
+      !> A period that was stepped; its slope tells what remains of a disturbance.
+      type(bound_probe_t), intent(in) :: probe
 
       tolerance = closed*min(max(1 - probe%slope, 1.0e-6_dp), 1.0_dp)
    end function tolerance_of
@@ -123,16 +118,14 @@ contains
    !> The first period that closes between two, if there is one. What cannot be judged is halved, and its first half
    !> judged first.
    pure subroutine look_between(strip, direction, near, far, is_found)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> In: the period where the search stands; its excess is positive. Out: that period, or one further on of the same kind.
-      type(probe_t), intent(inout) :: near
+      type(bound_probe_t), intent(inout) :: near
       !> In: a period further on. Out: the period that closes, if there is one; if there is none, the same as before; or one whose
       !> excess is not positive, if neither could be made out.
-      type(probe_t), intent(inout) :: far
-      !> Was a period that closes found?
+      type(bound_probe_t), intent(inout) :: far
       logical, intent(out) :: is_found
       real(dp) :: centre
       integer :: verdict
@@ -151,17 +144,15 @@ contains
 
    !> The first period that closes between two, where the first judgement did not tell.
    pure subroutine search_between(strip, direction, near, far, first_centre, is_found)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> The period where the search stands, and one further on; see `look_between`.
-      type(probe_t), intent(inout) :: near, far
-      !> Where to look first, as a share of the way from `near` to `far`.
+      type(bound_probe_t), intent(inout) :: near, far
+      !> Where to look first, as a share of the path from `near` to `far`.
       real(dp), intent(in) :: first_centre
-      !> Was a period that closes found?
       logical, intent(out) :: is_found
-      type(probe_t) :: ahead(max_bisections), middle
+      type(bound_probe_t) :: ahead(max_bisections), middle
       real(dp) :: centre
       integer :: n, k, verdict
 
@@ -178,7 +169,7 @@ contains
             n = n - 1
          else
             middle = near
-            call march_excess(strip, direction, near%start + centre*(ahead(n)%start - near%start), middle)
+            call stepping_excess(strip, direction, near%start + centre*(ahead(n)%start - near%start), middle)
             ! then nothing further on counts
             if (middle%excess <= tolerance_of(middle) .or. middle%outcome /= period_closed) n = 0
             n = min(n + 1, size(ahead))
@@ -205,15 +196,13 @@ contains
 
    !> The one period that closes between `near` (excess positive) and `far` (negative).
    pure subroutine polish_period(strip, direction, near, far, is_found)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Phase of the leading edge where the near period starts [rad].
       real(dp), intent(in) :: near
       !> In: the far period. Out: the period that closes.
-      type(probe_t), intent(inout) :: far
-      !> Was a period that closes found?
+      type(bound_probe_t), intent(inout) :: far
       logical, intent(out) :: is_found
       real(dp) :: low, high, xi, newton
       integer :: k
@@ -233,7 +222,7 @@ contains
             newton = far%start - direction*far%excess/max(1 - far%slope, abs(far%excess)/4)
             if ((newton - low)*(newton - high) < 0) xi = newton
          end if
-         call march_excess(strip, direction, xi, far)
+         call stepping_excess(strip, direction, xi, far)
       end do
    end subroutine polish_period
 

@@ -36,7 +36,6 @@ contains
 
    !> Level |G| at and above which the contact is saturated (GM 18).
    elemental real(dp) function saturation_level(foundation)
-      !> The foundation at its sliding velocity.
       type(foundation_t), intent(in) :: foundation
 
       saturation_level = hypot(foundation%storage, foundation%loss)
@@ -44,7 +43,6 @@ contains
 
    !> Shift of the contact zone towards the leading side [rad], in [0, pi).
    elemental real(dp) function shift_of_half_width(foundation, half_width) result(shift)
-      !> The foundation at its sliding velocity.
       type(foundation_t), intent(in) :: foundation
       !> Half width of the contact [rad], in (0, pi).
       real(dp), intent(in) :: half_width
@@ -61,7 +59,6 @@ contains
 
    !> Depth \( \kappa + 1 \) of a half width, to full relative precision, and its derivative.
    elemental subroutine depth_of_half_width(foundation, half_width, depth, slope, shift_slope)
-      !> The foundation at its sliding velocity.
       type(foundation_t), intent(in) :: foundation
       !> Half width of the contact [rad], in (0, pi).
       real(dp), intent(in) :: half_width
@@ -100,7 +97,6 @@ contains
 
    !> Half width of the contact at a depth.
    pure subroutine half_width_of_depth(foundation, depth, start, half_width, is_converged)
-      !> The foundation at its sliding velocity.
       type(foundation_t), intent(in) :: foundation
       !> Depth \( \kappa + 1 \) [c], in (0, |G| + 1).
       real(dp), intent(in) :: depth
@@ -108,7 +104,6 @@ contains
       real(dp), intent(in) :: start
       !> Half width of the contact [rad].
       real(dp), intent(out) :: half_width
-      !> Was the half width found?
       logical, intent(out) :: is_converged
       type(depth_equation_t) :: equation
 

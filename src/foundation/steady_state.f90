@@ -5,7 +5,7 @@
 !> two columns the one with the larger gap keeps it. So the steady states are ordered by their gap; adhesion
 !> everywhere in the gap bounds them from below, a free column as high as the crest from above. The `adhered`
 !> branch is the least gap, where unloading leads; the `approach` branch is the largest gap, where loading
-!> leads. Marching up from the lower bound, or down from the upper, meets the first steady state, and `return_map`
+!> leads. Stepping up from the lower bound, or down from the upper, meets the first steady state, and `return_map`
 !> passes none.
 module adfric_foundation_steady_state
    use adfric_base_kinds, only: dp
@@ -13,9 +13,9 @@ module adfric_foundation_steady_state
    use adfric_base_constants, only: pi, two_pi
    use adfric_foundation_contact_zone, only: decay
    use adfric_foundation_edges, only: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion
-   use adfric_foundation_strip_stepping, only: column_t, period_t, leave_contact, march_to_leading_edge, in_free, &
+   use adfric_foundation_strip_stepping, only: column_t, period_t, leave_contact, step_to_leading_edge, in_free, &
       & period_closed, period_never_released, period_never_attached
-   use adfric_foundation_phases, only: phases_left
+   use adfric_foundation_phases, only: remaining_phases
    use adfric_foundation_return_map, only: close_period
    use adfric_foundation_saturated_adhesion, only: half_width_of_depth, shift_of_half_width, saturation_level
    use adfric_foundation_strip, only: strip_t, profile, lifted_profile, drive_round_off, steady_state_t, regime_free, &
@@ -42,7 +42,6 @@ contains
    !> of this one, and still continue to one of them: so on the approach branch a state of a neighbour is continued only where it is
    !> known to adhere less.
    pure subroutine find_steady_state(strip, branch, state, guess, is_regime_known, adheres_more)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
@@ -85,14 +84,12 @@ contains
       state%bound_width = bound_width
    end subroutine find_steady_state
 
-   !> Find the steady state of a strip just beyond the fold of a branch. What is left of the branch would slow down the
+   !> Find the steady state of a strip just beyond the fold of a branch. What remains of the branch would slow down the
    !> search from the bound, so it starts on the far side of it.
    pure subroutine find_beyond_fold(strip, branch, fold, state)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
-      !> State of the neighbouring strip at the fold.
       type(steady_state_t), intent(in) :: fold
       !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
@@ -107,7 +104,6 @@ contains
    !> The state that bounds a branch, if it is a steady state: the free surface undisturbed, or adhesion everywhere in the
    !> gap.
    pure subroutine try_bound(strip, branch, state, is_found, guess)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
@@ -131,9 +127,7 @@ contains
 
    !> The state of this strip that continues a neighbour's in the same regime, if there is a stable one.
    pure subroutine continue_state(strip, guess, state, is_found)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> State of the neighbouring strip.
       type(steady_state_t), intent(in) :: guess
       !> State of this strip in the same regime, of use only if `is_found`.
       type(steady_state_t), intent(out) :: state
@@ -160,7 +154,6 @@ contains
 
    !> The state with adhesion everywhere in the gap, whatever its range: there is exactly one.
    pure subroutine find_without_release(strip, state, guess)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The state; its range of adhesion is as large as the gap.
       type(steady_state_t), intent(out) :: state
@@ -187,9 +180,7 @@ contains
    !> By how much the range of adhesion exceeds the gap of a state found without release, where it matters:
    !> adhesion is lost somewhere if and only if this is negative.
    pure real(dp) function get_range_margin(strip, state) result(margin)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> A state found without release.
       type(steady_state_t), intent(in) :: state
       real(dp) :: opening, span
 
@@ -200,7 +191,7 @@ contains
       case (regime_saturated_adhesion)
          ! where the drive is below -release_gap a gap of this size only grows, so the end of that interval decides
          opening = state%shift - state%half_width
-         span = phases_left(strip, opening, -strip%adhesion%release_gap, .true.)
+         span = remaining_phases(strip, opening, -strip%adhesion%release_gap, .true.)
          if (span < 0 .or. span > two_pi - 2*state%half_width) return
          margin = strip%adhesion%release_gap + lifted_profile(strip, opening)*decay(span/strip%foundation%v) &
             & + 2*sin(opening - span/2)*sin(span/2)
@@ -211,7 +202,6 @@ contains
 
    !> Search the states in which adhesion is lost somewhere, from the bound of the branch.
    pure subroutine search_with_release(strip, branch, state, fold)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
@@ -250,7 +240,6 @@ contains
 
    !> The leading edge of adhesion that a column from the bound of a branch comes to first.
    pure subroutine find_first_edge(strip, branch, xi, outcome)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
@@ -266,26 +255,25 @@ contains
       else
          call get_highest_column(strip, column, outcome)
       end if
-      if (outcome == period_closed) call march_to_leading_edge(strip, column, outcome)
+      if (outcome == period_closed) call step_to_leading_edge(strip, column, outcome)
       do k = 1, 3
          if (outcome /= period_never_attached .or. branch == branch_adhered) exit
          ! the crest was just out of range: once more around
          column%xi = column%xi + two_pi
          column%value = column%value*(1 - decay(two_pi/strip%foundation%v))
          column%gap = column%value - profile(strip, column%xi)
-         call march_to_leading_edge(strip, column, outcome)
+         call step_to_leading_edge(strip, column, outcome)
       end do
       xi = column%xi
    end subroutine find_first_edge
 
    !> A column below all steady states, on the orbit with adhesion everywhere in the gap. `outcome` is not closed if
-   !> there is nothing to march.
+   !> there is nothing to time stepping.
    pure subroutine get_lowest_column(strip, column, outcome)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The column, in adhesion or free.
       type(column_t), intent(out) :: column
-      !> `period_closed` if there is a column to march; else another of `period_...`.
+      !> `period_closed` if there is a column to time stepping; else another of `period_...`.
       integer, intent(out) :: outcome
       type(steady_state_t) :: state
       real(dp) :: xi, crossing
@@ -309,11 +297,10 @@ contains
 
    !> A column above all steady states: free in the valley, with the largest displacement that any state can have.
    pure subroutine get_highest_column(strip, column, outcome)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The column, free in the valley.
       type(column_t), intent(out) :: column
-      !> `period_closed` if there is a column to march; else another of `period_...`.
+      !> `period_closed` if there is a column to time stepping; else another of `period_...`.
       integer, intent(out) :: outcome
       real(dp) :: w, periods
 
@@ -330,14 +317,12 @@ contains
       column = column_t(in_free, pi, w, w - profile(strip, pi))
    end subroutine get_highest_column
 
-   !> Edges of the zones of a closed period, made exact. Where contact is about to be lost the march cannot tell
+   !> Edges of the zones of a closed period, made exact. Where contact is about to be lost the time stepping cannot tell
    !> contact from none, so both are tried.
    pure subroutine read_edges(strip, xi, period, state)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Phase of the leading edge of adhesion [rad].
       real(dp), intent(in) :: xi
-      !> The closed period, which gives the guesses.
       type(period_t), intent(in) :: period
       !> Receives the edges; `is_converged` tells whether they are those of an admissible state.
       type(steady_state_t), intent(inout) :: state

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One point of `wavy_sliding` on heights or with a spectrum: from the values of a namelist to rows that a column marches along.
+!> One point of `wavy_sliding` on heights or with a spectrum: from the values of a namelist to rows that a column steps along.
 module adfric_foundation_stepped_case
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -17,26 +17,24 @@ module adfric_foundation_stepped_case
    use adfric_foundation_case, only: kind_2d, kind_3d, kind_cosines, kind_map, kind_profile
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t, new_wave_relief, new_measured_relief
-   use adfric_foundation_variables, only: v_activation_energy, v_blend_share, v_branch, v_detrend, v_edge, v_height, &
-      & v_height_factor, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_penetration, v_period, &
-      & v_periodise, v_poisson_ratio, v_range, v_relaxation_time, v_relaxation_times, v_relaxed_modulus, &
-      & v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, &
-      & v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, v_young_modulus
+   use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
-   public :: marched_case_t, is_marched, has_heights, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
-      & size_of_period, samples_of, period_of, shape_places, foundation_places
+   public :: stepped_case_t, is_stepped, has_heights, resolve_stepped, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
+      & size_of_period, samples_of, period_of, shape_positions, foundation_positions
 
-   !> Place of the word in the choice of the interpolation.
+   !> Position of the word in the choice of the interpolation.
    integer, parameter :: choice_linear = 1
    !> Variables that change the rows, and the spectrum, of a surface.
-   integer, parameter :: shape_places(*) = [v_kind, v_period, v_height, v_spacing, v_strip_spacing, v_interpolation, v_detrend, &
-      & v_periodise, v_blend_share, v_shortest_wavelength, v_reverse]
-   integer, parameter :: foundation_places(*) = [v_stiffness, v_young_modulus, v_poisson_ratio, v_thickness, v_relaxation_time, &
-      & v_retardation_ratio, v_relaxed_modulus, v_terms_per_decade]
+   integer, parameter :: shape_positions(*) = [in%kind, in%period, in%height, in%spacing, in%strip_spacing, in%interpolation, &
+      & in%detrend, &
+      & in%periodise, in%blend_share, in%shortest_wavelength, in%reverse]
+   integer, parameter :: foundation_positions(*) = [in%stiffness, in%young_modulus, in%poisson_ratio, in%thickness, &
+      & in%relaxation_time, &
+      & in%retardation_ratio, in%relaxed_modulus, in%terms_per_decade]
 
    !> A point in reduced units, and the units.
-   type :: marched_case_t
+   type :: stepped_case_t
       !> Periods that pass in a second, with the times as they are at the temperature [1/s].
       real(dp) :: pace = 0
       !> Adhesion stress [k0 h] and range [h]; edge rule and branch.
@@ -53,35 +51,34 @@ module adfric_foundation_stepped_case
       real(dp) :: load = 0, penetration = 0
       !> Units: period [m], height [m], pressure k0 h [Pa], load and friction [N/m or N], area [m or m^2].
       real(dp) :: period = 1, height = 1, pressure_unit = 1, load_unit = 1, friction_unit = 1, area_unit = 1
-   end type marched_case_t
+   end type stepped_case_t
 
 contains
 
-   !> Are heights or a spectrum given, for which a column is marched? Else the surface is a wave on a standard solid.
-   pure logical function is_marched(values)
+   !> Are heights or a spectrum given, for which a column is stepped? Else the surface is a wave on a standard solid.
+   pure logical function is_stepped(values)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      is_marched = is_set(values(v_relaxation_times)) .or. is_set(values(v_master_curve))
-      if (is_set(values(v_kind))) is_marched = is_marched .or. nint(values(v_kind)) >= kind_profile
-   end function is_marched
+      is_stepped = is_set(values(in%relaxation_times)) .or. is_set(values(in%master_curve))
+      if (is_set(values(in%kind))) is_stepped = is_stepped .or. nint(values(in%kind)) >= kind_profile
+   end function is_stepped
 
    !> Is the surface one of measured heights?
    pure logical function has_heights(values)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      has_heights = nint(values(v_kind)) == kind_profile .or. nint(values(v_kind)) == kind_map
+      has_heights = nint(values(in%kind)) == kind_profile .or. nint(values(in%kind)) == kind_map
    end function has_heights
 
    !> Distance of samples along x [m]; unset if it is not given.
    pure real(dp) function spacing_of(values, given) result(spacing)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
 
-      spacing = values(v_spacing)
+      spacing = values(in%spacing)
       if (.not. is_set(spacing)) spacing = given%dx
    end function spacing_of
 
@@ -89,10 +86,9 @@ contains
    pure real(dp) function strip_spacing_of(values, given) result(spacing)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
 
-      spacing = values(v_strip_spacing)
+      spacing = values(in%strip_spacing)
       if (.not. is_set(spacing)) spacing = given%dy
    end function strip_spacing_of
 
@@ -100,13 +96,12 @@ contains
    pure real(dp) function period_of(values, given) result(period)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
 
       if (has_heights(values)) then
          period = samples_of(values, given)*spacing_of(values, given)
       else
-         period = values(v_period)
+         period = values(in%period)
       end if
    end function period_of
 
@@ -114,7 +109,6 @@ contains
    pure integer function samples_of(values, given) result(n)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       type(preparation_t) :: preparation
 
@@ -127,42 +121,39 @@ contains
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      if (is_set(values(v_detrend))) preparation%trend = nint(values(v_detrend))
-      if (is_set(values(v_periodise))) preparation%closing = nint(values(v_periodise))
-      if (is_set(values(v_blend_share))) preparation%share = values(v_blend_share)
-      if (is_set(values(v_shortest_wavelength))) preparation%shortest_wavelength = values(v_shortest_wavelength)
+      if (is_set(values(in%detrend))) preparation%trend = nint(values(in%detrend))
+      if (is_set(values(in%periodise))) preparation%closing = nint(values(in%periodise))
+      if (is_set(values(in%blend_share))) preparation%share = values(in%blend_share)
+      if (is_set(values(in%shortest_wavelength))) preparation%shortest_wavelength = values(in%shortest_wavelength)
    end function preparation_of
 
    !> The rows of the surface.
    subroutine get_relief(values, given, is_coarse, relief, error)
       !> Values of all variables, which have been checked; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
-      !> Is every second sample left out?
       logical, intent(in) :: is_coarse
       !> Receives the rows; lengths in m.
       type(relief_t), intent(out) :: relief
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       logical :: is_reversed
 
-      is_reversed = word_of(values(v_reverse), 0) > 0
-      select case (nint(values(v_kind)))
+      is_reversed = word_of(values(in%reverse), 0) > 0
+      select case (nint(values(in%kind)))
       case (kind_2d)
-         call new_wave_relief(relief, [values(v_height)/2], [0.0_dp], .false.)
-         relief%period = values(v_period)
+         call new_wave_relief(relief, [values(in%height)/2], [0.0_dp], .false.)
+         relief%period = values(in%period)
       case (kind_cosines)
          call new_wave_relief(relief, given%amplitudes, given%phases, is_reversed)
-         relief%period = values(v_period)
+         relief%period = values(in%period)
       case default
          call new_measured_relief(relief, given%heights, spacing_of(values, given), preparation_of(values), &
-            & merge(linear_pieces, cubic_pieces, word_of(values(v_interpolation), 0) == choice_linear), is_reversed, &
+            & merge(linear_pieces, cubic_pieces, word_of(values(in%interpolation), 0) == choice_linear), is_reversed, &
             & is_coarse, error)
       end select
    end subroutine get_relief
 
-   !> Place of a word, or a default where none is given.
+   !> Position of a word, or a default where none is given.
    pure integer function word_of(value, default)
       !> Value of the variable.
       real(dp), intent(in) :: value
@@ -177,7 +168,6 @@ contains
    pure subroutine get_spectrum(values, given, prony, fit)
       !> Values of all variables, which have been checked; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       !> Receives the spectrum [Pa/m, s].
       type(prony_t), intent(out) :: prony
@@ -186,17 +176,17 @@ contains
       real(dp) :: per_modulus, relaxed
 
       per_modulus = 1
-      if (is_set(values(v_thickness))) per_modulus = 1/((1 - values(v_poisson_ratio)**2)*values(v_thickness))
-      if (is_set(values(v_master_curve))) then
-         call fit_given_curve(given, values(v_relaxed_modulus), values(v_terms_per_decade), fit)
+      if (is_set(values(in%thickness))) per_modulus = 1/((1 - values(in%poisson_ratio)**2)*values(in%thickness))
+      if (is_set(values(in%master_curve))) then
+         call fit_given_curve(given, values(in%relaxed_modulus), values(in%terms_per_decade), fit)
          call new_prony(prony, fit%prony%relaxed*per_modulus, fit%prony%moduli*per_modulus, fit%prony%times)
          return
       end if
-      relaxed = values(v_stiffness)
-      if (.not. is_set(relaxed)) relaxed = values(v_young_modulus)*per_modulus
-      if (.not. is_set(values(v_relaxation_times))) then
-         call new_prony(prony, relaxed, [(values(v_retardation_ratio) - 1)*relaxed], [values(v_relaxation_time)])
-      else if (is_set(values(v_moduli))) then
+      relaxed = values(in%stiffness)
+      if (.not. is_set(relaxed)) relaxed = values(in%young_modulus)*per_modulus
+      if (.not. is_set(values(in%relaxation_times))) then
+         call new_prony(prony, relaxed, [(values(in%retardation_ratio) - 1)*relaxed], [values(in%relaxation_time)])
+      else if (is_set(values(in%moduli))) then
          call new_prony(prony, relaxed, given%moduli, given%relaxation_times)
       else
          call new_prony(prony, relaxed, given%young_moduli*per_modulus, given%relaxation_times)
@@ -208,68 +198,64 @@ contains
    pure real(dp) function size_of_period(values, given) result(size_of)
       !> Values of all variables in SI units; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
 
-      if (is_set(values(v_period))) then
-         size_of = values(v_period)
-         if (nint(values(v_kind)) == kind_3d) size_of = size_of**2
+      if (is_set(values(in%period))) then
+         size_of = values(in%period)
+         if (nint(values(in%kind)) == kind_3d) size_of = size_of**2
       else
          size_of = period_of(values, given)
-         if (nint(values(v_kind)) == kind_map) size_of = size_of*strip_spacing_of(values, given)*size(given%heights, 2)
+         if (nint(values(in%kind)) == kind_map) size_of = size_of*strip_spacing_of(values, given)*size(given%heights, 2)
       end if
    end function size_of_period
 
    !> The point that the values describe; they have been checked.
-   pure subroutine resolve_marched(values, given, relief, prony, self)
+   pure subroutine resolve_stepped(values, given, relief, prony, self)
       !> Values of all variables in SI units; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
-      !> The rows of the surface.
       type(relief_t), intent(in) :: relief
       !> The spectrum [Pa/m, s].
       type(prony_t), intent(in) :: prony
-      !> Receives the point.
-      type(marched_case_t), intent(out) :: self
+      type(stepped_case_t), intent(out) :: self
       type(time_temperature_t) :: law
       real(dp) :: shift
       logical :: is_valid
 
       self%period = relief%period
       self%height = relief%height
-      if (is_set(values(v_height_factor))) self%height = self%height*values(v_height_factor)
+      if (is_set(values(in%height_factor))) self%height = self%height*values(in%height_factor)
       self%pressure_unit = prony%relaxed*self%height
       self%load_unit = self%pressure_unit*self%period
       self%friction_unit = self%pressure_unit*self%height
       self%area_unit = self%period
-      if (nint(values(v_kind)) == kind_map) then
+      if (nint(values(in%kind)) == kind_map) then
          associate (width => strip_spacing_of(values, given)*size(relief%rows))
             self%load_unit = self%load_unit*width
             self%friction_unit = self%friction_unit*width
             self%area_unit = self%area_unit*width
          end associate
       end if
-      law = time_temperature_of(values(v_shift:v_activation_energy), given%master_temperature)
+      law = time_temperature_of(values(in%shift:in%activation_energy), given%master_temperature)
       shift = 1
-      if (is_set(values(v_temperature))) call law%get_shift_factor(values(v_temperature), shift, is_valid)
-      self%pace = values(v_velocity)*shift/self%period
-      if (is_set(values(v_time_factor))) self%pace = self%pace*values(v_time_factor)
+      if (is_set(values(in%temperature))) call law%get_shift_factor(values(in%temperature), shift, is_valid)
+      self%pace = values(in%velocity)*shift/self%period
+      if (is_set(values(in%time_factor))) self%pace = self%pace*values(in%time_factor)
       self%edge = merge(edge_continuous, edge_instantaneous, size(prony%times) <= 1)
-      if (is_set(values(v_edge))) self%edge = nint(values(v_edge))
-      self%is_approach = nint(values(v_branch)) == 2
-      if (is_set(values(v_stress))) then
-         if (values(v_stress) > 0) then
-            self%stress = values(v_stress)/self%pressure_unit
-            self%range = range_of(values(v_stress:v_range))
+      if (is_set(values(in%edge))) self%edge = nint(values(in%edge))
+      self%is_approach = nint(values(in%branch)) == 2
+      if (is_set(values(in%stress))) then
+         if (values(in%stress) > 0) then
+            self%stress = values(in%stress)/self%pressure_unit
+            self%range = range_of(values(in%stress:in%range))
             self%range = self%range/self%height
          end if
       end if
       self%is_elastic = .not. (self%pace > 0 .and. any(prony%moduli > 0)) .and. .not. self%stress > 0
-      self%is_load_given = .not. is_set(values(v_penetration))
-      if (is_set(values(v_load))) self%load = values(v_load)/self%load_unit
-      if (is_set(values(v_mean_pressure))) self%load = values(v_mean_pressure)/self%pressure_unit
-      if (.not. self%is_load_given) self%penetration = values(v_penetration)/self%height
-   end subroutine resolve_marched
+      self%is_load_given = .not. is_set(values(in%penetration))
+      if (is_set(values(in%load))) self%load = values(in%load)/self%load_unit
+      if (is_set(values(in%mean_pressure))) self%load = values(in%mean_pressure)/self%pressure_unit
+      if (.not. self%is_load_given) self%penetration = values(in%penetration)/self%height
+   end subroutine resolve_stepped
 
 end module adfric_foundation_stepped_case

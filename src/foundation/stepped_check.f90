@@ -15,52 +15,44 @@ module adfric_foundation_stepped_check
    use adfric_foundation_case, only: kind_2d, kind_3d, kind_cosines, kind_map
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t
-   use adfric_foundation_stepped_case, only: marched_case_t, get_relief, get_spectrum, has_heights, resolve_marched, samples_of, &
+   use adfric_foundation_stepped_case, only: stepped_case_t, get_relief, get_spectrum, has_heights, resolve_stepped, samples_of, &
       & spacing_of, strip_spacing_of
-   use adfric_foundation_variables, only: v_amplitudes, v_blend_share, v_detrend, v_height, &
-      & v_heights, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_n_x, v_penetration, v_period, &
-      & v_periodise, v_phases, v_poisson_ratio, v_profiles, v_pull_off, v_range, v_relaxation_time, &
-      & v_relaxation_times, v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_slope, v_spacing, v_stiffness, &
-      & v_stress, v_strip_spacing, v_temperature, v_relaxed_modulus, v_terms_per_decade, v_thickness, v_velocity, &
-      & v_young_moduli, v_young_modulus
+   use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
-   public :: check_marched_values, check_load_values, require_modulus, require_single_time
+   public :: check_stepped_values, check_load_values, require_modulus, require_single_time
 
    !> Fewest samples of a row.
    integer, parameter :: fewest_samples = 4
-   !> Place of the word in the choice of the slope.
+   !> Index of the word in the choice of the slope.
    integer, parameter :: slope_finite = 2
-   !> Beyond it a number in the units of the march is an input's mistake.
+   !> Beyond it a number in the units of the time stepping is an input's mistake.
    real(dp), parameter :: largest = 1.0e100_dp
 
 contains
 
    !> Add to `problems` what is wrong with the values together.
-   subroutine check_marched_values(variables, values, given, is_swept, problems)
+   subroutine check_stepped_values(variables, values, given, is_swept, problems)
       !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`, `unset` where none is given; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
       before = problems%count()
-      call require(variables, values, [v_kind], problems)
+      call require(variables, values, [in%kind], problems)
       if (problems%count() > before) return
       call check_surface()
       call check_foundation()
-      call check_shift(variables, values, is_swept, v_shift, v_temperature, given%master_temperature, problems)
-      call check_stress(variables(v_stress:v_range), values(v_stress:v_range), problems)
-      call require(variables, values, [v_velocity], problems)
+      call check_shift(variables, values, is_swept, in%shift, in%temperature, given%master_temperature, problems)
+      call check_stress(variables(in%stress:in%range), values(in%stress:in%range), problems)
+      call require(variables, values, [in%velocity], problems)
       call check_load_values(variables, values, problems)
-      call refuse([v_pull_off], 'belongs to waves on a standard solid; not to heights, cosines or a spectrum')
-      if (nint(values(v_slope)) == slope_finite) call add(v_slope, 'is small for heights, cosines and spectra')
+      call refuse([in%pull_off], 'belongs to waves on a standard solid; not to heights, cosines or a spectrum')
+      if (nint(values(in%slope)) == slope_finite) call add(in%slope, 'is small for heights, cosines and spectra')
       call check_profiles()
       if (problems%count() == before) call check_numbers()
 
@@ -68,7 +60,7 @@ contains
 
       !> Add a problem of one variable to the list.
       subroutine add(v, text)
-         !> Place of the variable in the table, one of `v_...`.
+         !> Index of the variable in the table, one of `v_...`.
          integer, intent(in) :: v
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
@@ -77,38 +69,39 @@ contains
       end subroutine add
 
       !> Refuse variables that have no meaning beside others.
-      subroutine refuse(places, text)
-         !> Places of the variables, `v_...`.
-         integer, intent(in) :: places(:)
+      subroutine refuse(indices, text)
+         !> Indices of the variables, `v_...`.
+         integer, intent(in) :: indices(:)
          !> Why, behind the name of the variable.
          character(*), intent(in) :: text
          integer :: k
 
-         do k = 1, size(places)
-            if (is_set(values(places(k))) .or. is_swept(places(k))) call add(places(k), text)
+         do k = 1, size(indices)
+            if (is_set(values(indices(k))) .or. is_swept(indices(k))) call add(indices(k), text)
          end do
       end subroutine refuse
 
       !> What the kind of the surface needs, and what it has no use for.
       subroutine check_surface()
-         integer, parameter :: of_heights(*) = [v_heights, v_spacing, v_interpolation, v_detrend, v_periodise, v_blend_share, &
-            & v_shortest_wavelength]
+         integer, parameter :: of_heights(*) = [in%heights, in%spacing, in%interpolation, in%detrend, in%periodise, &
+            & in%blend_share, &
+            & in%shortest_wavelength]
 
-         select case (nint(values(v_kind)))
+         select case (nint(values(in%kind)))
          case (kind_2d)
-            call require(variables, values, [v_period, v_height], problems)
-            call refuse([of_heights, v_strip_spacing, v_amplitudes, v_phases, v_reverse], 'has no meaning for kind wave_2d')
+            call require(variables, values, [in%period, in%height], problems)
+            call refuse([of_heights, in%strip_spacing, in%amplitudes, in%phases, in%reverse], 'has no meaning for kind wave_2d')
          case (kind_3d)
-            call add(v_kind, 'is wave_3d, which has one relaxation time; make a map of it for a spectrum')
+            call add(in%kind, 'is wave_3d, which has one relaxation time; make a map of it for a spectrum')
          case (kind_cosines)
-            call require(variables, values, [v_period, v_amplitudes, v_phases], problems)
-            call refuse([of_heights, v_strip_spacing, v_height], 'has no meaning for kind cosines')
+            call require(variables, values, [in%period, in%amplitudes, in%phases], problems)
+            call refuse([of_heights, in%strip_spacing, in%height], 'has no meaning for kind cosines')
             if (allocated(given%amplitudes) .and. allocated(given%phases)) then
-               if (size(given%amplitudes) /= size(given%phases)) call add(v_phases, 'are not as many as amplitudes')
+               if (size(given%amplitudes) /= size(given%phases)) call add(in%phases, 'are not as many as amplitudes')
             end if
          case default
-            call require(variables, values, [v_heights], problems)
-            call refuse([v_amplitudes, v_phases, v_period, v_height], 'has no meaning beside heights')
+            call require(variables, values, [in%heights], problems)
+            call refuse([in%amplitudes, in%phases, in%period, in%height], 'has no meaning beside heights')
             if (allocated(given%heights)) call check_heights()
          end select
       end subroutine check_surface
@@ -117,62 +110,62 @@ contains
       subroutine check_heights()
          logical :: is_map
 
-         is_map = nint(values(v_kind)) == kind_map
-         if (.not. is_set(spacing_of(values, given))) call add(v_spacing, &
+         is_map = nint(values(in%kind)) == kind_map
+         if (.not. is_set(spacing_of(values, given))) call add(in%spacing, &
             & 'is missing [m]; it is needed for heights without an attribute dx')
-         if (size(given%heights, 1) < fewest_samples) call add(v_heights, 'have too few samples along x, 4 are needed')
+         if (size(given%heights, 1) < fewest_samples) call add(in%heights, 'have too few samples along x, 4 are needed')
          if (is_map) then
-            if (.not. is_set(strip_spacing_of(values, given))) call add(v_strip_spacing, &
+            if (.not. is_set(strip_spacing_of(values, given))) call add(in%strip_spacing, &
                & 'is missing [m]; it is needed for heights without an attribute dy')
-            if (size(given%heights, 2) < 2) call add(v_heights, 'of a map have two dimensions, y and x')
+            if (size(given%heights, 2) < 2) call add(in%heights, 'of a map have two dimensions, y and x')
          else
-            call refuse([v_strip_spacing], 'has no meaning for kind profile')
-            if (size(given%heights, 2) > 1) call add(v_heights, &
+            call refuse([in%strip_spacing], 'has no meaning for kind profile')
+            if (size(given%heights, 2) > 1) call add(in%heights, &
                & 'of a profile have one dimension; a dataset of two is a map')
          end if
       end subroutine check_heights
 
       !> Relaxed stiffness and arms.
       subroutine check_foundation()
-         integer, parameter :: of_layer(2) = [v_poisson_ratio, v_thickness]
-         integer, parameter :: single(2) = [v_relaxation_time, v_retardation_ratio]
+         integer, parameter :: of_layer(2) = [in%poisson_ratio, in%thickness]
+         integer, parameter :: single(2) = [in%relaxation_time, in%retardation_ratio]
 
-         if (is_set(values(v_master_curve))) then
-            call refuse([v_stiffness, v_young_modulus, v_moduli, v_young_moduli, v_relaxation_times, single], &
+         if (is_set(values(in%master_curve))) then
+            call refuse([in%stiffness, in%young_modulus, in%moduli, in%young_moduli, in%relaxation_times, single], &
                & 'stands beside master_curve, which gives all moduli and times')
             call require(variables, values, of_layer, problems)
             return
          end if
-         call refuse([v_relaxed_modulus, v_terms_per_decade], 'has no meaning without master_curve')
-         if (is_set(values(v_stiffness))) then
-            call refuse([v_young_modulus, of_layer, v_young_moduli], &
+         call refuse([in%relaxed_modulus, in%terms_per_decade], 'has no meaning without master_curve')
+         if (is_set(values(in%stiffness))) then
+            call refuse([in%young_modulus, of_layer, in%young_moduli], &
                & 'stands beside stiffness; give stiffness and moduli, or young_modulus, young_moduli, poisson_ratio and thickness')
          else
             call require_modulus(variables, values, problems)
-            call refuse([v_moduli], 'needs stiffness; young_moduli stand beside young_modulus')
+            call refuse([in%moduli], 'needs stiffness; young_moduli stand beside young_modulus')
          end if
-         if (.not. is_set(values(v_relaxation_times))) then
-            call refuse([v_moduli, v_young_moduli], 'needs relaxation_times')
+         if (.not. is_set(values(in%relaxation_times))) then
+            call refuse([in%moduli, in%young_moduli], 'needs relaxation_times')
             call require_single_time(variables, values, problems)
             return
          end if
          call refuse(single, 'stands beside relaxation_times; give one or the other')
-         if (is_set(values(v_stiffness))) then
-            call require(variables, values, [v_moduli], problems)
+         if (is_set(values(in%stiffness))) then
+            call require(variables, values, [in%moduli], problems)
          else
-            call require(variables, values, [v_young_moduli], problems)
+            call require(variables, values, [in%young_moduli], problems)
          end if
-         call check_numbers_of_arms(variables(v_moduli), variables(v_young_moduli), given, problems)
+         call check_numbers_of_arms(variables(in%moduli), variables(in%young_moduli), given, problems)
       end subroutine check_foundation
 
       !> Axes of profiles are the same for all points.
       subroutine check_profiles()
-         integer, parameter :: of_axes(*) = [v_period, v_spacing, v_strip_spacing, v_periodise, v_blend_share, v_n_x]
+         integer, parameter :: of_axes(*) = [in%period, in%spacing, in%strip_spacing, in%periodise, in%blend_share, in%n_x]
          integer :: k
 
-         if (.not. values(v_profiles) > 0) return
+         if (.not. values(in%profiles) > 0) return
          do k = 1, size(of_axes)
-            if (is_swept(of_axes(k))) call add(v_profiles, 'need one axis, and '//variables(of_axes(k))%name &
+            if (is_swept(of_axes(k))) call add(in%profiles, 'need one axis, and '//variables(of_axes(k))%name &
                & //' is swept; sweep another variable or switch profiles off')
          end do
       end subroutine check_profiles
@@ -189,29 +182,27 @@ contains
 
       !> What a fit makes of a master curve, and arms whose stiffness is a number.
       subroutine check_spectrum(prony)
-         !> Receives the spectrum.
          type(prony_t), intent(out) :: prony
          type(master_curve_fit_t) :: fit
 
-         if (is_set(values(v_master_curve))) then
-            call check_curve(variables(v_master_curve), variables(v_relaxed_modulus), values(v_relaxed_modulus), given, problems)
+         if (is_set(values(in%master_curve))) then
+            call check_curve(variables(in%master_curve), variables(in%relaxed_modulus), values(in%relaxed_modulus), given, problems)
             if (problems%count() > before) return
          end if
          call get_spectrum(values, given, prony, fit)
-         if (is_set(values(v_master_curve))) then
-            call check_fit(variables(v_master_curve), fit, problems)
+         if (is_set(values(in%master_curve))) then
+            call check_fit(variables(in%master_curve), fit, problems)
             if (.not. (fit%is_solved .and. fit%is_solid)) return
          end if
          associate (instantaneous => prony%relaxed + sum(prony%moduli))
             if (.not. (prony%relaxed > tiny(1.0_dp) .and. prony%relaxed > instantaneous/largest)) call add( &
-               & merge(v_stiffness, merge(v_relaxed_modulus, v_young_modulus, is_set(values(v_relaxed_modulus))), &
-               & is_set(values(v_stiffness))), 'is too small, or other moduli are too large, for a foundation')
+               & merge(in%stiffness, merge(in%relaxed_modulus, in%young_modulus, is_set(values(in%relaxed_modulus))), &
+               & is_set(values(in%stiffness))), 'is too small, or other moduli are too large, for a foundation')
          end associate
       end subroutine check_spectrum
 
       !> Heights that make rows.
       subroutine check_rows(relief)
-         !> Receives the rows.
          type(relief_t), intent(out) :: relief
          type(error_t), allocatable :: error
          real(dp), parameter :: round_off = 100*epsilon(1.0_dp)
@@ -221,47 +212,45 @@ contains
             return
          end if
          if (samples_of(values, given) < fewest_samples) then
-            call add(v_heights, 'have too few samples once their ends have been brought together, 4 are needed')
+            call add(in%heights, 'have too few samples once their ends have been brought together, 4 are needed')
             return
          end if
          call get_relief(values, given, .false., relief, error)
          if (allocated(error)) then
-            call add(v_heights, 'cannot be prepared: '//error%message)
+            call add(in%heights, 'cannot be prepared: '//error%message)
          else if (.not. relief%height > round_off*maxval(abs(given%heights))) then
-            call add(v_heights, 'are flat once trend and short waves are taken out')
+            call add(in%heights, 'are flat once trend and short waves are taken out')
          end if
       end subroutine check_rows
 
-      !> Sizes in the units of the march.
+      !> Sizes in the units of the time stepping.
       subroutine check_reduced(prony, relief)
-         !> The spectrum.
          type(prony_t), intent(in) :: prony
-         !> The rows.
          type(relief_t), intent(in) :: relief
-         type(marched_case_t) :: point
+         type(stepped_case_t) :: point
 
-         call resolve_marched(values, given, relief, prony, point)
+         call resolve_stepped(values, given, relief, prony, point)
          if (.not. (point%pressure_unit > tiny(1.0_dp) .and. point%friction_unit > tiny(1.0_dp) &
             & .and. max(point%pressure_unit, point%load_unit, point%friction_unit) < largest)) then
-            call add(v_kind, 'has heights and a period that are too small or too large for the stiffness')
+            call add(in%kind, 'has heights and a period that are too small or too large for the stiffness')
             return
          end if
          if (.not. point%pace < largest) then
-            call add(v_velocity, 'is too large for the period')
+            call add(in%velocity, 'is too large for the period')
          else if (size(prony%times) > 0) then
-            if (.not. sum(prony%moduli)/prony%relaxed*point%pace*maxval(prony%times) < largest) call add(v_velocity, &
+            if (.not. sum(prony%moduli)/prony%relaxed*point%pace*maxval(prony%times) < largest) call add(in%velocity, &
                & 'times the longest retardation time is too large for the period')
          end if
-         if (.not. max(point%stress, point%range) < largest) call add(v_stress, &
+         if (.not. max(point%stress, point%range) < largest) call add(in%stress, &
             & 'or its range is too large for these heights and this stiffness')
          if (.not. max(abs(point%load), abs(point%penetration)) < largest) then
-            if (is_set(values(v_load))) call add(v_load, 'is too large for these heights and this stiffness')
-            if (is_set(values(v_mean_pressure))) call add(v_mean_pressure, 'is too large for these heights and this stiffness')
-            if (is_set(values(v_penetration))) call add(v_penetration, 'is too large for these heights')
+            if (is_set(values(in%load))) call add(in%load, 'is too large for these heights and this stiffness')
+            if (is_set(values(in%mean_pressure))) call add(in%mean_pressure, 'is too large for these heights and this stiffness')
+            if (is_set(values(in%penetration))) call add(in%penetration, 'is too large for these heights')
          end if
       end subroutine check_reduced
 
-   end subroutine check_marched_values
+   end subroutine check_stepped_values
 
    !> Without a stiffness all of a layer is asked for.
    subroutine require_modulus(variables, values, problems)
@@ -269,17 +258,16 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (.not. any(is_set(values([v_young_modulus, v_poisson_ratio, v_thickness])))) then
-         call problems%add(variables(v_stiffness)%group, variables(v_stiffness)%name, &
+      if (.not. any(is_set(values([in%young_modulus, in%poisson_ratio, in%thickness])))) then
+         call problems%add(variables(in%stiffness)%group, variables(in%stiffness)%name, &
             & 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness, or master_curve')
          return
       end if
-      if (.not. is_set(values(v_young_modulus))) call problems%add(variables(v_young_modulus)%group, &
-         & variables(v_young_modulus)%name, 'is missing [Pa]; a layer has it, or master_curve')
-      call require(variables, values, [v_poisson_ratio, v_thickness], problems)
+      if (.not. is_set(values(in%young_modulus))) call problems%add(variables(in%young_modulus)%group, &
+         & variables(in%young_modulus)%name, 'is missing [Pa]; a layer has it, or master_curve')
+      call require(variables, values, [in%poisson_ratio, in%thickness], problems)
    end subroutine require_modulus
 
    !> The standard solid, which is asked for where there is no spectrum.
@@ -288,10 +276,9 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: instead = ']; it is needed without relaxation_times or master_curve'
-      integer, parameter :: single(2) = [v_relaxation_time, v_retardation_ratio]
+      integer, parameter :: single(2) = [in%relaxation_time, in%retardation_ratio]
       integer :: k
 
       do k = 1, size(single)
@@ -307,19 +294,18 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      integer, parameter :: places(3) = [v_load, v_mean_pressure, v_penetration]
+      integer, parameter :: indices(3) = [in%load, in%mean_pressure, in%penetration]
       logical :: has(3)
       integer :: first
 
-      has = is_set(values(places))
+      has = is_set(values(indices))
       first = findloc(has, .true., dim=1)
       if (count(has) > 1) then
-         call problems%add(variables(places(first))%group, variables(places(first))%name, 'stands beside ' &
-            & //variables(places(findloc(has, .true., dim=1, back=.true.)))%name//'; give one of them')
+         call problems%add(variables(indices(first))%group, variables(indices(first))%name, 'stands beside ' &
+            & //variables(indices(findloc(has, .true., dim=1, back=.true.)))%name//'; give one of them')
       else if (first == 0) then
-         call problems%add(variables(v_load)%group, variables(v_load)%name, &
+         call problems%add(variables(in%load)%group, variables(in%load)%name, &
             & 'is missing; load or penetration is needed')
       end if
    end subroutine check_load_values

@@ -6,8 +6,9 @@
 module adfric_foundation_stepping_approach_search
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_response, only: bound_response
-   use adfric_foundation_stepping_states, only: march_surface_t, march_states_t, start, find_least, find_greatest, sum_up, shift, &
-      & largest_depth, is_shared, march_solved, march_no_equilibrium, march_failed, round_off
+   use adfric_foundation_stepping_states, only: stepping_surface_t, stepping_states_t, start, find_least, find_greatest, sum_up, &
+      & shift, &
+      & largest_depth, is_shared, stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
    use adfric_foundation_stepping_steady_column, only: take_step, take_edge_step, move, most_edge_steps
    implicit none (type, external)
    private
@@ -27,17 +28,13 @@ contains
 
    !> The smallest penetration that carries a load, after the surface has been drawn in.
    subroutine search_upwards(surface, load, depth, states, status)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
-      !> Receives the penetration.
       real(dp), intent(out) :: depth
-      !> Receives the states.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       !> Receives how the search ended.
       integer, intent(out) :: status
-      type(march_states_t) :: least
+      type(stepping_states_t) :: least
       real(dp) :: limit, slope, slope_limit, step
       integer :: k
       logical :: is_proved
@@ -45,14 +42,14 @@ contains
       limit = largest_depth(surface, load)
       if (load > 0) then
          call start_before_touch(surface, depth, states)
-         status = merge(march_failed, march_solved, states%have_failed)
+         status = merge(stepping_failed, stepping_solved, states%have_failed)
       else
          call start_drawn_in(surface, load, limit, depth, states, status)
       end if
-      if (status /= march_solved .or. states%load >= load) return
-      status = march_failed
+      if (status /= stepping_solved .or. states%load >= load) return
+      status = stepping_failed
       if (limit <= depth) then
-         status = march_no_equilibrium
+         status = stepping_no_equilibrium
          return
       end if
       call start(surface, limit, .false., least)
@@ -76,17 +73,14 @@ contains
          call shift(states, step)
          call find_greatest(surface, depth, states)
       end do
-      if (k <= most_penetrations) status = march_solved
+      if (k <= most_penetrations) status = stepping_solved
    end subroutine search_upwards
 
-   !> The surface just before adhesion takes hold of its highest place: free, and nothing is carried.
+   !> The surface just before adhesion takes hold of its highest position: free, and nothing is carried.
    subroutine start_before_touch(surface, depth, states)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Receives the penetration.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(out) :: depth
-      !> Receives the greatest states there.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       integer :: i
 
       depth = -surface%law%attach_gap - drawn_in*(1 + surface%law%attach_gap)
@@ -98,34 +92,32 @@ contains
       call sum_up(depth, states)
    end subroutine start_before_touch
 
-   !> The surface just after adhesion has taken hold of its highest place, or the state that carries a tension.
+   !> The surface just after adhesion has taken hold of its highest position, or the state that carries a tension.
    subroutine start_drawn_in(surface, load, limit, depth, states, status)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
+      type(stepping_surface_t), intent(in) :: surface
       !> Mean load of the rows, <= 0.
       real(dp), intent(in) :: load
       !> A penetration beyond which none carries the load.
       real(dp), intent(in) :: limit
-      !> Receives the penetration.
       real(dp), intent(out) :: depth
       !> Receives the greatest states there, which carry the load or less.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       !> Receives how the search ended.
       integer, intent(out) :: status
-      type(march_states_t) :: beyond
+      type(stepping_states_t) :: beyond
       real(dp) :: last_depth
 
       depth = -surface%law%attach_gap + drawn_in*(1 + surface%law%attach_gap)
       call start(surface, depth, .true., states)
       call find_greatest(surface, depth, states)
-      status = merge(march_failed, march_solved, states%have_failed)
+      status = merge(stepping_failed, stepping_solved, states%have_failed)
       if (states%have_failed .or. states%load <= load) return
       ! a tension: there is a state if there is a last one, and one before it if the load falls below it once more
       last_depth = limit
       call find_last_state(surface, load, last_depth, beyond, status)
-      if (status /= march_solved) return
+      if (status /= stepping_solved) return
       call scan_for_fall(surface, load, last_depth, depth, states)
-      status = merge(march_failed, march_solved, states%have_failed)
+      status = merge(stepping_failed, stepping_solved, states%have_failed)
       if (states%have_failed .or. states%load <= load) return
       depth = last_depth
       call move_alloc(beyond%rows, states%rows)
@@ -134,33 +126,30 @@ contains
 
    !> The largest penetration at which the greatest state carries a load: steps of the excess over the slope pass none.
    subroutine find_last_state(surface, load, depth, states, status)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
       !> In: a penetration beyond which none carries the load. Out: the last one that does, if there is one.
       real(dp), intent(inout) :: depth
-      !> Receives the greatest states there.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       !> Receives how the search ended.
       integer, intent(out) :: status
       real(dp) :: step
       integer :: k
 
-      status = march_failed
+      status = stepping_failed
       do k = 1, most_penetrations
          call start(surface, depth, .true., states)
          call find_greatest(surface, depth, states)
          if (states%have_failed) return
          if (.not. states%slope > 0 .and. states%load > load) then
             ! nothing touches: no smaller penetration carries less
-            status = march_no_equilibrium
+            status = stepping_no_equilibrium
             return
          end if
          step = 0
          if (states%slope > 0) step = (states%load - load)/states%slope
          if (states%load - load <= states%least_load + round_off*abs(load) .or. step <= round_off*(1 + abs(depth))) then
-            status = march_solved
+            status = stepping_solved
             return
          end if
          depth = depth - step
@@ -170,16 +159,14 @@ contains
    !> Look for a penetration that carries no more than a load, behind the draw-in that carries more: for tensions alone. The load may
    !> fall anywhere, where adhesion takes hold, so a fall and rise within one step of the scan is not seen.
    subroutine scan_for_fall(surface, load, limit, depth, states)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
       !> Penetration beyond which nothing is sought.
       real(dp), intent(in) :: limit
       !> In: where the surface has been drawn in. Out: a penetration that carries no more than the load, if there is one.
       real(dp), intent(inout) :: depth
       !> In: the greatest states there. Out: those of the last penetration that was looked at.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       real(dp) :: step
       integer :: k
 
@@ -195,21 +182,17 @@ contains
 
    !> A bound of the slope of the load beyond a penetration that carries less than a load.
    subroutine find_slope(surface, load, limit, least, depth, states, slope, slope_limit)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
       !> A penetration beyond which nothing is sought.
       real(dp), intent(in) :: limit
-      !> The least states there.
-      type(march_states_t), intent(in) :: least
+      type(stepping_states_t), intent(in) :: least
       !> The penetration.
       real(dp), intent(in) :: depth
-      !> Its greatest states.
-      type(march_states_t), intent(in) :: states
+      type(stepping_states_t), intent(in) :: states
       !> Receives the bound, and the penetration to which it holds.
       real(dp), intent(out) :: slope, slope_limit
-      type(march_states_t) :: beyond
+      type(stepping_states_t) :: beyond
       real(dp) :: lack, reach
       integer :: k
 
@@ -228,7 +211,7 @@ contains
             slope = beyond%slope
             slope_limit = depth + reach
          end if
-         ! where it rises much on the way, a shorter one has a smaller bound
+         ! where it rises much on the path, a shorter one has a smaller bound
          if (slope*reach <= enough*lack) return
          reach = reach/enough**2
       end do
@@ -238,21 +221,18 @@ contains
    !> and there is proof that no smaller penetration carries it: every greatest state between has the same zones, is the only one
    !> between these two, and the load rises.
    subroutine find_proved(surface, load, limit, depth, states, slope, slope_limit, is_proved)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
       !> A penetration beyond which nothing is sought.
       real(dp), intent(in) :: limit
       !> In: a penetration that carries less. Out: the one that carries the load, if it is proved.
       real(dp), intent(inout) :: depth
       !> In: the greatest states there. Out: those of the load, if it is proved.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       !> Receives a bound of the slope of the load, and the penetration to which it holds, if it is not proved.
       real(dp), intent(out) :: slope, slope_limit
-      !> Is it proved?
       logical, intent(out) :: is_proved
-      type(march_states_t) :: trial
+      type(stepping_states_t) :: trial
       real(dp) :: trial_depth, row_slope
       integer :: i
 
@@ -287,16 +267,14 @@ contains
 
    !> Newton's method with edges for states and penetration that carry a load.
    subroutine find_with_edges(surface, load, limit, depth, states)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
       !> A penetration beyond which nothing is sought.
       real(dp), intent(in) :: limit
       !> In: where to start. Out: the penetration.
       real(dp), intent(inout) :: depth
       !> In: where to start. Out: states that are steady if the method converges.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       real(dp) :: first, change, last_change
       integer :: n_zones(size(surface%rows)), i, k
       logical :: is_over

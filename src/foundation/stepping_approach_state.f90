@@ -10,13 +10,14 @@
 module adfric_foundation_stepping_approach_state
    use adfric_base_kinds, only: dp
    use adfric_numerics_obstacle, only: solve_above
-   use adfric_foundation_stepping_law, only: march_law_t
-   use adfric_foundation_stepping_period, only: period_t
+   use adfric_foundation_stepping_law, only: stepping_law_t
+   use adfric_foundation_stepping_period, only: stepped_period_t
    use adfric_foundation_stepping_response, only: bound_response
    use adfric_foundation_stepping_solid, only: product_of
-   use adfric_foundation_stepping_steady_column, only: steady_column_t, start_from_below, take_edge_step, march, changes_flag, judge_step, &
+   use adfric_foundation_stepping_steady_column, only: steady_column_t, start_from_below, take_edge_step, stepping, changes_flag, &
+      & judge_step, &
       & move, get_steps, get_matrix, get_displacement_sums, most_edge_steps, most_periods
-   use adfric_foundation_stepping_path, only: way_t
+   use adfric_foundation_stepping_path, only: column_path_t
    implicit none (type, external)
    private
    public :: find_approach
@@ -28,37 +29,34 @@ module adfric_foundation_stepping_approach_state
 contains
 
    !> The greatest steady state, from the state that stands in `self`, which lies above it.
-   pure subroutine find_approach(self, way, law, depth)
+   pure subroutine find_approach(self, path, law, depth)
       !> In: where to start. Out: the steady state.
       type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      real(dp) :: steps(way%solid%n, way%solid%n + 1), sums(2)
+      real(dp) :: steps(path%solid%n, path%solid%n + 1), sums(2)
       integer :: k
       logical :: is_solved
       type(steady_column_t) :: below
 
       self%is_steady = .false.
-      call start_from_below(below, way, law, depth)
-      call march(below, way, law, depth)
-      call get_steps(way, below%period, steps, is_solved)
+      call start_from_below(below, path, law, depth)
+      call stepping(below, path, law, depth)
+      call get_steps(path, below%period, steps, is_solved)
       self%has_failed = below%has_failed .or. .not. is_solved
       do k = 1, most_periods
          if (self%has_failed) return
-         call march(self, way, law, depth)
+         call stepping(self, path, law, depth)
          ! 1, 2, 4, ...
          if (iand(k, k - 1) == 0) then
-            call raise_bound(self, below%period, way, law, depth, steps)
-            call jump_to_proved(self, below%period, way, law, depth, steps)
+            call raise_bound(self, below%period, path, law, depth, steps)
+            call jump_to_proved(self, below%period, path, law, depth, steps)
             if (self%is_steady) exit
          end if
          if (.not. changes_flag(self, law)) then
-            self%step = product_of(steps(:, :way%solid%n), self%period%growth)
-            if (k >= first_long_step) call lengthen_step(self, way, law, depth)
+            self%step = product_of(steps(:, :path%solid%n), self%period%growth)
+            if (k >= first_long_step) call lengthen_step(self, path, law, depth)
          end if
          call judge_step(self, law, depth)
          if (self%is_steady) exit
@@ -66,22 +64,19 @@ contains
       end do
       self%has_failed = self%has_failed .or. .not. self%is_steady
       ! the load of the greatest state changes with its own zones
-      call get_steps(way, self%period, steps, is_solved)
-      call get_displacement_sums(way, self%period, 0*self%step, steps(:, way%solid%n + 1), sums)
+      call get_steps(path, self%period, steps, is_solved)
+      call get_displacement_sums(path, self%period, 0*self%step, steps(:, path%solid%n + 1), sums)
       self%load_slope = sums(2)
    end subroutine find_approach
 
    !> Go to a steady state below, if there is proof that there is no other one between; else take its response for a bound.
-   pure subroutine jump_to_proved(self, bound, way, law, depth, steps)
+   pure subroutine jump_to_proved(self, bound, path, law, depth, steps)
       !> In: a state above the greatest one, with its period. Out: the greatest one, if it is proved.
       type(steady_column_t), intent(inout) :: self
       !> In: the period whose response is used. Out: a better one, if there is one.
-      type(period_t), intent(inout) :: bound
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(stepped_period_t), intent(inout) :: bound
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       !> In: (I - J0)^-1 of the bound. Out: that of the better one.
       real(dp), intent(inout) :: steps(:, :)
@@ -94,28 +89,27 @@ contains
       trial%state = self%state
       last_step = huge(1.0_dp)
       do k = 1, most_edge_steps
-         call take_edge_step(trial, way, law, depth)
+         call take_edge_step(trial, path, law, depth)
          if (trial%is_steady .or. .not. goes_on(trial, self%period, k, last_step)) exit
          last_step = trial%largest_step
          call move(trial)
       end do
       self%n_periods = self%n_periods + trial%n_periods
       if (trial%has_failed .or. .not. trial%is_steady) return
-      call bound_response(way, law, trial%period, depth, self%period, depth, slope, is_proved)
+      call bound_response(path, law, trial%period, depth, self%period, depth, slope, is_proved)
       if (is_proved) then
          trial%n_periods = self%n_periods
          self = trial
       else
-         call take_bound(self, trial%period, bound, way, steps)
+         call take_bound(self, trial%period, bound, path, steps)
       end if
    end subroutine jump_to_proved
 
    !> Is it of use to take one more of Newton's steps with edges? They end quickly, and there is a proof only with the same zones.
    pure logical function goes_on(self, period, k, last_step)
-      !> The state with its period.
       type(steady_column_t), intent(in) :: self
       !> Period of the state from which the first step was taken.
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> Number of steps taken.
       integer, intent(in) :: k
       !> The largest component of the step before.
@@ -129,21 +123,18 @@ contains
    !> Find a longer step towards the greatest state, where the bound has contact that begins only far below, and so leads to short ones.
    !> For any w below the state y let z be the higher one of w and the greatest state, for each arm. J0 of w holds between w and y, so
    !> z <= max(w, F(y) - J0 (y - z)). That is a linear problem with an obstacle, and its solution is above the greatest state.
-   pure subroutine lengthen_step(self, way, law, depth)
+   pure subroutine lengthen_step(self, path, law, depth)
       !> A state above the greatest one, with its period and step; receives the longer step.
       type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      real(dp) :: own(way%solid%n, 2), matrix(way%solid%n, way%solid%n), step(way%solid%n), share, best
+      real(dp) :: own(path%solid%n, 2), matrix(path%solid%n, path%solid%n), step(path%solid%n), share, best
       type(steady_column_t) :: obstacle
       integer :: k
       logical :: is_solved
 
-      call get_steps(way, self%period, own, is_solved, self%period%growth)
+      call get_steps(path, self%period, own, is_solved, self%period%growth)
       if (.not. is_solved) return
       best = sum(self%step)
       if (.not. sum(own(:, 1)) < worth_it*best) return
@@ -151,11 +142,11 @@ contains
       obstacle%state%is_attached = self%state%is_attached
       do k = 1, most_shares
          obstacle%state%length = self%state%length + share*own(:, 1)
-         call march(obstacle, way, law, depth)
+         call stepping(obstacle, path, law, depth)
          self%n_periods = self%n_periods + 1
          share = share/4
          if (obstacle%has_failed) cycle
-         call get_matrix(way, obstacle%period, matrix)
+         call get_matrix(path, obstacle%period, matrix)
          call solve_above(matrix, self%period%growth, obstacle%state%length - self%state%length, step, is_solved)
          if (.not. is_solved) cycle
          step = min(step, 0.0_dp)
@@ -172,16 +163,13 @@ contains
    !> Find a better bound of the response below the greatest state. The step with the response of the state itself may lead to a state that
    !> a period raises. Periods from there rise to a steady state, which is not above the greatest one: so the new state is below that,
    !> and its response is a bound.
-   pure subroutine raise_bound(self, bound, way, law, depth, steps)
+   pure subroutine raise_bound(self, bound, path, law, depth, steps)
       !> A state above the greatest one, with its period.
       type(steady_column_t), intent(in) :: self
       !> In: the period whose response is used. Out: a better one, if there is one.
-      type(period_t), intent(inout) :: bound
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(stepped_period_t), intent(inout) :: bound
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       !> In: (I - J0)^-1 of the bound. Out: that of the better one.
       real(dp), intent(inout) :: steps(:, :)
@@ -189,35 +177,34 @@ contains
       real(dp) :: own(size(steps, 1), size(steps, 2))
       logical :: is_solved
 
-      if (changes_flag(self, law) .or. way%solid%n == 0) return
-      call get_steps(way, self%period, own, is_solved)
+      if (changes_flag(self, law) .or. path%solid%n == 0) return
+      call get_steps(path, self%period, own, is_solved)
       if (.not. is_solved) return
-      below%state%length = self%state%length + product_of(own(:, :way%solid%n), self%period%growth)
+      below%state%length = self%state%length + product_of(own(:, :path%solid%n), self%period%growth)
       below%state%is_attached = self%state%is_attached
       if (.not. all(abs(below%state%length) <= huge(1.0_dp))) return
-      call march(below, way, law, depth)
+      call stepping(below, path, law, depth)
       if (below%has_failed .or. changes_flag(below, law) .or. .not. all(below%period%growth >= 0)) return
-      call take_bound(self, below%period, bound, way, steps)
+      call take_bound(self, below%period, bound, path, steps)
    end subroutine raise_bound
 
    !> Take the response of a period for a bound, if the step that follows is longer.
-   pure subroutine take_bound(self, period, bound, way, steps)
+   pure subroutine take_bound(self, period, bound, path, steps)
       !> A state above the greatest one, with its period.
       type(steady_column_t), intent(in) :: self
       !> The period of a state below the greatest one.
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> In: the period whose response is used. Out: the better one.
-      type(period_t), intent(inout) :: bound
-      !> The way.
-      type(way_t), intent(in) :: way
+      type(stepped_period_t), intent(inout) :: bound
+      type(column_path_t), intent(in) :: path
       !> In: (I - J0)^-1 of the bound. Out: that of the better one.
       real(dp), intent(inout) :: steps(:, :)
       real(dp) :: other(size(steps, 1), size(steps, 2))
       logical :: is_solved
 
-      call get_steps(way, period, other, is_solved)
+      call get_steps(path, period, other, is_solved)
       if (.not. is_solved) return
-      associate (n => way%solid%n, growth => self%period%growth)
+      associate (n => path%solid%n, growth => self%period%growth)
          if (sum(product_of(other(:, :n), growth)) >= sum(product_of(steps(:, :n), growth))) return
       end associate
       steps = other

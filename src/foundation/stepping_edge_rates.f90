@@ -2,10 +2,10 @@
 !> The rates at which gap and reach meet where a free column is attached or an attached one let go, for one state and for all between two.
 module adfric_foundation_stepping_edge_rates
    use adfric_base_kinds, only: dp
-   use adfric_foundation_stepping_period, only: period_t, zone_t, in_contact, in_adhesion
+   use adfric_foundation_stepping_period, only: stepped_period_t, zone_t, in_contact, in_adhesion
    use adfric_foundation_stepping_solid, only: product_of
-   use adfric_foundation_stepping_path, only: way_t, decay_of, height_at, steepness_at, stretches_at
-   use adfric_foundation_stepping_zone_end, only: place_t
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, height_at, steepness_at, stretches_at
+   use adfric_foundation_stepping_zone_end, only: position_t
    implicit none (type, external)
    private
    public :: time_of, gap_at, least_rate, rate_difference
@@ -15,59 +15,51 @@ module adfric_foundation_stepping_edge_rates
 
 contains
 
-   !> Time of a place.
-   pure real(dp) function time_of(way, place) result(time)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The place.
-      type(place_t), intent(in) :: place
+   !> Time of a position.
+   pure real(dp) function time_of(path, position) result(time)
+      type(column_path_t), intent(in) :: path
+      type(position_t), intent(in) :: position
 
-      time = ((place%piece - 1) + place%theta)*way%step
+      time = ((position%piece - 1) + position%theta)*path%step
    end function time_of
 
    !> Gap of a free column, without the penetration.
-   pure real(dp) function gap_at(way, period, i, place) result(gap)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The period.
-      type(period_t), intent(in) :: period
+   pure real(dp) function gap_at(path, period, i, position) result(gap)
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> Number of the free zone.
       integer, intent(in) :: i
-      !> The place.
-      type(place_t), intent(in) :: place
+      type(position_t), intent(in) :: position
       real(dp) :: passed
 
-      passed = time_of(way, place) - time_of(way, period%zones(i)%start)
-      gap = sum(period%start(:, i)*decay_of(passed/way%solid%retardation)) - height_at(way, place%piece, place%theta)
+      passed = time_of(path, position) - time_of(path, period%zones(i)%start)
+      gap = sum(period%start(:, i)*decay_of(passed/path%solid%retardation)) - height_at(path, position%piece, position%theta)
    end function gap_at
 
-   !> A lower bound of the rate at which m of a state and the surface meet (free) or part (else), between two places of a zone or behind it;
-   !> negative where these are too far apart for one of use.
-   pure real(dp) function least_rate(way, zone, start, early, late, first, second) result(rate)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The zone.
+   !> A lower bound of the rate at which m of a state and the surface meet (free) or part (else), between two positions of a zone or
+   !> behind it; negative where these are too far apart for one of use.
+   pure real(dp) function least_rate(path, zone, start, early, late, first, second) result(rate)
+      type(column_path_t), intent(in) :: path
       type(zone_t), intent(in) :: zone
       !> What it begins with: stretches less those of endless contact, or Kelvin elements; shape `(n_arms)`.
       real(dp), intent(in) :: start(:)
-      !> The places.
-      type(place_t), intent(in) :: early, late
+      type(position_t), intent(in) :: early, late
       !> Their times since the zone began.
       real(dp), intent(in) :: first, second
       real(dp) :: lowest, highest
-      real(dp), dimension(way%solid%n) :: stretch, growth, left
+      real(dp), dimension(path%solid%n) :: stretch, growth, remaining
 
       rate = -1
       if (late%piece - early%piece >= most_pieces) return
-      call bound_steepness(way, early, late, lowest, highest)
-      associate (s => way%solid)
+      call bound_steepness(path, early, late, lowest, highest)
+      associate (s => path%solid)
          select case (zone%kind)
          case (in_contact)
-            call stretches_at(way, early%piece, early%theta, stretch, growth)
+            call stretches_at(path, early%piece, early%theta, stretch, growth)
             stretch = stretch + start*decay_of(first/s%time)
-            left = decay_of((second - first)/s%time)
+            remaining = decay_of((second - first)/s%time)
             ! a stretch goes from here to where the least steepness would leave it
-            rate = sum(s%stiffness/s%time*min(stretch, stretch*left + lowest*s%time*(1 - left)))/s%glassy - highest
+            rate = sum(s%stiffness/s%time*min(stretch, stretch*remaining + lowest*s%time*(1 - remaining)))/s%glassy - highest
          case (in_adhesion)
             rate = sum(min(-start*decay_of(first/s%retardation), -start*decay_of(second/s%retardation))/s%retardation) - highest
          case default
@@ -76,12 +68,10 @@ contains
       end associate
    end function least_rate
 
-   !> Bounds of the derivative of the heights over time between two places.
-   pure subroutine bound_steepness(way, early, late, lowest, highest)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The places.
-      type(place_t), intent(in) :: early, late
+   !> Bounds of the derivative of the heights over time between two positions.
+   pure subroutine bound_steepness(path, early, late, lowest, highest)
+      type(column_path_t), intent(in) :: path
+      type(position_t), intent(in) :: early, late
       !> Receives the bounds.
       real(dp), intent(out) :: lowest, highest
       real(dp) :: from, to, middle, half
@@ -92,32 +82,29 @@ contains
       do j = early%piece, late%piece
          from = merge(early%theta, 0.0_dp, j == early%piece)
          to = merge(late%theta, 1.0_dp, j == late%piece)
-         middle = steepness_at(way, j, (from + to)/2)
-         half = sum([(m*(m - 1)*abs(way%coefficients(m, j)), m=2, way%degree)])*max(to - from, 0.0_dp)/2
-         lowest = min(lowest, (middle - half)/way%step)
-         highest = max(highest, (middle + half)/way%step)
+         middle = steepness_at(path, j, (from + to)/2)
+         half = sum([(m*(m - 1)*abs(path%coefficients(m, j)), m=2, path%degree)])*max(to - from, 0.0_dp)/2
+         lowest = min(lowest, (middle - half)/path%step)
+         highest = max(highest, (middle + half)/path%step)
       end do
    end subroutine bound_steepness
 
    !> By how much the rates of states between two differ at most from the rate of one of the two, where one leaves a zone.
-   pure real(dp) function rate_difference(way, lower, lower_depth, upper, upper_depth, i, last, first) result(difference)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> Period of the lower state.
-      type(period_t), intent(in) :: lower
+   pure real(dp) function rate_difference(path, lower, lower_depth, upper, upper_depth, i, last, first) result(difference)
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: lower
       !> Its penetration.
       real(dp), intent(in) :: lower_depth
-      !> Period of the upper state.
-      type(period_t), intent(in) :: upper
+      type(stepped_period_t), intent(in) :: upper
       !> Its penetration.
       real(dp), intent(in) :: upper_depth
       !> Number of the zone.
       integer, intent(in) :: i
       !> Times from which both are in the zone, and one has left it.
       real(dp), intent(in) :: last, first
-      real(dp) :: lengths(way%solid%n), states(way%solid%n, 2)
+      real(dp) :: lengths(path%solid%n), states(path%solid%n, 2)
 
-      associate (s => way%solid)
+      associate (s => path%solid)
          if (lower%zones(i)%kind == in_contact) then
             call get_states(s%time, states)
             lengths = abs(states(:, 1) - states(:, 2))
@@ -139,8 +126,8 @@ contains
          !> Receives those of the lower and of the upper state; shape `(n_arms, 2)`.
          real(dp), intent(out) :: states(:, :)
 
-         states(:, 1) = lower%start(:, i)*decay_of((last - time_of(way, lower%zones(i)%start))/times)
-         states(:, 2) = upper%start(:, i)*decay_of((last - time_of(way, upper%zones(i)%start))/times)
+         states(:, 1) = lower%start(:, i)*decay_of((last - time_of(path, lower%zones(i)%start))/times)
+         states(:, 2) = upper%start(:, i)*decay_of((last - time_of(path, upper%zones(i)%start))/times)
       end subroutine get_states
 
    end function rate_difference

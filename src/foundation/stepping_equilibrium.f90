@@ -12,43 +12,41 @@
 module adfric_foundation_stepping_equilibrium
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_approach_search, only: search_upwards
-   use adfric_foundation_stepping_forces, only: march_forces_t, get_march_forces
-   use adfric_foundation_stepping_states, only: march_surface_t, march_states_t, start, find_least, find_greatest, sum_up, largest_depth, &
-      & is_shared, march_solved, march_no_equilibrium, march_failed, round_off
+   use adfric_foundation_stepping_forces, only: stepping_forces_t, get_stepping_forces
+   use adfric_foundation_stepping_states, only: stepping_surface_t, stepping_states_t, start, find_least, find_greatest, sum_up, &
+      & largest_depth, &
+      & is_shared, stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
    use adfric_foundation_stepping_steady_column, only: steady_column_t, take_step, move
    implicit none (type, external)
    private
-   public :: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load
-   public :: march_solved, march_no_equilibrium, march_failed
+   public :: stepping_surface_t, stepping_equilibrium_t, find_at_penetration, find_at_load
+   public :: stepping_solved, stepping_no_equilibrium, stepping_failed
 
    !> Most penetrations that one search looks at.
    integer, parameter :: most_penetrations = 2000
 
    !> An equilibrium.
-   type :: march_equilibrium_t
-      !> How it was found, one of `march_...`.
-      integer :: status = march_failed
-      !> Penetration of the highest place.
+   type :: stepping_equilibrium_t
+      !> How it was found, one of `stepping_...`.
+      integer :: status = stepping_failed
+      !> Penetration of the highest position.
       real(dp) :: depth = 0
       !> States of the rows.
       type(steady_column_t), allocatable :: rows(:)
       !> Forces of the rows.
-      type(march_forces_t), allocatable :: forces(:)
-      !> Number of periods marched.
+      type(stepping_forces_t), allocatable :: forces(:)
+      !> Number of periods stepped.
       integer :: n_periods = 0
-   end type march_equilibrium_t
+   end type stepping_equilibrium_t
 
 contains
 
    !> The equilibrium under a penetration.
    subroutine find_at_penetration(surface, depth, equilibrium)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Penetration.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: depth
-      !> Receives the equilibrium.
-      type(march_equilibrium_t), intent(out) :: equilibrium
-      type(march_states_t) :: states
+      type(stepping_equilibrium_t), intent(out) :: equilibrium
+      type(stepping_states_t) :: states
 
       if (surface%is_approach) then
          call start(surface, depth, .true., states)
@@ -57,18 +55,15 @@ contains
          call start(surface, depth, .false., states)
          call find_least(surface, depth, states)
       end if
-      call finish(surface, depth, states, merge(march_solved, march_failed, states%are_steady), equilibrium)
+      call finish(surface, depth, states, merge(stepping_solved, stepping_failed, states%are_steady), equilibrium)
    end subroutine find_at_penetration
 
    !> The equilibrium under a load.
    subroutine find_at_load(surface, load, equilibrium)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
-      !> Receives the equilibrium.
-      type(march_equilibrium_t), intent(out) :: equilibrium
-      type(march_states_t) :: states
+      type(stepping_equilibrium_t), intent(out) :: equilibrium
+      type(stepping_states_t) :: states
       real(dp) :: depth
       integer :: status
 
@@ -76,7 +71,7 @@ contains
          call search_upwards(surface, load, depth, states, status)
       else if (.not. (surface%law%stress > 0 .or. load > 0)) then
          call start_at_touch(surface, depth, states)
-         status = merge(march_no_equilibrium, march_solved, load < 0)
+         status = merge(stepping_no_equilibrium, stepping_solved, load < 0)
       else
          call search_downwards(surface, load, depth, states, status)
       end if
@@ -85,12 +80,9 @@ contains
 
    !> Without adhesion nothing is carried up to the penetration 0, at which the surface touches, and more beyond.
    subroutine start_at_touch(surface, depth, states)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Receives the penetration.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(out) :: depth
-      !> Receives the states.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       integer :: i
 
       depth = 0
@@ -105,14 +97,10 @@ contains
    !> The largest penetration that carries a load. States and penetration go on together: a state that is not yet steady is below
    !> the least one, carries less and touches more, so steps are shorter and pass nothing.
    subroutine search_downwards(surface, load, depth, states, status)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
-      !> Receives the penetration.
       real(dp), intent(out) :: depth
-      !> Receives the states.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       !> Receives how the search ended.
       integer, intent(out) :: status
       real(dp) :: change
@@ -120,7 +108,7 @@ contains
 
       depth = largest_depth(surface, load)
       call start(surface, depth, .false., states)
-      status = march_failed
+      status = stepping_failed
       do k = 1, most_penetrations
          !$omp parallel do schedule(dynamic) if (is_shared(surface))
          do i = 1, size(surface%rows)
@@ -131,13 +119,13 @@ contains
          if (states%have_failed) return
          change = load - states%load
          if (states%are_steady .and. abs(change) <= states%least_load + round_off*abs(load)) then
-            status = march_solved
+            status = stepping_solved
             return
          end if
          if (change < 0) then
             if (.not. states%slope > 0) then
                ! nothing touches: no smaller penetration carries less
-               status = march_no_equilibrium
+               status = stepping_no_equilibrium
                return
             end if
             change = change/states%slope
@@ -145,7 +133,7 @@ contains
             change = 0
          end if
          if (states%are_steady .and. abs(change) <= round_off*(1 + abs(depth))) then
-            status = march_solved
+            status = stepping_solved
             return
          end if
          depth = depth + change
@@ -162,16 +150,13 @@ contains
 
    !> Hand over what was found.
    subroutine finish(surface, depth, states, status, equilibrium)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Penetration.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: depth
       !> The states, which are moved away.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       !> How the search ended.
       integer, intent(in) :: status
-      !> Receives states and forces.
-      type(march_equilibrium_t), intent(inout) :: equilibrium
+      type(stepping_equilibrium_t), intent(inout) :: equilibrium
       integer :: i
 
       equilibrium%depth = depth
@@ -179,10 +164,10 @@ contains
       equilibrium%n_periods = sum(states%rows%n_periods)
       call move_alloc(states%rows, equilibrium%rows)
       allocate (equilibrium%forces(size(surface%rows)))
-      if (status /= march_solved) return
+      if (status /= stepping_solved) return
       !$omp parallel do schedule(dynamic) if (is_shared(surface))
       do i = 1, size(surface%rows)
-         call get_march_forces(surface%rows(i), surface%law, depth, equilibrium%rows(i)%period, equilibrium%forces(i))
+         call get_stepping_forces(surface%rows(i), surface%law, depth, equilibrium%rows(i)%period, equilibrium%forces(i))
          ! with the last step, which is round-off; without contact the load is known to the last digit
          if (equilibrium%forces(i)%n_contacts > 0) equilibrium%forces(i)%load = equilibrium%rows(i)%load
       end do

@@ -1,23 +1,23 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction, losses, areas and counts of a steady period.
 !>
-!> Friction is the integral of p df along the way. Losses are those of the arms: in open zones from the Kelvin elements, which lose what the
-!> arms lose (their scaled amplitudes are those of the arms, turned), in contact what the work of the pressure leaves after the change of the
-!> energy that is stored. Beside them edges of adhesion may take energy.
+!> Friction is the integral of p df along the path. Losses are those of the arms: in open zones from the Kelvin elements, which lose
+!> what the arms lose (their scaled amplitudes are those of the arms, turned), in contact what the work of the pressure leaves after
+!> the change of the energy that is stored. Beside them edges of adhesion may take energy.
 module adfric_foundation_stepping_forces
    use adfric_base_kinds, only: dp
    use adfric_numerics_phi_functions, only: get_exponential_moments
-   use adfric_foundation_stepping_law, only: march_law_t
-   use adfric_foundation_stepping_period, only: period_t, zone_t, in_contact, in_adhesion, in_free
+   use adfric_foundation_stepping_law, only: stepping_law_t
+   use adfric_foundation_stepping_period, only: stepped_period_t, zone_t, in_contact, in_adhesion, in_free
    use adfric_foundation_stepping_solid, only: product_of
-   use adfric_foundation_stepping_path, only: way_t, decay_of, expm1_of, get_double_moment, stretches_at, work_of_heights
-   use adfric_foundation_stepping_zone_end, only: place_t
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, expm1_of, get_double_moment, stretches_at, work_of_heights
+   use adfric_foundation_stepping_zone_end, only: position_t
    implicit none (type, external)
    private
-   public :: march_forces_t, get_march_forces
+   public :: stepping_forces_t, get_stepping_forces
 
    !> Forces of a period, with lengths along it in periods.
-   type :: march_forces_t
+   type :: stepping_forces_t
       !> Load and friction.
       real(dp) :: load = 0, friction = 0
       !> Energy that the arms and the edges of adhesion take.
@@ -33,24 +33,19 @@ module adfric_foundation_stepping_forces
       real(dp) :: contact_rise = 0
       !> Numbers of contacts, adhesion zones, free zones, and of edges where the surface snaps off.
       integer :: n_contacts = 0, n_adhesions = 0, n_free = 0, n_snaps = 0
-      !> Middle and length of the contact if there is one, in periods from where the period begins, along the way.
+      !> Middle and length of the contact if there is one, in periods from where the period begins, along the path.
       real(dp) :: contact_middle = 0, contact_length = 0
-   end type march_forces_t
+   end type stepping_forces_t
 
 contains
 
    !> Sum up a steady period.
-   pure subroutine get_march_forces(way, law, depth, period, forces)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+   pure subroutine get_stepping_forces(path, law, depth, period, forces)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      !> The period, whose beginning is its end.
-      type(period_t), intent(in) :: period
-      !> Receives the sums.
-      type(march_forces_t), intent(out) :: forces
+      type(stepped_period_t), intent(in) :: period
+      type(stepping_forces_t), intent(out) :: forces
       real(dp) :: displacement
       integer :: i
 
@@ -60,45 +55,41 @@ contains
       displacement = 0
       do i = 1, period%n_zones
          if (period%zones(i)%kind == in_contact) then
-            call add_contact(way, depth, period%zones(i), period%start(:, i), forces, displacement)
+            call add_contact(path, depth, period%zones(i), period%start(:, i), forces, displacement)
          else
-            call add_open_zone(way, law, period%zones(i), period%start(:, i), forces, displacement)
+            call add_open_zone(path, law, period%zones(i), period%start(:, i), forces, displacement)
          end if
          forces%load_scale = forces%load_scale + abs(period%zones(i)%load)
       end do
-      call find_single_contact(way, period, forces)
+      call find_single_contact(path, period, forces)
       forces%load = period%load
-      forces%edge_loss = get_edge_loss(way, law, period)
+      forces%edge_loss = get_edge_loss(path, law, period)
       forces%load_mismatch = displacement - forces%load
       forces%energy_mismatch = forces%friction - forces%dissipation - forces%edge_loss
-   end subroutine get_march_forces
+   end subroutine get_stepping_forces
 
    !> Add a contact.
-   pure subroutine add_contact(way, depth, zone, disturbance, forces, displacement)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> Penetration.
+   pure subroutine add_contact(path, depth, zone, disturbance, forces, displacement)
+      type(column_path_t), intent(in) :: path
       real(dp), intent(in) :: depth
-      !> The contact.
       type(zone_t), intent(in) :: zone
       !> Stretches less those of endless contact where it begins; shape `(n_arms)`.
       real(dp), intent(in) :: disturbance(:)
-      !> The sums.
-      type(march_forces_t), intent(inout) :: forces
+      type(stepping_forces_t), intent(inout) :: forces
       !> Integral of the displacement over the period.
       real(dp), intent(inout) :: displacement
-      real(dp), dimension(way%solid%n) :: first, last, growth
+      real(dp), dimension(path%solid%n) :: first, last, growth
       real(dp) :: work, size_of_work, stored, heights
 
-      call stretches_at(way, zone%start%piece, zone%start%theta, first, growth)
+      call stretches_at(path, zone%start%piece, zone%start%theta, first, growth)
       first = first + disturbance
-      call integrate_contact(way, zone%start, zone%finish, disturbance, heights, work, size_of_work)
-      call stretches_at(way, zone%finish%piece, zone%finish%theta, last, growth)
-      last = last + disturbance*decay_of(zone%duration/way%solid%time)
+      call integrate_contact(path, zone%start, zone%finish, disturbance, heights, work, size_of_work)
+      call stretches_at(path, zone%finish%piece, zone%finish%theta, last, growth)
+      last = last + disturbance*decay_of(zone%duration/path%solid%time)
       ! the penetration adds work to that of the spring that is relaxed
       work = work + depth*(zone%last_height - zone%first_height)
       stored = (zone%last_height - zone%first_height)*(depth + (zone%last_height + zone%first_height)/2) &
-         & + sum(way%solid%stiffness*(last - first)*(last + first))/2
+         & + sum(path%solid%stiffness*(last - first)*(last + first))/2
       forces%friction = forces%friction + work
       forces%friction_scale = forces%friction_scale + size_of_work
       forces%dissipation = forces%dissipation + (work - stored)
@@ -108,11 +99,9 @@ contains
    end subroutine add_contact
 
    !> Integrals over a contact, piece by piece.
-   pure subroutine integrate_contact(way, start, finish, first_disturbance, heights, work, size_of_work)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> Where the contact begins and ends.
-      type(place_t), intent(in) :: start, finish
+   pure subroutine integrate_contact(path, start, finish, first_disturbance, heights, work, size_of_work)
+      type(column_path_t), intent(in) :: path
+      type(position_t), intent(in) :: start, finish
       !> Stretches less those of endless contact where it begins; shape `(n_arms)`.
       real(dp), intent(in) :: first_disturbance(:)
       !> Receives the integral of the heights over time.
@@ -120,8 +109,8 @@ contains
       !> Receives the integral of the pressure over heights, without the penetration, and the size of its terms.
       real(dp), intent(out) :: work, size_of_work
       real(dp) :: from_height, to_height, kept
-      real(dp) :: c(0:way%degree), first_moments(way%degree), part, from, to, first(way%solid%n), growth(way%solid%n), &
-         & disturbance(way%solid%n)
+      real(dp) :: c(0:path%degree), first_moments(path%degree), part, from, to, first(path%solid%n), growth(path%solid%n), &
+         & disturbance(path%solid%n)
       integer :: j, m
 
       heights = 0
@@ -129,36 +118,36 @@ contains
       size_of_work = 0
       disturbance = first_disturbance
       ! what slow arms keep of their disturbance all but cancels what endless contact has; both act over the same change of height
-      kept = sum(way%solid%stiffness*disturbance, way%is_slow)
+      kept = sum(path%solid%stiffness*disturbance, path%is_slow)
       from_height = 0
       to_height = 0
       do j = start%piece, finish%piece
          from = merge(start%theta, 0.0_dp, j == start%piece)
          to = merge(finish%theta, 1.0_dp, j == finish%piece)
          if (.not. to > from) cycle
-         call get_part(way%coefficients(:, j), from, to, c)
-         do m = 0, way%degree
-            heights = heights + (to - from)*way%step*c(m)/(m + 1)
+         call get_part(path%coefficients(:, j), from, to, c)
+         do m = 0, path%degree
+            heights = heights + (to - from)*path%step*c(m)/(m + 1)
          end do
          if (from > 0 .or. to < 1) then
-            call stretches_at(way, j, from, first, growth)
-            part = get_part_work(way, to - from, c, first + disturbance)
-            disturbance = disturbance*decay_of((to - from)*way%ratio)
+            call stretches_at(path, j, from, first, growth)
+            part = get_part_work(path, to - from, c, first + disturbance)
+            disturbance = disturbance*decay_of((to - from)*path%ratio)
          else
-            do m = 1, way%degree
-               first_moments(m) = sum(way%moments(:, m)*disturbance)
+            do m = 1, path%degree
+               first_moments(m) = sum(path%moments(:, m)*disturbance)
             end do
             ! whole pieces follow each other, so that heights have to be known at the ends only
             if (j == start%piece .or. (j == start%piece + 1 .and. start%theta > 0)) from_height = c(0)
-            to_height = way%coefficients(0, modulo(j, way%n) + 1)
-            part = way%work(j) + sum((first_moments - kept)*c(1:))
-            disturbance = disturbance*way%decay(:, 1)
-            size_of_work = size_of_work + abs(work_of_heights(way, c(0), to_height, kept))
+            to_height = path%coefficients(0, modulo(j, path%n) + 1)
+            part = path%work(j) + sum((first_moments - kept)*c(1:))
+            disturbance = disturbance*path%decay(:, 1)
+            size_of_work = size_of_work + abs(work_of_heights(path, c(0), to_height, kept))
          end if
          work = work + part
          size_of_work = size_of_work + abs(part)
       end do
-      work = work + work_of_heights(way, from_height, to_height, kept)
+      work = work + work_of_heights(path, from_height, to_height, kept)
    end subroutine integrate_contact
 
    !> Coefficients of a part of a piece, from 0 to 1 on the part.
@@ -186,48 +175,43 @@ contains
    end subroutine get_part
 
    !> Work of the pressure over a part of a piece.
-   pure real(dp) function get_part_work(way, length, c, stretch) result(work)
-      !> The way.
-      type(way_t), intent(in) :: way
+   pure real(dp) function get_part_work(path, length, c, stretch) result(work)
+      type(column_path_t), intent(in) :: path
       !> Length of the part in pieces.
       real(dp), intent(in) :: length
       !> Coefficients of the heights over the part; shape `(0:degree)`.
       real(dp), intent(in) :: c(0:)
       !> Stretches where the part begins; shape `(n_arms)`.
       real(dp), intent(in) :: stretch(:)
-      real(dp) :: chi(0:way%degree), z
+      real(dp) :: chi(0:path%degree), z
       integer :: i, l, m
 
       work = sum(c(1:))*(c(0) + sum(c))/2
-      do i = 1, way%solid%n
-         z = way%ratio(i)*length
+      do i = 1, path%solid%n
+         z = path%ratio(i)*length
          call get_exponential_moments(z, chi)
-         do m = 1, way%degree
-            work = work + way%solid%stiffness(i)*c(m)*stretch(i)*m*chi(m - 1)
-            do l = 1, way%degree
-               work = work + way%solid%stiffness(i)*c(m)*c(l)*get_double_moment(z, l, m)
+         do m = 1, path%degree
+            work = work + path%solid%stiffness(i)*c(m)*stretch(i)*m*chi(m - 1)
+            do l = 1, path%degree
+               work = work + path%solid%stiffness(i)*c(m)*c(l)*get_double_moment(z, l, m)
             end do
          end do
       end do
    end function get_part_work
 
    !> Add a zone of adhesion or a free one.
-   pure subroutine add_open_zone(way, law, zone, elements, forces, displacement)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> The zone.
+   pure subroutine add_open_zone(path, law, zone, elements, forces, displacement)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       type(zone_t), intent(in) :: zone
       !> Kelvin elements where it begins; shape `(n_arms)`.
       real(dp), intent(in) :: elements(:)
-      !> The sums.
-      type(march_forces_t), intent(inout) :: forces
+      type(stepping_forces_t), intent(inout) :: forces
       !> Integral of the displacement over the period.
       real(dp), intent(inout) :: displacement
       real(dp) :: work
 
-      associate (s => way%solid, duration => zone%duration)
+      associate (s => path%solid, duration => zone%duration)
          forces%dissipation = forces%dissipation - sum(elements**2*expm1_of(-2*duration/s%retardation)/(2*s%compliance))
          displacement = displacement + zone%load - sum(elements*s%retardation*expm1_of(-duration/s%retardation))
          if (zone%kind == in_adhesion) then
@@ -241,12 +225,9 @@ contains
 
    !> Count zones round the period: one that its end cuts counts once.
    pure subroutine count_zones(law, period, forces)
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> The period.
-      type(period_t), intent(in) :: period
-      !> Receives the counts.
-      type(march_forces_t), intent(inout) :: forces
+      type(stepping_law_t), intent(in) :: law
+      type(stepped_period_t), intent(in) :: period
+      type(stepping_forces_t), intent(inout) :: forces
       integer :: i
 
       ! the surface snaps off where the displacement jumps and nothing pulls any more
@@ -270,13 +251,11 @@ contains
    end subroutine count_zones
 
    !> Middle and length of the contact, if there is one.
-   pure subroutine find_single_contact(way, period, forces)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The period.
-      type(period_t), intent(in) :: period
+   pure subroutine find_single_contact(path, period, forces)
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> The counts; receives middle and length.
-      type(march_forces_t), intent(inout) :: forces
+      type(stepping_forces_t), intent(inout) :: forces
       real(dp) :: first, last
       integer :: i
 
@@ -288,9 +267,9 @@ contains
          associate (zone => period%zones(i))
             if (i == period%n_zones .and. i > 1 .and. last >= 0) then
                ! it goes on where the period begins
-               first = (zone%start%piece - 1 + zone%start%theta)*way%step - 1
+               first = (zone%start%piece - 1 + zone%start%theta)*path%step - 1
             else
-               first = min(first, (zone%start%piece - 1 + zone%start%theta)*way%step)
+               first = min(first, (zone%start%piece - 1 + zone%start%theta)*path%step)
                last = first + zone%duration
             end if
          end associate
@@ -300,21 +279,18 @@ contains
    end subroutine find_single_contact
 
    !> Energy that edges of adhesion take.
-   pure real(dp) function get_edge_loss(way, law, period) result(loss)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> The period.
-      type(period_t), intent(in) :: period
-      real(dp) :: stretches(way%solid%n)
+   pure real(dp) function get_edge_loss(path, law, period) result(loss)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
+      type(stepped_period_t), intent(in) :: period
+      real(dp) :: stretches(path%solid%n)
       integer :: i
 
       loss = 0
       do i = 1, period%n_zones - 1
-         associate (here => period%zones(i), next => period%zones(i + 1), s => way%solid)
+         associate (here => period%zones(i), next => period%zones(i + 1), s => path%solid)
             if (next%is_snap) then
-               ! what adhesion gives on the way, less what the glassy column takes
+               ! what adhesion gives on the path, less what the glassy column takes
                loss = loss + law%stress*law%range - s%glassy*law%attach_gap**2/2
             else if (here%kind == in_free .and. next%kind == in_adhesion) then
                loss = loss + law%stress*law%range - law%stress*law%attach_gap + law%stress*law%jump/2

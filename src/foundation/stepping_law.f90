@@ -1,18 +1,19 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The law of adhesion of a march, for a column with any number of relaxation times.
+!> The law of adhesion of a time stepping, for a column with any number of relaxation times.
 !>
-!> As in `adfric_foundation_adhesion`, in units of the foundation of the march: stresses in k0 times the unit of length. States are ordered by
-!> the lengths of the dashpots, from which continuous edges take the shift that the dashpots have while the column is attached. In
-!> these lengths, m is the place where a free column would be, and an attached one is at m - drop or in contact.
+!> As in `adfric_foundation_adhesion`, in units of the foundation of the time stepping: stresses in k0 times the unit of length.
+!> States are ordered by the lengths of the dashpots, from which continuous edges take the shift that the dashpots have while the
+!> column is attached. In these lengths, m is the position where a free column would be, and an attached one is at m - drop or in
+!> contact.
 module adfric_foundation_stepping_law
    use adfric_base_kinds, only: dp
    use adfric_foundation_adhesion, only: edge_continuous, edge_front
    implicit none (type, external)
    private
-   public :: march_law_t, new_march_law
+   public :: stepping_law_t, new_stepping_law
 
-   !> Adhesion as a march needs it.
-   type :: march_law_t
+   !> Adhesion as a time stepping needs it.
+   type :: stepping_law_t
       !> Adhesion stress p0, >= 0.
       real(dp) :: stress = 0
       !> Range of adhesion d0, > 0 where there is a stress.
@@ -31,14 +32,13 @@ module adfric_foundation_stepping_law
       logical :: has_zones = .false.
       !> Does the surface snap into contact where adhesion takes hold?
       logical :: snaps = .false.
-   end type march_law_t
+   end type stepping_law_t
 
 contains
 
    !> The law for a column.
-   pure subroutine new_march_law(self, stress, range, edge, glassy)
-      !> Receives the law.
-      type(march_law_t), intent(out) :: self
+   pure subroutine new_stepping_law(self, stress, range, edge, glassy)
+      type(stepping_law_t), intent(out) :: self
       !> Adhesion stress, >= 0; 0 without adhesion.
       real(dp), intent(in) :: stress
       !> Range of adhesion, > 0 where there is a stress.
@@ -78,6 +78,6 @@ contains
       self%drop = self%jump
       self%release_reach = self%release_gap + self%jump
       self%snaps = .not. self%has_zones .or. self%jump >= self%attach_gap
-   end subroutine new_march_law
+   end subroutine new_stepping_law
 
 end module adfric_foundation_stepping_law

@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The way of a column along one period of heights, with what does not depend on the state of the column.
+!> The path of a column along one period of heights, with what does not depend on the state of the column.
 !>
 !> In contact the arms are linear in the heights, so contact is endless contact and a disturbance that decays. Endless contact, its
 !> sums, and bounds over blocks of pieces are found here once for heights and velocity; they hold at every penetration, load,
-!> adhesion and branch. A march then visits the pieces in which something may happen, and no others.
+!> adhesion and branch. A time stepping then visits the pieces in which something may happen, and no others.
 !>
 !> Time is in periods, and runs along the pieces of the heights; theta is its share in a piece. An arm is fast if it relaxes in less
 !> than a piece; of the others the lengths of the dashpots are kept as what they have grown by since the period began, so that
@@ -17,7 +17,7 @@ module adfric_foundation_stepping_path
    use adfric_foundation_stepping_solid, only: solid_t
    implicit none (type, external)
    private
-   public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_since, decay_of, expm1_of, &
+   public :: column_path_t, new_path, height_at, steepness_at, stretches_at, pressure_since, decay_of, expm1_of, &
       & get_double_moment, work_of_heights, n_levels, block_length, negligible_term
 
    !> Levels of blocks: pieces, and blocks of them.
@@ -36,8 +36,8 @@ module adfric_foundation_stepping_path
       real(dp), allocatable :: pressure(:), lowest(:), highest(:)
    end type block_bounds_t
 
-   !> A way.
-   type :: way_t
+   !> A path.
+   type :: column_path_t
       !> The column.
       type(solid_t), allocatable :: solid
       !> Number of pieces of a period, and the degree of their polynomials.
@@ -52,7 +52,7 @@ module adfric_foundation_stepping_path
       real(dp), allocatable :: ratio(:), open_ratio(:)
       !> Is the arm slow? Shape `(n_arms)`.
       logical, allocatable :: is_slow(:)
-      !> What is left of a disturbance after a block of each level, of arms and of Kelvin elements; shape `(n_arms, n_levels)`.
+      !> What remains of a disturbance after a block of each level, of arms and of Kelvin elements; shape `(n_arms, n_levels)`.
       real(dp), allocatable :: decay(:, :), open_decay(:, :)
       !> Lengths of dashpots where the period begins, in endless contact, and of slow arms only; shape `(n_arms)`.
       real(dp), allocatable :: first_length(:)
@@ -67,7 +67,7 @@ module adfric_foundation_stepping_path
       !> The same for what goes into `work`: of slow arms, minus the integral of what the dashpot grows by; shape `(n_arms,
       !> degree)`.
       real(dp), allocatable :: work_moments(:, :)
-      !> Integrals of the endless pressure over time up to each place, with what their rounding left: contact of a few pieces is
+      !> Integrals of the endless pressure over time up to each position, with what their rounding left: contact of a few pieces is
       !> a small difference of large sums. Shape `(0:n)`.
       real(dp), allocatable :: pressure_sum(:), pressure_rest(:)
       !> Integrals over the heights of each piece, of what fast arms push and of minus what the growths of slow ones do. The
@@ -78,17 +78,15 @@ module adfric_foundation_stepping_path
       !> Stiffness of the springs that heights alone stretch, those of slow arms and the relaxed one, and what the lengths of slow
       !> dashpots take from their stress where the period begins.
       real(dp) :: elastic_stiffness = 1, elastic_offset = 0
-   end type way_t
+   end type column_path_t
 
 contains
 
-   !> Prepare the way of a column.
-   pure subroutine new_way(self, line, solid)
-      !> Receives the way.
-      type(way_t), intent(out) :: self
+   !> Prepare the path of a column.
+   pure subroutine new_path(self, line, solid)
+      type(column_path_t), intent(out) :: self
       !> Heights along the period, the highest at or near the beginning.
       type(height_line_t), intent(in) :: line
-      !> The column at its velocity.
       type(solid_t), intent(in) :: solid
       integer :: m
 
@@ -105,12 +103,12 @@ contains
       call bound_heights(self)
       call find_endless_contact(self)
       call bound_blocks(self)
-   end subroutine new_way
+   end subroutine new_path
 
-   !> Ratios of times, and what is left of disturbances.
+   !> Ratios of times, and what remains of disturbances.
    pure subroutine set_rates(self)
-      !> The way, whose column and number of pieces are known.
-      type(way_t), intent(inout) :: self
+      !> The path, whose column and number of pieces are known.
+      type(column_path_t), intent(inout) :: self
       real(dp) :: phi(self%degree + 1), factorial
       integer :: i, k, m
 
@@ -137,7 +135,7 @@ contains
       end associate
    end subroutine set_rates
 
-   !> What is left after a time; 0 where it would be no normal number.
+   !> What remains after a time; 0 where it would be no normal number.
    elemental real(dp) function decay_of(x)
       !> The time over that of relaxation, >= 0.
       real(dp), intent(in) :: x
@@ -149,8 +147,8 @@ contains
 
    !> Bounds of the heights of each piece, by the coefficients of its Bernstein form.
    pure subroutine bound_heights(self)
-      !> The way, whose polynomials are known.
-      type(way_t), intent(inout) :: self
+      !> The path, whose polynomials are known.
+      type(column_path_t), intent(inout) :: self
       real(dp) :: bernstein(0:self%degree)
       integer :: j
 
@@ -187,8 +185,8 @@ contains
 
    !> Find endless contact: the periodic state, its sums, and bounds of its pressure in each piece.
    pure subroutine find_endless_contact(self)
-      !> The way; receives heads, sums and bounds.
-      type(way_t), intent(inout) :: self
+      !> The path; receives heads, sums and bounds.
+      type(column_path_t), intent(inout) :: self
       real(dp) :: state(self%solid%n), first(self%solid%n), total(self%degree), work(self%degree, self%degree)
       real(dp) :: mean_of(self%solid%n), weights(self%solid%n, self%degree)
       integer :: j
@@ -233,9 +231,7 @@ contains
 
    !> One piece of endless contact: stretches of fast arms, growths of slow ones.
    pure subroutine step_arms(self, j, state)
-      !> The way.
-      type(way_t), intent(in) :: self
-      !> Number of the piece.
+      type(column_path_t), intent(in) :: self
       integer, intent(in) :: j
       !> In: the arms where the piece begins. Out: where it ends; shape `(n_arms)`.
       real(dp), intent(inout), contiguous :: state(:)
@@ -249,8 +245,8 @@ contains
 
    !> Weights of the integrals over a piece.
    pure subroutine set_weights(self, total, work, moments, mean_of)
-      !> The way; receives the weights of stretches in the work.
-      type(way_t), intent(inout) :: self
+      !> The path; receives the weights of stretches in the work.
+      type(column_path_t), intent(inout) :: self
       !> Integral over theta of all forced stretches times stiffness, by coefficient; shape `(degree)`.
       real(dp), intent(out) :: total(:)
       !> Integral over heights of forced stretches of fast arms, less that of forced growths of slow ones, by two coefficients; shape
@@ -334,9 +330,8 @@ contains
 
    !> Add a piece of endless contact to the sums, and bound its pressure.
    pure subroutine add_piece(self, j, state, total, work, mean_of)
-      !> The way; receives sums and bound of the piece.
-      type(way_t), intent(inout) :: self
-      !> Number of the piece.
+      !> The path; receives sums and bound of the piece.
+      type(column_path_t), intent(inout) :: self
       integer, intent(in) :: j
       !> The arms where the piece begins, as `step_arms` has them; shape `(n_arms)`.
       real(dp), intent(in), contiguous :: state(:)
@@ -374,8 +369,8 @@ contains
 
    !> Bounds over blocks of pieces.
    pure subroutine bound_blocks(self)
-      !> The way, whose bounds over pieces are known.
-      type(way_t), intent(inout) :: self
+      !> The path, whose bounds over pieces are known.
+      type(column_path_t), intent(inout) :: self
 
       integer :: k
 
@@ -411,10 +406,9 @@ contains
       end do
    end subroutine gather
 
-   !> Height at a place.
+   !> Height at a position.
    pure real(dp) function height_at(self, j, theta) result(height)
-      !> The way.
-      type(way_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> The piece.
       integer, intent(in) :: j
       !> Share of it that is passed, 0 to 1.
@@ -430,8 +424,7 @@ contains
    !> Integral over heights of the pressure that follows from the heights alone, without the penetration: of the relaxed spring, and
    !> of slow arms whose dashpots stay as they are where the period begins.
    pure real(dp) function work_of_heights(self, first, last, stress) result(work)
-      !> The way.
-      type(way_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> Heights where the integral begins and ends.
       real(dp), intent(in) :: first, last
       !> A stress that stays and adds to the pressure.
@@ -442,8 +435,7 @@ contains
 
    !> Derivative of the height with respect to theta.
    pure real(dp) function steepness_at(self, j, theta) result(slope)
-      !> The way.
-      type(way_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> The piece.
       integer, intent(in) :: j
       !> Share of it that is passed, 0 to 1.
@@ -456,11 +448,10 @@ contains
       end do
    end function steepness_at
 
-   !> Endless contact at a place: the stretches of all arms, the growths of slow ones, and the integral of the pressure over time
+   !> Endless contact at a position: the stretches of all arms, the growths of slow ones, and the integral of the pressure over time
    !> since the piece began.
    pure subroutine stretches_at(self, j, theta, stretch, growth)
-      !> The way.
-      type(way_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> The piece.
       integer, intent(in) :: j
       !> Share of it that is passed, 0 to 1.
@@ -547,10 +538,10 @@ contains
       stretch = stretch + (start - b)*decay_of(z*theta)
    end function relaxed_stretch
 
-   !> Integral of the pressure of endless contact at no penetration over time, from the end of one piece to a place in another one.
+   !> Integral of the pressure of endless contact at no penetration over time, from the end of one piece to a position in another
+   !> one.
    pure real(dp) function pressure_since(self, first, j, theta, stretch, growth) result(total)
-      !> The way.
-      type(way_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> Number of the piece whose end the integral begins at; 0 for the beginning of the period.
       integer, intent(in) :: first
       !> The piece.

@@ -1,18 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One period of a column on its way, zone by zone.
+!> One period of a column on its path, zone by zone.
 !>
 !> The state of a column where the period begins is the lengths of its dashpots, less the shift while it is attached, and whether it
 !> is attached. The period returns what the lengths grow by, as a sum over zones that keeps the digits of slow arms, and the zones, from
 !> which everything else follows.
 module adfric_foundation_stepping_period
    use adfric_base_kinds, only: dp
-   use adfric_foundation_stepping_law, only: march_law_t
+   use adfric_foundation_stepping_law, only: stepping_law_t
    use adfric_foundation_stepping_solid, only: product_of
-   use adfric_foundation_stepping_path, only: way_t, decay_of, expm1_of, height_at, stretches_at, pressure_since
-   use adfric_foundation_stepping_zone_end, only: place_t, end_contact, end_open_zone, period_over, zone_closes
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, expm1_of, height_at, stretches_at, pressure_since
+   use adfric_foundation_stepping_zone_end, only: position_t, end_contact, end_open_zone, period_over, zone_closes
    implicit none (type, external)
    private
-   public :: column_state_t, zone_t, period_t, march_period, in_contact, in_adhesion, in_free
+   public :: column_state_t, zone_t, stepped_period_t, step_period, in_contact, in_adhesion, in_free
 
    !> Kinds of zones.
    integer, parameter :: in_contact = 1, in_adhesion = 2, in_free = 3
@@ -32,7 +32,7 @@ module adfric_foundation_stepping_period
       !> One of `in_...`.
       integer :: kind = in_contact
       !> Where it begins and ends.
-      type(place_t) :: start, finish
+      type(position_t) :: start, finish
       !> Its share of the period.
       real(dp) :: duration = 0
       !> Height where it begins and ends, without the penetration.
@@ -46,7 +46,7 @@ module adfric_foundation_stepping_period
    end type zone_t
 
    !> A period.
-   type :: period_t
+   type :: stepped_period_t
       !> Number of zones.
       integer :: n_zones = 0
       !> The zones in their order; more may be allocated.
@@ -63,62 +63,59 @@ module adfric_foundation_stepping_period
       real(dp) :: load = 0
       !> Was every zone followed to its end?
       logical :: is_complete = .false.
-   end type period_t
+   end type stepped_period_t
 
 contains
 
-   !> March one period.
-   pure subroutine march_period(way, law, depth, state, period)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
+   !> Time stepping one period.
+   pure subroutine step_period(path, law, depth, state, period)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       !> Penetration, by which all heights are higher.
       real(dp), intent(in) :: depth
-      !> State where the period begins.
       type(column_state_t), intent(in) :: state
       !> Receives the period; its memory is used again.
-      type(period_t), intent(inout) :: period
-      real(dp) :: current(way%solid%n)
-      type(place_t) :: place
+      type(stepped_period_t), intent(inout) :: period
+      real(dp) :: current(path%solid%n)
+      type(position_t) :: position
       integer :: kind
       logical :: is_over, is_snap
 
-      call clear(period, way%solid%n)
-      call begin(way, law, depth, state, kind, current)
-      place = place_t()
+      call clear(period, path%solid%n)
+      call begin(path, law, depth, state, kind, current)
+      position = position_t()
       is_snap = .false.
-      do while (period%n_zones < most_zones*way%n + 16)
-         call add_zone(period, kind, place, is_snap)
+      do while (period%n_zones < most_zones*path%n + 16)
+         call add_zone(period, kind, position, is_snap)
          associate (zone => period%zones(period%n_zones))
             if (kind == in_contact) then
-               call pass_contact(way, law, depth, zone, current, period, is_over)
+               call pass_contact(path, law, depth, zone, current, period, is_over)
             else
-               call pass_open_zone(way, law, depth, zone, current, period, is_over)
+               call pass_open_zone(path, law, depth, zone, current, period, is_over)
             end if
-            place = zone%finish
+            position = zone%finish
             period%load = period%load + zone%load
             if (is_over) exit
-            call cross_edge(way, law, depth, zone, current, kind, is_snap)
+            call cross_edge(path, law, depth, zone, current, kind, is_snap)
          end associate
       end do
       period%is_complete = period%is_complete .and. is_over
       period%is_attached = kind /= in_free
       if (kind == in_contact) period%last_stretch = current
-   end subroutine march_period
+   end subroutine step_period
 
    !> Forget the last period.
    pure subroutine clear(period, n)
       !> The period, whose memory is kept.
-      type(period_t), intent(inout) :: period
+      type(stepped_period_t), intent(inout) :: period
       !> Number of arms.
       integer, intent(in) :: n
-      integer, parameter :: first_room = 32
+      integer, parameter :: first_space = 32
 
       if (allocated(period%start)) then
          if (size(period%start, 1) /= n) deallocate (period%zones, period%start, period%growth)
       end if
-      if (.not. allocated(period%zones)) allocate (period%zones(first_room), period%start(n, first_room), period%growth(n))
+      if (.not. allocated(period%zones)) allocate (period%zones(first_space), period%start(n, first_space), period%growth(n))
       period%n_zones = 0
       period%growth = 0
       period%load = 0
@@ -128,14 +125,10 @@ contains
    end subroutine clear
 
    !> Zone and state where the period begins.
-   pure subroutine begin(way, law, depth, state, kind, current)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+   pure subroutine begin(path, law, depth, state, kind, current)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      !> State of the column.
       type(column_state_t), intent(in) :: state
       !> Receives the kind of the zone.
       integer, intent(out) :: kind
@@ -144,8 +137,8 @@ contains
       real(dp) :: height, apart
       logical :: is_attached
 
-      height = depth + way%coefficients(0, 1)
-      apart = sum(way%solid%stiffness*state%length)/way%solid%glassy - height
+      height = depth + path%coefficients(0, 1)
+      apart = sum(path%solid%stiffness*state%length)/path%solid%glassy - height
       if (law%stress > 0) then
          is_attached = state%is_attached
          if (apart <= law%attach_gap) is_attached = .true.
@@ -159,21 +152,18 @@ contains
       case (in_contact)
          current = height - (state%length + law%shift)
       case (in_adhesion)
-         current = product_of(way%solid%elements_of_lengths, state%length + law%shift + law%stress)
+         current = product_of(path%solid%elements_of_lengths, state%length + law%shift + law%stress)
       case default
-         current = product_of(way%solid%elements_of_lengths, state%length)
+         current = product_of(path%solid%elements_of_lengths, state%length)
       end select
    end subroutine begin
 
    !> Add a zone.
-   pure subroutine add_zone(period, kind, place, is_snap)
-      !> The period.
-      type(period_t), intent(inout) :: period
+   pure subroutine add_zone(period, kind, position, is_snap)
+      type(stepped_period_t), intent(inout) :: period
       !> Kind of the zone.
       integer, intent(in) :: kind
-      !> Where it begins.
-      type(place_t), intent(in) :: place
-      !> Does it begin by a snap?
+      type(position_t), intent(in) :: position
       logical, intent(in) :: is_snap
       type(zone_t), allocatable :: zones(:)
       real(dp), allocatable :: start(:, :)
@@ -188,70 +178,62 @@ contains
          call move_alloc(start, period%start)
       end if
       period%n_zones = n + 1
-      period%zones(n + 1) = zone_t(kind=kind, start=place, is_snap=is_snap)
+      period%zones(n + 1) = zone_t(kind=kind, start=position, is_snap=is_snap)
    end subroutine add_zone
 
    !> Pass a contact.
-   pure subroutine pass_contact(way, law, depth, zone, current, period, is_over)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+   pure subroutine pass_contact(path, law, depth, zone, current, period, is_over)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       !> The zone; receives its end and load.
       type(zone_t), intent(inout) :: zone
       !> In: stretches where it begins. Out: where it ends; shape `(n_arms)`.
       real(dp), intent(inout) :: current(:)
       !> The period, whose growth is completed.
-      type(period_t), intent(inout) :: period
-      !> Does the period end?
+      type(stepped_period_t), intent(inout) :: period
       logical, intent(out) :: is_over
-      real(dp), dimension(way%solid%n) :: first, first_growth, last, last_growth, disturbance, passed, lost, grown
+      real(dp), dimension(path%solid%n) :: first, first_growth, last, last_growth, disturbance, passed, lost, grown
       logical :: is_found
       integer :: event
 
-      associate (s => way%solid)
-         call stretches_at(way, zone%start%piece, zone%start%theta, first, first_growth)
+      associate (s => path%solid)
+         call stretches_at(path, zone%start%piece, zone%start%theta, first, first_growth)
          disturbance = current - first
          period%start(:, period%n_zones) = disturbance
-         zone%finish = place_t(zone%start%piece, zone%start%theta)
-         call end_contact(way, depth, law%strength, disturbance, zone%finish, event, is_found)
+         zone%finish = position_t(zone%start%piece, zone%start%theta)
+         call end_contact(path, depth, law%strength, disturbance, zone%finish, event, is_found)
          period%is_complete = period%is_complete .and. is_found
          is_over = event == period_over
          zone%ending = event
-         call close_period(way, zone)
-         call measure(way, zone)
-         call stretches_at(way, zone%finish%piece, zone%finish%theta, last, last_growth)
+         call close_period(path, zone)
+         call measure(path, zone)
+         call stretches_at(path, zone%finish%piece, zone%finish%theta, last, last_growth)
          passed = zone%duration/s%time
          lost = expm1_of(-passed)
          current = last + disturbance*decay_of(passed)
          grown = (zone%last_height - zone%first_height) - (last - first)
-         where (way%is_slow) grown = last_growth - first_growth
+         where (path%is_slow) grown = last_growth - first_growth
          zone%load = depth*zone%duration - sum(s%stiffness*s%time*disturbance*lost) &
-            & + pressure_since(way, zone%start%piece - 1, zone%finish%piece, zone%finish%theta, last, last_growth) &
-            & - pressure_since(way, zone%start%piece - 1, zone%start%piece, zone%start%theta, first, first_growth)
+            & + pressure_since(path, zone%start%piece - 1, zone%finish%piece, zone%finish%theta, last, last_growth) &
+            & - pressure_since(path, zone%start%piece - 1, zone%start%piece, zone%start%theta, first, first_growth)
          period%growth = period%growth + grown - disturbance*lost
       end associate
    end subroutine pass_contact
 
    !> Pass an open zone.
-   pure subroutine pass_open_zone(way, law, depth, zone, current, period, is_over)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+   pure subroutine pass_open_zone(path, law, depth, zone, current, period, is_over)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       !> The zone; receives its end and load.
       type(zone_t), intent(inout) :: zone
       !> In: Kelvin elements where it begins. Out: where it ends; shape `(n_arms)`.
       real(dp), intent(inout) :: current(:)
       !> The period, whose growth is completed.
-      type(period_t), intent(inout) :: period
-      !> Does the period end?
+      type(stepped_period_t), intent(inout) :: period
       logical, intent(out) :: is_over
-      real(dp) :: lost(way%solid%n), pressure, close_gap, release_gap
+      real(dp) :: lost(path%solid%n), pressure, close_gap, release_gap
       logical :: is_found
       integer :: event
 
@@ -259,53 +241,46 @@ contains
       pressure = merge(-law%stress, 0.0_dp, zone%kind == in_adhesion)
       close_gap = merge(0.0_dp, law%attach_gap, zone%kind == in_adhesion)
       release_gap = merge(law%release_gap, huge(1.0_dp), zone%kind == in_adhesion)
-      zone%finish = place_t(zone%start%piece, zone%start%theta)
-      call end_open_zone(way, depth, pressure, close_gap, release_gap, current, zone%finish, event, is_found)
+      zone%finish = position_t(zone%start%piece, zone%start%theta)
+      call end_open_zone(path, depth, pressure, close_gap, release_gap, current, zone%finish, event, is_found)
       period%is_complete = period%is_complete .and. is_found
       is_over = event == period_over
-      call close_period(way, zone)
-      call measure(way, zone)
-      lost = expm1_of(-zone%duration/way%solid%retardation)
-      period%growth = period%growth + product_of(way%solid%lengths_of_elements, current*lost)
-      current = current*decay_of(zone%duration/way%solid%retardation)
+      call close_period(path, zone)
+      call measure(path, zone)
+      lost = expm1_of(-zone%duration/path%solid%retardation)
+      period%growth = period%growth + product_of(path%solid%lengths_of_elements, current*lost)
+      current = current*decay_of(zone%duration/path%solid%retardation)
       zone%load = pressure*zone%duration
       zone%ending = event
    end subroutine pass_open_zone
 
    !> The end of the period is the end of its last piece.
-   pure subroutine close_period(way, zone)
-      !> The way.
-      type(way_t), intent(in) :: way
+   pure subroutine close_period(path, zone)
+      type(column_path_t), intent(in) :: path
       !> The zone, whose end may lie behind the last piece.
       type(zone_t), intent(inout) :: zone
 
-      if (zone%finish%piece > way%n) zone%finish = place_t(way%n, 1.0_dp)
+      if (zone%finish%piece > path%n) zone%finish = position_t(path%n, 1.0_dp)
    end subroutine close_period
 
    !> Duration and heights of a zone.
-   pure subroutine measure(way, zone)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The zone, with its ends.
+   pure subroutine measure(path, zone)
+      type(column_path_t), intent(in) :: path
       type(zone_t), intent(inout) :: zone
 
-      zone%duration = (real(zone%finish%piece - zone%start%piece, dp) + (zone%finish%theta - zone%start%theta))*way%step
-      if (zone%finish%passed >= 0) zone%duration = zone%finish%passed*way%step
-      zone%first_height = height_at(way, zone%start%piece, zone%start%theta)
-      zone%last_height = height_at(way, zone%finish%piece, zone%finish%theta)
+      zone%duration = (real(zone%finish%piece - zone%start%piece, dp) + (zone%finish%theta - zone%start%theta))*path%step
+      if (zone%finish%passed >= 0) zone%duration = zone%finish%passed*path%step
+      zone%first_height = height_at(path, zone%start%piece, zone%start%theta)
+      zone%last_height = height_at(path, zone%finish%piece, zone%finish%theta)
       ! to the last digit, where the friction of a closed contact is a small part of the work
-      if (zone%finish%piece == way%n .and. zone%finish%theta >= 1) zone%last_height = way%coefficients(0, 1)
+      if (zone%finish%piece == path%n .and. zone%finish%theta >= 1) zone%last_height = path%coefficients(0, 1)
    end subroutine measure
 
    !> Cross the edge between two zones.
-   pure subroutine cross_edge(way, law, depth, zone, current, kind, is_snap)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+   pure subroutine cross_edge(path, law, depth, zone, current, kind, is_snap)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      !> The zone that ends.
       type(zone_t), intent(in) :: zone
       !> In: state before the edge. Out: behind it, of the kind of the next zone; shape `(n_arms)`.
       real(dp), intent(inout) :: current(:)
@@ -315,7 +290,7 @@ contains
       logical, intent(out) :: is_snap
 
       is_snap = .false.
-      associate (s => way%solid)
+      associate (s => path%solid)
          select case (zone%kind)
          case (in_contact)
             ! the dashpots keep their lengths, and w follows from them and from the pressure

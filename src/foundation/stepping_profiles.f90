@@ -1,54 +1,50 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Pressure, shear stress, displacement and gap along a row of a marched surface.
+!> Pressure, shear stress, displacement and gap along a row of a stepped surface.
 module adfric_foundation_stepping_profiles
    use adfric_base_kinds, only: dp
-   use adfric_foundation_stepping_law, only: march_law_t
-   use adfric_foundation_stepping_period, only: period_t, in_contact, in_adhesion
-   use adfric_foundation_stepping_path, only: way_t, decay_of, height_at, steepness_at, stretches_at
+   use adfric_foundation_stepping_law, only: stepping_law_t
+   use adfric_foundation_stepping_period, only: stepped_period_t, in_contact, in_adhesion
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, height_at, steepness_at, stretches_at
    implicit none (type, external)
    private
-   public :: get_march_profiles
+   public :: get_stepping_profiles
 
 contains
 
-   !> Profiles at given places, in the units of the march; the shear stress in that of pressure times heights over the period.
-   pure subroutine get_march_profiles(way, law, depth, period, start, places, profiles)
-      !> The way of the row.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+   !> Profiles at given positions, in the units of the time stepping; the shear stress in that of pressure times heights over the
+   !> period.
+   pure subroutine get_stepping_profiles(path, law, depth, period, start, positions, profiles)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      !> The steady period of the row.
-      type(period_t), intent(in) :: period
-      !> Where the way begins, x in periods.
+      type(stepped_period_t), intent(in) :: period
+      !> Where the path begins, x in periods.
       real(dp), intent(in) :: start
-      !> Places x in periods; shape `(n)`.
-      real(dp), intent(in) :: places(:)
+      !> Positions x in periods; shape `(n)`.
+      real(dp), intent(in) :: positions(:)
       !> Receives pressure, shear stress, displacement and gap; shape `(n, 4)`.
       real(dp), intent(out) :: profiles(:, :)
       real(dp) :: passed, theta, pressure, displacement
       integer :: i, piece, zone
 
-      do i = 1, size(places)
+      do i = 1, size(positions)
          ! a column meets falling x
-         passed = modulo(start - places(i), 1.0_dp)*way%n
-         piece = min(int(passed) + 1, way%n)
+         passed = modulo(start - positions(i), 1.0_dp)*path%n
+         piece = min(int(passed) + 1, path%n)
          theta = min(passed - (piece - 1), 1.0_dp)
          zone = find_zone(period, piece, theta)
-         call get_state(way, law, depth, period, zone, piece, theta, pressure, displacement)
+         call get_state(path, law, depth, period, zone, piece, theta, pressure, displacement)
          profiles(i, 1) = pressure
-         profiles(i, 2) = pressure*steepness_at(way, piece, theta)*way%n
+         profiles(i, 2) = pressure*steepness_at(path, piece, theta)*path%n
          profiles(i, 3) = displacement
-         profiles(i, 4) = max(displacement - depth - height_at(way, piece, theta), 0.0_dp)
+         profiles(i, 4) = max(displacement - depth - height_at(path, piece, theta), 0.0_dp)
       end do
-   end subroutine get_march_profiles
+   end subroutine get_stepping_profiles
 
-   !> The zone of a place.
+   !> The zone of a position.
    pure integer function find_zone(period, piece, theta) result(zone)
-      !> The period.
-      type(period_t), intent(in) :: period
-      !> The piece of the place.
+      type(stepped_period_t), intent(in) :: period
+      !> The piece of the position.
       integer, intent(in) :: piece
       !> Share of the piece that is passed.
       real(dp), intent(in) :: theta
@@ -61,19 +57,15 @@ contains
       zone = period%n_zones
    end function find_zone
 
-   !> Pressure and displacement at a place.
-   pure subroutine get_state(way, law, depth, period, zone, piece, theta, pressure, displacement)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+   !> Pressure and displacement at a position.
+   pure subroutine get_state(path, law, depth, period, zone, piece, theta, pressure, displacement)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      !> The period.
-      type(period_t), intent(in) :: period
-      !> Number of the zone of the place.
+      type(stepped_period_t), intent(in) :: period
+      !> Number of the zone of the position.
       integer, intent(in) :: zone
-      !> The piece of the place.
+      !> The piece of the position.
       integer, intent(in) :: piece
       !> Share of the piece that is passed.
       real(dp), intent(in) :: theta
@@ -81,15 +73,15 @@ contains
       real(dp), intent(out) :: pressure
       !> Receives the displacement.
       real(dp), intent(out) :: displacement
-      real(dp), dimension(way%solid%n) :: stretch, growth
+      real(dp), dimension(path%solid%n) :: stretch, growth
       real(dp) :: time
 
-      associate (here => period%zones(zone), s => way%solid)
-         time = max(0.0_dp, (real(piece - here%start%piece, dp) + (theta - here%start%theta))*way%step)
+      associate (here => period%zones(zone), s => path%solid)
+         time = max(0.0_dp, (real(piece - here%start%piece, dp) + (theta - here%start%theta))*path%step)
          if (here%kind == in_contact) then
-            call stretches_at(way, piece, theta, stretch, growth)
+            call stretches_at(path, piece, theta, stretch, growth)
             stretch = stretch + period%start(:, zone)*decay_of(time/s%time)
-            displacement = depth + height_at(way, piece, theta)
+            displacement = depth + height_at(path, piece, theta)
             pressure = displacement + sum(s%stiffness*stretch)
          else
             pressure = merge(-law%stress, 0.0_dp, here%kind == in_adhesion)

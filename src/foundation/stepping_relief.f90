@@ -1,15 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The heights of a surface as rows that a column marches along.
+!> The heights of a surface as rows that a column steps along.
 !>
-!> Heights are in units of the peak-to-valley height of the surface, and count from its highest place. The way of a row begins where
-!> its own highest piece begins.
+!> Heights are in units of the peak-to-valley height of the surface, and count from its highest position. The path of a row begins
+!> where its own highest piece begins.
 module adfric_foundation_stepping_relief
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_shape_height_line, only: height_line_t, new_cosine_line, new_sampled_line, same_height
    use adfric_shape_period_seam, only: seam_t
    use adfric_shape_periodic_heights, only: preparation_t, prepare_heights
-   use adfric_shape_polynomial, only: get_turning_places, polynomial_at
+   use adfric_shape_polynomial, only: get_turning_positions, polynomial_at
    implicit none (type, external)
    private
    public :: relief_t, new_wave_relief, new_measured_relief
@@ -22,9 +22,9 @@ module adfric_foundation_stepping_relief
       real(dp) :: period = 1
       !> The rows.
       type(height_line_t), allocatable :: rows(:)
-      !> Where the ways of the rows begin, x in periods, 0 to 1; shape `(n_rows)`.
+      !> Where the paths of the rows begin, x in periods, 0 to 1; shape `(n_rows)`.
       real(dp), allocatable :: starts(:)
-      !> How far their highest places are from there along the ways, in periods; shape `(n_rows)`.
+      !> How far their highest positions are from there along the paths, in periods; shape `(n_rows)`.
       real(dp), allocatable :: crests(:)
       !> Steps of measured heights, before their ends were brought together.
       type(seam_t) :: seam
@@ -51,13 +51,11 @@ contains
 
    !> Rows of measured heights.
    subroutine new_measured_relief(self, heights, spacing, preparation, interpolation, is_reversed, is_coarse, error)
-      !> Receives the rows.
       type(relief_t), intent(out) :: self
       !> The heights, in any unit; shape `(nx, n_rows)`.
       real(dp), intent(in) :: heights(:, :)
       !> Distance of samples along x, in any unit.
       real(dp), intent(in) :: spacing
-      !> What makes one period of the heights.
       type(preparation_t), intent(in) :: preparation
       !> Pieces between samples, `linear_pieces` or `cubic_pieces`.
       integer, intent(in) :: interpolation
@@ -65,7 +63,6 @@ contains
       logical, intent(in) :: is_reversed
       !> Is every second sample left out, to see what the interpolation costs?
       logical, intent(in) :: is_coarse
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(height_line_t) :: line
       real(dp), allocatable :: periodic(:, :)
@@ -87,9 +84,8 @@ contains
       call reduce(self)
    end subroutine new_measured_relief
 
-   !> Heights from the highest place in units of the height, and ways that begin where rows are highest.
+   !> Heights from the highest position in units of the height, and ways that begin where rows are highest.
    pure subroutine reduce(self)
-      !> The rows.
       type(relief_t), intent(inout) :: self
       real(dp) :: lowest(size(self%rows)), highest(size(self%rows)), unit
       integer :: first(size(self%rows)), i
@@ -105,7 +101,7 @@ contains
          associate (c => self%rows(i)%coefficients)
             c(0, :) = c(0, :) - maxval(highest)
             c = c/unit
-            self%crests(i) = highest_place(c(:, first(i)))/size(c, 2)
+            self%crests(i) = highest_position(c(:, first(i)))/size(c, 2)
             self%starts(i) = modulo(-(first(i) - 1)/real(size(c, 2), dp), 1.0_dp)
          end associate
          call self%rows(i)%rotate(first(i))
@@ -114,21 +110,21 @@ contains
 
    !> Where a piece is highest, 0 to 1. Of a crest between two pieces round-off decides which one it belongs to, so the end
    !> counts as well as the beginning.
-   pure real(dp) function highest_place(c) result(place)
+   pure real(dp) function highest_position(c) result(position)
       !> Coefficients of the piece, in units of the height; shape `(0:degree)`.
       real(dp), intent(in) :: c(0:)
-      real(dp) :: places(4), highest
-      integer :: i, n_places
+      real(dp) :: positions(4), highest
+      integer :: i, n_positions
 
-      place = 0
+      position = 0
       highest = c(0)
-      call get_turning_places(c, places, n_places)
-      do i = 1, n_places
-         if (.not. polynomial_at(c, places(i)) > highest) cycle
-         place = places(i)
-         highest = polynomial_at(c, place)
+      call get_turning_positions(c, positions, n_positions)
+      do i = 1, n_positions
+         if (.not. polynomial_at(c, positions(i)) > highest) cycle
+         position = positions(i)
+         highest = polynomial_at(c, position)
       end do
-      if (sum(c) > highest + same_height) place = 1
-   end function highest_place
+      if (sum(c) > highest + same_height) position = 1
+   end function highest_position
 
 end module adfric_foundation_stepping_relief

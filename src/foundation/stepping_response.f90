@@ -16,11 +16,11 @@
 module adfric_foundation_stepping_response
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_edge_rates, only: time_of, gap_at, least_rate, rate_difference
-   use adfric_foundation_stepping_law, only: march_law_t
-   use adfric_foundation_stepping_period, only: period_t, in_contact, in_adhesion, in_free
+   use adfric_foundation_stepping_law, only: stepping_law_t
+   use adfric_foundation_stepping_period, only: stepped_period_t, in_contact, in_adhesion, in_free
    use adfric_foundation_stepping_spans, only: span_t, get_response, solve
-   use adfric_foundation_stepping_path, only: way_t, expm1_of
-   use adfric_foundation_stepping_zone_end, only: place_t
+   use adfric_foundation_stepping_path, only: column_path_t, expm1_of
+   use adfric_foundation_stepping_zone_end, only: position_t
    implicit none (type, external)
    private
    public :: get_edge_steps, bound_response
@@ -33,29 +33,25 @@ module adfric_foundation_stepping_response
 contains
 
    !> Newton's step towards a steady state, and how that changes with the penetration, by the derivative of the period.
-   pure subroutine get_edge_steps(way, law, period, step, response, load_step, load_slope, is_solved)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> The period from a state.
-      type(period_t), intent(in) :: period
+   pure subroutine get_edge_steps(path, law, period, step, response, load_step, load_slope, is_solved)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
+      type(stepped_period_t), intent(in) :: period
       !> Receives the step of the lengths e, and their change with the penetration; shape `(n_arms)`.
       real(dp), intent(out) :: step(:), response(:)
       !> Receives by how much the step changes the load, and the slope of the load over the penetration.
       real(dp), intent(out) :: load_step, load_slope
-      !> Is there a step?
       logical, intent(out) :: is_solved
       type(span_t) :: spans(period%n_zones)
-      real(dp) :: growth(way%solid%n, way%solid%n + 1), displacement(way%solid%n + 1), steps(way%solid%n, 2)
+      real(dp) :: growth(path%solid%n, path%solid%n + 1), displacement(path%solid%n + 1), steps(path%solid%n, 2)
       integer :: i
 
       do i = 1, period%n_zones
-         call set_span(way, law, period, i, spans(i), is_solved)
+         call set_span(path, law, period, i, spans(i), is_solved)
          if (.not. is_solved) return
       end do
-      call get_response(way%solid, spans, growth, displacement)
-      associate (n => way%solid%n)
+      call get_response(path%solid, spans, growth, displacement)
+      associate (n => path%solid%n)
          steps(:, 1) = period%growth
          steps(:, 2) = growth(:, n + 1)
          call solve(growth(:, :n), steps, is_solved)
@@ -67,16 +63,12 @@ contains
    end subroutine get_edge_steps
 
    !> The span of a zone of one state.
-   pure subroutine set_span(way, law, period, i, span, is_set)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> The period.
-      type(period_t), intent(in) :: period
+   pure subroutine set_span(path, law, period, i, span, is_set)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
+      type(stepped_period_t), intent(in) :: period
       !> Number of the zone.
       integer, intent(in) :: i
-      !> Receives the span.
       type(span_t), intent(out) :: span
       !> Do gap and reach meet at a rate?
       logical, intent(out) :: is_set
@@ -87,7 +79,7 @@ contains
          span%is_contact = zone%kind == in_contact
          span%duration = zone%duration
          if (.not. lets_jump(period, i)) return
-         rate = least_rate(way, zone, period%start(:, i), zone%finish, zone%finish, zone%duration, zone%duration)
+         rate = least_rate(path, zone, period%start(:, i), zone%finish, zone%finish, zone%duration, zone%duration)
          is_set = rate > least_useful_rate
          if (.not. is_set) return
          span%delay = 1/rate
@@ -97,8 +89,7 @@ contains
 
    !> Does the displacement jump where a zone ends?
    pure logical function lets_jump(period, i)
-      !> The period.
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> Number of the zone.
       integer, intent(in) :: i
 
@@ -109,13 +100,11 @@ contains
 
    !> The jumps where a free column is attached or an attached one is let go.
    pure subroutine get_jumps(law, kind, next_kind, excess, span)
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
+      type(stepping_law_t), intent(in) :: law
       !> Kinds of the zones before and behind the edge.
       integer, intent(in) :: kind, next_kind
       !> By how much the gap of the upper state is beyond the reach between the edges of two states.
       real(dp), intent(in) :: excess
-      !> Receives the jumps.
       type(span_t), intent(inout) :: span
 
       if (kind == in_adhesion .or. next_kind == in_adhesion) then
@@ -130,25 +119,22 @@ contains
 
    !> Look for a proof that two states have no steady one between them, at none of the penetrations between theirs, and bound the slope
    !> of the load over the penetration.
-   pure subroutine bound_response(way, law, lower, lower_depth, upper, upper_depth, slope, is_proved)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
+   pure subroutine bound_response(path, law, lower, lower_depth, upper, upper_depth, slope, is_proved)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       !> Period of the state with smaller lengths, at the larger penetration.
-      type(period_t), intent(in) :: lower
+      type(stepped_period_t), intent(in) :: lower
       !> This penetration.
       real(dp), intent(in) :: lower_depth
       !> Period of the state with larger lengths, at the smaller penetration.
-      type(period_t), intent(in) :: upper
+      type(stepped_period_t), intent(in) :: upper
       !> This penetration.
       real(dp), intent(in) :: upper_depth
       !> Receives a lower bound of the slope.
       real(dp), intent(out) :: slope
-      !> Is it proved?
       logical, intent(out) :: is_proved
       type(span_t) :: spans(lower%n_zones)
-      real(dp) :: growth(way%solid%n, way%solid%n + 1), displacement(way%solid%n + 1), distances(way%solid%n, 2), last
+      real(dp) :: growth(path%solid%n, path%solid%n + 1), displacement(path%solid%n + 1), distances(path%solid%n, 2), last
       integer :: i
 
       slope = -huge(1.0_dp)
@@ -156,11 +142,11 @@ contains
       if (.not. is_proved) return
       last = 0
       do i = 1, lower%n_zones
-         call set_common_span(way, law, lower, lower_depth, upper, upper_depth, i, last, spans(i), is_proved)
+         call set_common_span(path, law, lower, lower_depth, upper, upper_depth, i, last, spans(i), is_proved)
          if (.not. is_proved) return
       end do
-      call get_response(way%solid, spans, growth, displacement)
-      associate (n => way%solid%n)
+      call get_response(path%solid, spans, growth, displacement)
+      associate (n => path%solid%n)
          ! a positive matrix J has a spectral radius below 1 if x = J x + (1, ..., 1) has a positive solution
          distances(:, 1) = 1
          distances(:, 2) = growth(:, n + 1)
@@ -172,8 +158,7 @@ contains
 
    !> Have two periods the same zones?
    pure logical function have_same_zones(lower, upper) result(are_same)
-      !> The periods.
-      type(period_t), intent(in) :: lower, upper
+      type(stepped_period_t), intent(in) :: lower, upper
 
       are_same = lower%n_zones == upper%n_zones .and. lower%is_complete .and. upper%is_complete .and. &
          & (lower%is_attached .eqv. upper%is_attached)
@@ -184,31 +169,26 @@ contains
    end function have_same_zones
 
    !> The span of a zone that two states have in common, and the edges behind it.
-   pure subroutine set_common_span(way, law, lower, lower_depth, upper, upper_depth, i, last, span, is_set)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Period of the lower state.
-      type(period_t), intent(in) :: lower
+   pure subroutine set_common_span(path, law, lower, lower_depth, upper, upper_depth, i, last, span, is_set)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
+      type(stepped_period_t), intent(in) :: lower
       !> Its penetration.
       real(dp), intent(in) :: lower_depth
-      !> Period of the upper state.
-      type(period_t), intent(in) :: upper
+      type(stepped_period_t), intent(in) :: upper
       !> Its penetration.
       real(dp), intent(in) :: upper_depth
       !> Number of the zone.
       integer, intent(in) :: i
       !> In: time from which both states are in this zone. Out: from which both are in the next.
       real(dp), intent(inout) :: last
-      !> Receives the span.
       type(span_t), intent(out) :: span
       !> Are the edges in order, and is there a rate at which gap and reach meet?
       logical, intent(out) :: is_set
       real(dp) :: times(2), first, second
       logical :: is_release
 
-      times = [time_of(way, lower%zones(i)%finish), time_of(way, upper%zones(i)%finish)]
+      times = [time_of(path, lower%zones(i)%finish), time_of(path, upper%zones(i)%finish)]
       ! the upper state opens earlier and closes later
       is_release = lower%zones(i)%kind /= in_free
       if (i < lower%n_zones) is_release = is_release .and. lower%zones(i + 1)%kind /= in_contact
@@ -219,38 +199,34 @@ contains
       span%is_contact = lower%zones(i)%kind == in_contact
       span%duration = max(first - last, 0.0_dp)
       span%crossing = second - first
-      if (lets_jump(lower, i)) call set_jump(way, law, lower, lower_depth, upper, upper_depth, i, last, first, second, span, is_set)
+      if (lets_jump(lower, i)) call set_jump(path, law, lower, lower_depth, upper, upper_depth, i, last, first, second, span, &
+         & is_set)
       last = second
    end subroutine set_common_span
 
    !> The jump behind a zone that two states have in common, with the least rate of all states between them.
-   pure subroutine set_jump(way, law, lower, lower_depth, upper, upper_depth, i, last, first, second, span, is_set)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Period of the lower state.
-      type(period_t), intent(in) :: lower
+   pure subroutine set_jump(path, law, lower, lower_depth, upper, upper_depth, i, last, first, second, span, is_set)
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
+      type(stepped_period_t), intent(in) :: lower
       !> Its penetration.
       real(dp), intent(in) :: lower_depth
-      !> Period of the upper state.
-      type(period_t), intent(in) :: upper
+      type(stepped_period_t), intent(in) :: upper
       !> Its penetration.
       real(dp), intent(in) :: upper_depth
       !> Number of the zone.
       integer, intent(in) :: i
       !> Times from which both states are in the zone, one has left it, and both have.
       real(dp), intent(in) :: last, first, second
-      !> The span; receives the jump.
       type(span_t), intent(inout) :: span
       !> Do gap and reach meet at a rate?
       logical, intent(out) :: is_set
-      type(place_t) :: early, late
+      type(position_t) :: early, late
       real(dp) :: rate, excess, response
 
       early = lower%zones(i)%finish
       late = upper%zones(i)%finish
-      if (span%crossing > 0 .and. time_of(way, early) > time_of(way, late)) then
+      if (span%crossing > 0 .and. time_of(path, early) > time_of(path, late)) then
          early = upper%zones(i)%finish
          late = lower%zones(i)%finish
       end if
@@ -260,18 +236,18 @@ contains
       else
          rate = longer_rate(lower)
       end if
-      rate = rate - rate_difference(way, lower, lower_depth, upper, upper_depth, i, last, first)
+      rate = rate - rate_difference(path, lower, lower_depth, upper, upper_depth, i, last, first)
       is_set = rate > least_useful_rate
       if (.not. is_set) return
       excess = 0
       if (lower%zones(i)%kind == in_free) then
-         excess = gap_at(way, upper, i, early) - upper_depth - law%attach_gap
+         excess = gap_at(path, upper, i, early) - upper_depth - law%attach_gap
       else if (lower%zones(i)%kind == in_contact) then
-         excess = gap_at(way, upper, i + 1, late) - upper_depth - law%release_reach
+         excess = gap_at(path, upper, i + 1, late) - upper_depth - law%release_reach
       end if
       call get_jumps(law, lower%zones(i)%kind, lower%zones(i + 1)%kind, max(excess, 0.0_dp), span)
       ! between the edges the jump of one arm moves the others
-      response = -sum(way%solid%stiffness*expm1_of(-span%crossing/way%solid%time))/way%solid%glassy
+      response = -sum(path%solid%stiffness*expm1_of(-span%crossing/path%solid%time))/path%solid%glassy
       span%displacement_step = span%displacement_step + span%target_step*response/(1 - response)
       span%target_step = span%target_step/(1 - response)
       span%delay = 1/rate
@@ -280,12 +256,11 @@ contains
 
       !> The least rate of a state that is in the zone for longer.
       pure real(dp) function longer_rate(period)
-         !> Its period.
-         type(period_t), intent(in) :: period
+         type(stepped_period_t), intent(in) :: period
          real(dp) :: begin
 
-         begin = time_of(way, period%zones(i)%start)
-         longer_rate = least_rate(way, period%zones(i), period%start(:, i), early, late, first - begin, second - begin)
+         begin = time_of(path, period%zones(i)%start)
+         longer_rate = least_rate(path, period%zones(i), period%start(:, i), early, late, first - begin, second - begin)
       end function longer_rate
 
    end subroutine set_jump

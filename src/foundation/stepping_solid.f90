@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The viscoelastic foundation of a march: a column with any number of relaxation times, in reduced units.
+!> The viscoelastic foundation of a time stepping: a column with any number of relaxation times, in reduced units.
 !>
 !> Stiffnesses are in units of the relaxed one \( k_0 \), times in units of that in which a period passes. A column is a spring 1 and arms
 !> \( k_i, \tau_i \) beside it; the length of dashpot i is \( e_i \), and \( r_i = w - e_i \) is what stretches the spring of the arm:
@@ -38,9 +38,7 @@ contains
 
    !> The column at one velocity.
    pure subroutine new_solid(self, prony, pace)
-      !> Receives the column.
       type(solid_t), intent(out) :: self
-      !> Relaxed stiffness, arms and times in any unit.
       type(prony_t), intent(in) :: prony
       !> Periods that pass in the unit of time of `prony`, V/l; >= 0.
       real(dp), intent(in) :: pace
@@ -48,7 +46,7 @@ contains
       type(retardation_t) :: kelvin
       integer :: i, j
 
-      ! arms too fast for the digits of a place are one arm, which is next to no resistance at all
+      ! arms too fast for the digits of a position are one arm, which is next to no resistance at all
       call new_prony(reduced, 1.0_dp, prony%moduli/prony%relaxed, max(prony%times*pace, slowest))
       call new_retardation(kelvin, reduced)
       self%n = size(reduced%times)
@@ -78,10 +76,7 @@ contains
    pure subroutine multiply(n, n_vectors, matrix, vectors, is_added, products)
       !> Number of components, and of vectors.
       integer, intent(in) :: n, n_vectors
-      !> The matrix.
-      real(dp), intent(in) :: matrix(n, n)
-      !> The vectors.
-      real(dp), intent(in) :: vectors(n, n_vectors)
+      real(dp), intent(in) :: matrix(n, n), vectors(n, n_vectors)
       !> Are the products added to what stands in `products`?
       logical, intent(in) :: is_added
       !> Receives the products.

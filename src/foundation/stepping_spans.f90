@@ -32,9 +32,7 @@ contains
 
    !> What a unit of each length, and a unit less of penetration, adds to the lengths in a period, and to the integral of w - D.
    pure subroutine get_response(solid, spans, growth, displacement)
-      !> The column.
       type(solid_t), intent(in) :: solid
-      !> The period.
       type(span_t), intent(in) :: spans(:)
       !> Receives what is added to the lengths; shape `(n_arms, n_arms + 1)`.
       real(dp), intent(out) :: growth(:, :)
@@ -55,7 +53,7 @@ contains
          else
             call pass_open(solid, spans(i)%duration, vectors, growth, displacement)
          end if
-         if (spans(i)%delay > 0) moved = spans(i)%delay*largest_place(solid, vectors, spans(i)%crossing)
+         if (spans(i)%delay > 0) moved = spans(i)%delay*largest_position(solid, vectors, spans(i)%crossing)
          if (spans(i)%crossing > 0) call pass_open(solid, spans(i)%crossing, vectors, growth, displacement)
          if (.not. spans(i)%delay > 0) cycle
          displacement = displacement + spans(i)%displacement_step*moved
@@ -67,32 +65,30 @@ contains
    end subroutine get_response
 
    !> The change of m, or the largest within a time of openness.
-   pure function largest_place(solid, vectors, time) result(places)
-      !> The column.
+   pure function largest_position(solid, vectors, time) result(positions)
       type(solid_t), intent(in) :: solid
       !> Changes of the lengths; shape `(n_arms, n_arms + 1)`.
       real(dp), intent(in) :: vectors(:, :)
       !> The time, or 0.
       real(dp), intent(in) :: time
-      real(dp) :: places(size(vectors, 2)), elements(solid%n)
+      real(dp) :: positions(size(vectors, 2)), elements(solid%n)
       integer :: k, last
 
       last = size(vectors, 2)
       do k = 1, last
-         places(k) = sum(solid%stiffness*vectors(:, k))/solid%glassy
+         positions(k) = sum(solid%stiffness*vectors(:, k))/solid%glassy
       end do
-      places(last) = places(last) + 1/solid%glassy
+      positions(last) = positions(last) + 1/solid%glassy
       if (.not. time > 0) return
       do k = 1, last
          ! the last vector has a unit less of penetration, to which all lengths tend
          elements = product_of(solid%elements_of_lengths, vectors(:, k) - merge(1, 0, k == last))
-         places(k) = sum(max(elements, elements*decay_of(time/solid%retardation))) + merge(1, 0, k == last)
+         positions(k) = sum(max(elements, elements*decay_of(time/solid%retardation))) + merge(1, 0, k == last)
       end do
-   end function largest_place
+   end function largest_position
 
    !> Pass contact: lengths tend to heights that stay as they are.
    pure subroutine pass_contact(solid, duration, vectors, growth)
-      !> The column.
       type(solid_t), intent(in) :: solid
       !> Its time.
       real(dp), intent(in) :: duration
@@ -112,7 +108,6 @@ contains
 
    !> Pass an open zone: Kelvin elements relax, and lengths tend to what the penetration is less.
    pure subroutine pass_open(solid, duration, vectors, growth, displacement)
-      !> The column.
       type(solid_t), intent(in) :: solid
       !> Its time.
       real(dp), intent(in) :: duration
@@ -146,7 +141,6 @@ contains
       real(dp), intent(in) :: growth(:, :)
       !> In: right sides. Out: solutions; shape `(n_arms, n_vectors)`.
       real(dp), intent(inout) :: vectors(:, :)
-      !> Was the system solved?
       logical, intent(out) :: is_solved
       real(dp) :: matrix(size(growth, 1), size(growth, 1))
       integer :: pivots(size(growth, 1)), info

@@ -3,50 +3,48 @@
 module adfric_foundation_stepping_states
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_approach_state, only: find_approach
-   use adfric_foundation_stepping_law, only: march_law_t
+   use adfric_foundation_stepping_law, only: stepping_law_t
    use adfric_foundation_stepping_steady_column, only: steady_column_t, find_adhered, start_from_below, start_from_free
-   use adfric_foundation_stepping_path, only: way_t
+   use adfric_foundation_stepping_path, only: column_path_t
    implicit none (type, external)
    private
-   public :: march_surface_t, march_states_t, start, find_least, find_greatest, sum_up, shift, largest_depth, is_shared
-   public :: march_solved, march_no_equilibrium, march_failed, round_off
+   public :: stepping_surface_t, stepping_states_t, start, find_least, find_greatest, sum_up, shift, largest_depth, is_shared
+   public :: stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
 
    !> How a search ends.
-   integer, parameter :: march_solved = 0, march_no_equilibrium = 1, march_failed = 2
+   integer, parameter :: stepping_solved = 0, stepping_no_equilibrium = 1, stepping_failed = 2
    !> Loads and penetrations are known to this share.
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
    !> Rows are shared among threads from so many pieces on.
    integer, parameter :: least_shared = 4096
-   !> Most periods of a row that one search marches; what takes more is not converged.
+   !> Most periods of a row that one search steps; what takes more is not converged.
    integer, parameter :: most_periods = 10000
 
    !> A surface at one velocity.
-   type :: march_surface_t
+   type :: stepping_surface_t
       !> The rows.
-      type(way_t), allocatable :: rows(:)
+      type(column_path_t), allocatable :: rows(:)
       !> The law of adhesion.
-      type(march_law_t) :: law
+      type(stepping_law_t) :: law
       !> Is the branch the greatest state? Else it is the least.
       logical :: is_approach = .false.
-   end type march_surface_t
+   end type stepping_surface_t
 
    !> States of all rows at one penetration.
-   type :: march_states_t
+   type :: stepping_states_t
       !> The states.
       type(steady_column_t), allocatable :: rows(:)
       !> Mean load, its change with the penetration, and what round-off makes of the load.
       real(dp) :: load = 0, slope = 0, least_load = 0
       !> Are all rows steady? Has one failed?
       logical :: are_steady = .false., have_failed = .false.
-   end type march_states_t
+   end type stepping_states_t
 
 contains
 
    !> A penetration that no state below carries the load at: gaps are not negative, so the load is that of endless contact or more.
    pure real(dp) function largest_depth(surface, load) result(depth)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Mean load of the rows.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
       integer :: i
 
@@ -58,22 +56,18 @@ contains
 
    !> Are there so many pieces of heights that threads share the rows? They lose more by waiting for each other where there are few.
    pure logical function is_shared(surface)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
+      type(stepping_surface_t), intent(in) :: surface
 
       is_shared = size(surface%rows) > 1 .and. sum(surface%rows%n) >= least_shared
    end function is_shared
 
    !> States to start from.
    subroutine start(surface, depth, is_free, states)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Penetration.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: depth
       !> Above all states that are steady? Else below.
       logical, intent(in) :: is_free
-      !> Receives the states.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       integer :: i
 
       if (.not. allocated(states%rows)) allocate (states%rows(size(surface%rows)))
@@ -88,12 +82,10 @@ contains
 
    !> The least states.
    subroutine find_least(surface, depth, states)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Penetration.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: depth
       !> In: states below. Out: the least states.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       integer :: i
 
       !$omp parallel do schedule(dynamic) if (is_shared(surface))
@@ -106,12 +98,10 @@ contains
 
    !> The greatest states.
    subroutine find_greatest(surface, depth, states)
-      !> The surface.
-      type(march_surface_t), intent(in) :: surface
-      !> Penetration.
+      type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: depth
       !> In: states above. Out: the greatest states.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       integer :: i
 
       !$omp parallel do schedule(dynamic) if (is_shared(surface))
@@ -124,10 +114,8 @@ contains
 
    !> Sums over rows.
    pure subroutine sum_up(depth, states)
-      !> Penetration.
       real(dp), intent(in) :: depth
-      !> The states; receives the sums.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       integer :: i
 
       states%load = 0
@@ -150,8 +138,7 @@ contains
 
    !> Move states with the heights.
    pure subroutine shift(states, change)
-      !> The states.
-      type(march_states_t), intent(inout) :: states
+      type(stepping_states_t), intent(inout) :: states
       !> Change of the penetration.
       real(dp), intent(in) :: change
       integer :: i

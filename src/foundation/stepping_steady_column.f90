@@ -10,14 +10,14 @@
 module adfric_foundation_stepping_steady_column
    use adfric_base_kinds, only: dp
    use adfric_numerics_lapack, only: dgesv
-   use adfric_foundation_stepping_law, only: march_law_t
-   use adfric_foundation_stepping_period, only: column_state_t, period_t, march_period, in_contact
+   use adfric_foundation_stepping_law, only: stepping_law_t
+   use adfric_foundation_stepping_period, only: column_state_t, stepped_period_t, step_period, in_contact
    use adfric_foundation_stepping_response, only: get_edge_steps
    use adfric_foundation_stepping_solid, only: multiply, product_of
-   use adfric_foundation_stepping_path, only: way_t, expm1_of
+   use adfric_foundation_stepping_path, only: column_path_t, expm1_of
    implicit none (type, external)
    private
-   public :: steady_column_t, take_step, take_edge_step, find_adhered, start_from_below, start_from_free, march, changes_flag, &
+   public :: steady_column_t, take_step, take_edge_step, find_adhered, start_from_below, start_from_free, stepping, changes_flag, &
       & judge_step, move, get_steps, get_matrix, get_displacement_sums, most_edge_steps, most_periods
 
    !> Steps that are smaller than this share of lengths are round-off.
@@ -40,7 +40,7 @@ module adfric_foundation_stepping_steady_column
       !> The state where the period begins.
       type(column_state_t) :: state
       !> The last period from a state.
-      type(period_t) :: period
+      type(stepped_period_t) :: period
       !> The step from that state; shape `(n_arms)`.
       real(dp), allocatable :: step(:)
       !> The largest component of the step.
@@ -51,7 +51,7 @@ module adfric_foundation_stepping_steady_column
       real(dp) :: load = 0, load_slope = 0
       !> Change of the state with the penetration while zones are as they are; shape `(n_arms)`.
       real(dp), allocatable :: response(:)
-      !> Number of periods marched.
+      !> Number of periods stepped.
       integer :: n_periods = 0
       !> Is the state steady to round-off?
       logical :: is_steady = .false.
@@ -63,74 +63,61 @@ contains
 
    !> A state below all that are steady: in endless contact or, where that is lower, attached everywhere. Both are states that a
    !> period raises, and so is the higher one of both for each arm.
-   pure subroutine start_from_below(self, way, law, depth)
-      !> Receives the state.
+   pure subroutine start_from_below(self, path, law, depth)
       type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
 
-      self%state%length = depth + way%coefficients(0, 1) - way%head(:, 1) - law%shift
-      where (way%is_slow) self%state%length = depth + way%first_length - law%shift
+      self%state%length = depth + path%coefficients(0, 1) - path%head(:, 1) - law%shift
+      where (path%is_slow) self%state%length = depth + path%first_length - law%shift
       self%state%is_attached = .true.
       if (law%stress > 0) self%state%length = max(self%state%length, -law%stress - law%shift - beyond)
    end subroutine start_from_below
 
    !> A state above all that are steady: free.
-   pure subroutine start_from_free(self, way, depth)
-      !> Receives the state.
+   pure subroutine start_from_free(self, path, depth)
       type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> Penetration.
+      type(column_path_t), intent(in) :: path
       real(dp), intent(in) :: depth
 
-      self%state%length = spread(max(depth, 0.0_dp) + beyond, 1, way%solid%n)
+      self%state%length = spread(max(depth, 0.0_dp) + beyond, 1, path%solid%n)
       self%state%is_attached = .false.
    end subroutine start_from_free
 
    !> The least steady state, from the state that stands in `self`, which lies below it; without adhesion the only one, from any state.
-   pure subroutine find_adhered(self, way, law, depth)
+   pure subroutine find_adhered(self, path, law, depth)
       !> In: where to start. Out: the steady state.
       type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       integer :: k
 
       self%is_steady = .false.
       do k = 1, most_periods
-         call take_step(self, way, law, depth)
+         call take_step(self, path, law, depth)
          if (self%is_steady .or. self%has_failed) return
          call move(self)
       end do
       self%has_failed = .true.
    end subroutine find_adhered
 
-   !> March a period and find Newton's step towards a steady state, with the edges, and how the load changes.
-   pure subroutine take_edge_step(self, way, law, depth)
+   !> Time stepping a period and find Newton's step towards a steady state, with the edges, and how the load changes.
+   pure subroutine take_edge_step(self, path, law, depth)
       !> The state; receives period and step.
       type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       real(dp) :: load_step
       logical :: is_solved
 
-      call march(self, way, law, depth)
+      call stepping(self, path, law, depth)
       self%has_failed = self%has_failed .or. changes_flag(self, law)
       if (self%has_failed) return
-      if (.not. allocated(self%response)) allocate (self%response(way%solid%n))
-      call get_edge_steps(way, law, self%period, self%step, self%response, load_step, self%load_slope, is_solved)
+      if (.not. allocated(self%response)) allocate (self%response(path%solid%n))
+      call get_edge_steps(path, law, self%period, self%step, self%response, load_step, self%load_slope, is_solved)
       self%has_failed = .not. is_solved
       if (is_solved) self%has_failed = maxval([0.0_dp, abs(self%step)]) > farthest*(1 + abs(depth) + law%stress + law%shift)
       if (self%has_failed) return
@@ -138,69 +125,58 @@ contains
       call judge_step(self, law, depth)
    end subroutine take_edge_step
 
-   !> March a period and find the step that follows from it, and how the load changes.
-   pure subroutine take_step(self, way, law, depth)
+   !> Time stepping a period and find the step that follows from it, and how the load changes.
+   pure subroutine take_step(self, path, law, depth)
       !> The state; receives period and step.
       type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      real(dp) :: steps(way%solid%n, 2), sums(2)
+      real(dp) :: steps(path%solid%n, 2), sums(2)
       logical :: is_solved
 
-      call march(self, way, law, depth)
+      call stepping(self, path, law, depth)
       if (self%has_failed) return
-      call get_steps(way, self%period, steps, is_solved, self%period%growth)
+      call get_steps(path, self%period, steps, is_solved, self%period%growth)
       if (.not. changes_flag(self, law)) self%step = steps(:, 1)
-      if (.not. allocated(self%response)) allocate (self%response(way%solid%n))
+      if (.not. allocated(self%response)) allocate (self%response(path%solid%n))
       self%response(:) = steps(:, 2)
       self%has_failed = .not. is_solved .or. .not. all(abs(steps) <= huge(1.0_dp))
       if (self%has_failed) return
-      call get_displacement_sums(way, self%period, self%step, self%response, sums)
+      call get_displacement_sums(path, self%period, self%step, self%response, sums)
       if (.not. changes_flag(self, law)) self%load = self%load + sums(1)
       self%load_slope = sums(2)
       call judge_step(self, law, depth)
    end subroutine take_step
 
-   !> March a period; until a better step is known, what it adds is the step.
-   pure subroutine march(self, way, law, depth)
+   !> Time stepping a period; until a better step is known, what it adds is the step.
+   pure subroutine stepping(self, path, law, depth)
       !> The state; receives period, step and load.
       type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(column_path_t), intent(in) :: path
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
 
-      call march_period(way, law, depth, self%state, self%period)
+      call step_period(path, law, depth, self%state, self%period)
       self%n_periods = self%n_periods + 1
       self%has_failed = .not. self%period%is_complete
       self%step = self%period%growth
       ! the load of a steady state is the integral of its displacement; of another one it is not that of its pressure
-      self%load = self%period%load - sum(way%solid%stiffness*way%solid%time*self%period%growth)
-   end subroutine march
+      self%load = self%period%load - sum(path%solid%stiffness*path%solid%time*self%period%growth)
+   end subroutine stepping
 
    !> Does the last period attach or detach the column?
    pure logical function changes_flag(self, law)
-      !> The state with its period.
       type(steady_column_t), intent(in) :: self
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
+      type(stepping_law_t), intent(in) :: law
 
       changes_flag = law%stress > 0 .and. (self%period%is_attached .neqv. self%state%is_attached)
    end function changes_flag
 
    !> Is the state steady to round-off?
    pure subroutine judge_step(self, law, depth)
-      !> The state with its step.
       type(steady_column_t), intent(inout) :: self
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
+      type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       real(dp) :: previous, lengths
 
@@ -219,7 +195,6 @@ contains
 
    !> Take the step.
    pure subroutine move(self)
-      !> The state, with its step.
       type(steady_column_t), intent(inout) :: self
 
       self%state%length = self%state%length + self%step
@@ -227,62 +202,55 @@ contains
    end subroutine move
 
    !> Steps (I - J0)^-1 of growths, and of what a unit of penetration adds in contact.
-   pure subroutine get_steps(way, period, steps, is_solved, growth)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The period, of which the zones are taken.
-      type(period_t), intent(in) :: period
+   pure subroutine get_steps(path, period, steps, is_solved, growth)
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> Receives the step of the growth, or of a unit of growth of each arm, and at the end the response to the penetration; shape
       !> `(n_arms, n_steps)`.
       real(dp), intent(out) :: steps(:, :)
-      !> Was the system solved?
       logical, intent(out) :: is_solved
       !> Growth F(e) - e; shape `(n_arms)`.
       real(dp), intent(in), optional :: growth(:)
       ! the columns are I, whose growth is J0 - I, and the response to a unit of penetration
-      real(dp) :: vectors(way%solid%n, way%solid%n + 1), grown(way%solid%n, way%solid%n + 1)
-      integer :: pivots(way%solid%n), i, info
+      real(dp) :: vectors(path%solid%n, path%solid%n + 1), grown(path%solid%n, path%solid%n + 1)
+      integer :: pivots(path%solid%n), i, info
 
       is_solved = .true.
-      if (way%solid%n == 0) return
+      if (path%solid%n == 0) return
       vectors = 0
-      do i = 1, way%solid%n
+      do i = 1, path%solid%n
          vectors(i, i) = 1
       end do
       steps = vectors(:, :size(steps, 2))
       if (present(growth)) steps(:, 1) = growth
-      call pass_zones(way, period, vectors, grown)
-      steps(:, size(steps, 2)) = grown(:, way%solid%n + 1)
+      call pass_zones(path, period, vectors, grown)
+      steps(:, size(steps, 2)) = grown(:, path%solid%n + 1)
       grown = -grown
-      call dgesv(way%solid%n, size(steps, 2), grown, way%solid%n, pivots, steps, way%solid%n, info)
+      call dgesv(path%solid%n, size(steps, 2), grown, path%solid%n, pivots, steps, path%solid%n, info)
       is_solved = info == 0
    end subroutine get_steps
 
    !> I - J0 of a period.
-   pure subroutine get_matrix(way, period, matrix)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The period, of which the zones are taken.
-      type(period_t), intent(in) :: period
+   pure subroutine get_matrix(path, period, matrix)
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> Receives it; shape `(n_arms, n_arms)`.
       real(dp), intent(out) :: matrix(:, :)
-      real(dp) :: vectors(way%solid%n, way%solid%n + 1), grown(way%solid%n, way%solid%n + 1)
+      real(dp) :: vectors(path%solid%n, path%solid%n + 1), grown(path%solid%n, path%solid%n + 1)
       integer :: i
 
       vectors = 0
-      do i = 1, way%solid%n
+      do i = 1, path%solid%n
          vectors(i, i) = 1
       end do
-      call pass_zones(way, period, vectors, grown)
-      matrix = -grown(:, :way%solid%n)
+      call pass_zones(path, period, vectors, grown)
+      matrix = -grown(:, :path%solid%n)
    end subroutine get_matrix
 
    !> Send disturbances of the lengths through the zones of a period. The last one has a unit of penetration with it.
-   pure subroutine pass_zones(way, period, vectors, grown)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The period.
-      type(period_t), intent(in) :: period
+   pure subroutine pass_zones(path, period, vectors, grown)
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> In: disturbances where the period begins. Out: where it ends; shape `(n_arms, n_vectors)`.
       real(dp), intent(inout) :: vectors(:, :)
       !> Receives their growth, as a sum over zones; shape `(n_arms, n_vectors)`.
@@ -293,7 +261,7 @@ contains
       grown = 0
       last = size(vectors, 2)
       do zone = 1, period%n_zones
-         associate (duration => period%zones(zone)%duration, s => way%solid)
+         associate (duration => period%zones(zone)%duration, s => path%solid)
             if (period%zones(zone)%kind == in_contact) then
                lost = expm1_of(-duration/s%time)
                do i = 1, last
@@ -318,23 +286,21 @@ contains
 
    !> Integrals over the period of the displacements that two disturbances of the lengths make; the second has a unit of penetration
    !> with it.
-   pure subroutine get_displacement_sums(way, period, step, response, sums)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The period.
-      type(period_t), intent(in) :: period
+   pure subroutine get_displacement_sums(path, period, step, response, sums)
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> Disturbances where the period begins; shape `(n_arms)`.
       real(dp), intent(in) :: step(:), response(:)
       !> Receives the integrals.
       real(dp), intent(out) :: sums(2)
-      real(dp) :: vectors(way%solid%n, 2), elements(way%solid%n, 2), lost(way%solid%n)
+      real(dp) :: vectors(path%solid%n, 2), elements(path%solid%n, 2), lost(path%solid%n)
       integer :: i, zone
 
       vectors(:, 1) = step
       vectors(:, 2) = response
       sums = 0
       do zone = 1, period%n_zones
-         associate (duration => period%zones(zone)%duration, s => way%solid)
+         associate (duration => period%zones(zone)%duration, s => path%solid)
             if (period%zones(zone)%kind == in_contact) then
                lost = expm1_of(-duration/s%time)
                vectors(:, 1) = vectors(:, 1) + lost*vectors(:, 1)

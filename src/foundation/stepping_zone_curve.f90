@@ -30,17 +30,16 @@ module adfric_foundation_stepping_zone_curve
 
 contains
 
-   !> Value and slope at a place, and a bound of minus the second derivative from there to the end of the piece.
+   !> Value and slope at a position, and a bound of minus the second derivative from there to the end of the piece.
    pure subroutine evaluate(self, passed, value, slope, bound)
-      !> The curve.
       type(zone_curve_t), intent(in) :: self
-      !> Place, as the share of the piece since the anchor.
+      !> Position, as the share of the piece since the anchor.
       real(dp), intent(in) :: passed
       !> Receives value and derivative.
       real(dp), intent(out) :: value, slope
       !> Receives the bound, >= 0.
       real(dp), intent(out) :: bound
-      real(dp) :: theta, left
+      real(dp) :: theta, remaining
       integer :: i, m
 
       theta = self%anchor + passed
@@ -57,19 +56,18 @@ contains
          if (self%power(m) < 0) bound = bound - m*(m - 1)*self%power(m)
       end do
       do i = 1, self%n
-         left = self%rate(i)*passed
-         if (left > 700) cycle
-         left = self%amplitude(i)*exp(-left)
-         value = value + left
-         slope = slope - self%rate(i)*left
-         if (left < 0) bound = bound - self%rate(i)**2*left
+         remaining = self%rate(i)*passed
+         if (remaining > 700) cycle
+         remaining = self%amplitude(i)*exp(-remaining)
+         value = value + remaining
+         slope = slope - self%rate(i)*remaining
+         if (remaining < 0) bound = bound - self%rate(i)**2*remaining
       end do
    end subroutine evaluate
 
    !> Find the first place in a piece, from the anchor on, where the curve falls to zero. What has passed since the anchor is kept apart
-   !> from theta, since arms may relax in less than the round-off of a place.
+   !> from theta, since arms may relax in less than the round-off of a position.
    pure subroutine find_first_zero(self, tolerance, has_risen, passed, has_zero, is_found)
-      !> The curve.
       type(zone_curve_t), intent(in) :: self
       !> Value that is as good as zero, > 0.
       real(dp), intent(in) :: tolerance
@@ -93,7 +91,7 @@ contains
          if (value <= tolerance) then
             has_zero = count([has_risen, value < -tolerance, slope <= 0]) >= 2
             if (has_zero) then
-               ! a zone is not shorter than a place can tell
+               ! a zone is not shorter than a position can tell
                if (k == 1 .and. .not. has_risen) passed = least_step
                return
             end if

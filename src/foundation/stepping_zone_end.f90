@@ -1,12 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Where a zone of a march ends: blocks of pieces are passed by their bounds, and only pieces in which it may end are searched.
+!> Where a zone of a time stepping ends: blocks of pieces are passed by their bounds, and only pieces in which it may end are
+!> searched.
 module adfric_foundation_stepping_zone_end
    use adfric_base_kinds, only: dp
-   use adfric_foundation_stepping_path, only: way_t, decay_of, stretches_at, n_levels, block_length, negligible_term
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, stretches_at, n_levels, block_length, negligible_term
    use adfric_foundation_stepping_zone_curve, only: zone_curve_t, find_first_zero, highest_power
    implicit none (type, external)
    private
-   public :: place_t, end_contact, end_open_zone, period_over, zone_closes, zone_lets_go
+   public :: position_t, end_contact, end_open_zone, period_over, zone_closes, zone_lets_go
 
    !> What ends a zone: the period, the gap that closes, or the gap that lets go (contact: the pressure).
    integer, parameter :: period_over = 0, zone_closes = 1, zone_lets_go = 2
@@ -16,22 +17,21 @@ module adfric_foundation_stepping_zone_end
    !> A value is zero within this share of its terms.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
 
-   !> A place on the way.
-   type :: place_t
+   !> A position on the path.
+   type :: position_t
       !> Number of the piece; one more than there are at the end of the period.
       integer :: piece = 1
       !> Share of the piece that is passed.
       real(dp) :: theta = 0
       !> Where a zone ends: share of the piece that is passed since the zone began, to all its digits, if it began in this piece; else -1.
       real(dp) :: passed = -1
-   end type place_t
+   end type position_t
 
 contains
 
    !> Follow a contact to its end.
-   pure subroutine end_contact(way, depth, strength, disturbance, place, event, is_found)
-      !> The way.
-      type(way_t), intent(in) :: way
+   pure subroutine end_contact(path, depth, strength, disturbance, position, event, is_found)
+      type(column_path_t), intent(in) :: path
       !> Penetration, by which all heights are higher.
       real(dp), intent(in) :: depth
       !> Contact ends where the pressure falls to minus this.
@@ -39,12 +39,11 @@ contains
       !> Stretches less those of endless contact where the zone begins; shape `(n_arms)`.
       real(dp), intent(in) :: disturbance(:)
       !> In: where the zone begins. Out: where it ends.
-      type(place_t), intent(inout) :: place
+      type(position_t), intent(inout) :: position
       !> Receives `period_over` or `zone_lets_go`.
       integer, intent(out) :: event
-      !> Has the search ended?
       logical, intent(out) :: is_found
-      real(dp) :: excess(way%solid%n), left(way%solid%n), enough, terms, passed
+      real(dp) :: excess(path%solid%n), remaining(path%solid%n), enough, terms, passed
       type(zone_curve_t) :: curve
       integer :: level
       logical :: is_first, has_risen, has_ended
@@ -53,34 +52,33 @@ contains
       event = period_over
       is_first = .true.
       has_risen = .false.
-      excess = way%solid%stiffness*disturbance
-      terms = sum(abs(excess)) + way%solid%glassy*(1 + abs(depth)) + strength
+      excess = path%solid%stiffness*disturbance
+      terms = sum(abs(excess)) + path%solid%glassy*(1 + abs(depth)) + strength
       enough = guard*terms - strength - depth
-      do while (place%piece <= way%n)
-         do level = first_level(way, place), 1, -1
-            left = excess*what_is_left(way, place, way%ratio, way%decay, level)
+      do while (position%piece <= path%n)
+         do level = first_level(path, position), 1, -1
+            remaining = excess*remaining_share(path, position, path%ratio, path%decay, level)
             ! what pushes is least at the end, what pulls at the beginning
-            if (way%bounds(level)%pressure(block_of(place, level)) + sum(min(excess, max(left, 0.0_dp))) > enough) exit
+            if (path%bounds(level)%pressure(block_of(position, level)) + sum(min(excess, max(remaining, 0.0_dp))) > enough) exit
          end do
          if (level == 0) then
-            call set_contact_curve(way, depth + strength, excess, place, curve)
+            call set_contact_curve(path, depth + strength, excess, position, curve)
             call find_first_zero(curve, round_off*terms, has_risen, passed, has_ended, is_found)
             if (has_ended) event = zone_lets_go
-            if (has_ended) call end_within(place, passed, is_first)
+            if (has_ended) call end_within(position, passed, is_first)
             if (has_ended .or. .not. is_found) return
          else
             has_risen = .true.
          end if
-         call pass(place, level)
-         excess = left
+         call pass(position, level)
+         excess = remaining
          is_first = .false.
       end do
    end subroutine end_contact
 
    !> Follow an open zone to its end.
-   pure subroutine end_open_zone(way, depth, pressure, close_gap, release_gap, elements, place, event, is_found)
-      !> The way.
-      type(way_t), intent(in) :: way
+   pure subroutine end_open_zone(path, depth, pressure, close_gap, release_gap, elements, position, event, is_found)
+      type(column_path_t), intent(in) :: path
       !> Penetration, by which all heights are higher.
       real(dp), intent(in) :: depth
       !> Pressure in the zone: minus the adhesion stress, or 0.
@@ -90,12 +88,11 @@ contains
       !> Kelvin elements where the zone begins; shape `(n_arms)`.
       real(dp), intent(in) :: elements(:)
       !> In: where the zone begins. Out: where it ends.
-      type(place_t), intent(inout) :: place
+      type(position_t), intent(inout) :: position
       !> Receives `period_over`, `zone_closes` or `zone_lets_go`.
       integer, intent(out) :: event
-      !> Has the search ended?
       logical, intent(out) :: is_found
-      real(dp) :: y(way%solid%n), left(way%solid%n), base, terms, passed
+      real(dp) :: y(path%solid%n), remaining(path%solid%n), base, terms, passed
       type(zone_curve_t) :: curve
       integer :: level
       logical :: is_first, may_close, may_let_go, has_closing_risen, has_release_risen, has_ended
@@ -110,12 +107,12 @@ contains
       y = elements
       terms = sum(abs(y)) + 1 + abs(depth) + abs(pressure)
       base = pressure - depth
-      do while (place%piece <= way%n)
-         do level = first_level(way, place), 1, -1
-            left = y*what_is_left(way, place, way%open_ratio, way%open_decay, level)
-            may_close = base + sum(min(y, max(left, 0.0_dp))) - way%bounds(level)%highest(block_of(place, level)) &
+      do while (position%piece <= path%n)
+         do level = first_level(path, position), 1, -1
+            remaining = y*remaining_share(path, position, path%open_ratio, path%open_decay, level)
+            may_close = base + sum(min(y, max(remaining, 0.0_dp))) - path%bounds(level)%highest(block_of(position, level)) &
                & <= close_gap + guard*terms
-            may_let_go = base + sum(max(y, min(left, 0.0_dp))) - way%bounds(level)%lowest(block_of(place, level)) &
+            may_let_go = base + sum(max(y, min(remaining, 0.0_dp))) - path%bounds(level)%lowest(block_of(position, level)) &
                & >= release_gap - guard*terms
             if (.not. (may_close .or. may_let_go)) exit
          end do
@@ -124,27 +121,26 @@ contains
          if (level == 0) then
             passed = 0
             if (may_let_go) then
-               call set_open_curve(way, base - release_gap, -1, y, place, curve)
+               call set_open_curve(path, base - release_gap, -1, y, position, curve)
                call find_first_zero(curve, round_off*terms, has_release_risen, passed, has_ended, is_found)
                if (has_ended) event = zone_lets_go
                if (.not. is_found) return
             end if
             if (may_close) then
-               call set_open_curve(way, base - close_gap, 1, y, place, curve)
+               call set_open_curve(path, base - close_gap, 1, y, position, curve)
                call close_first(curve, round_off*terms, has_closing_risen, passed, event, is_found)
             end if
-            if (event /= period_over) call end_within(place, passed, is_first)
+            if (event /= period_over) call end_within(position, passed, is_first)
             if (event /= period_over .or. .not. is_found) return
          end if
-         call pass(place, level)
-         y = left
+         call pass(position, level)
+         y = remaining
          is_first = .false.
       end do
    end subroutine end_open_zone
 
    !> Look whether the gap closes before it lets go.
    pure subroutine close_first(curve, tolerance, has_risen, passed, event, is_found)
-      !> Gap above that of closing.
       type(zone_curve_t), intent(in) :: curve
       !> Gap that is as good as zero.
       real(dp), intent(in) :: tolerance
@@ -154,14 +150,13 @@ contains
       real(dp), intent(inout) :: passed
       !> In: does the gap let go? Out: what happens first.
       integer, intent(inout) :: event
-      !> Has the search ended?
       logical, intent(out) :: is_found
       real(dp) :: closing
       logical :: has_ended
 
       call find_first_zero(curve, tolerance, has_risen, closing, has_ended, is_found)
       if (.not. has_ended) return
-      ! at one and the same place it closes
+      ! at one and the same position it closes
       if (event == zone_lets_go) then
          if (closing > passed) return
       end if
@@ -170,98 +165,89 @@ contains
    end subroutine close_first
 
    !> End a zone within a piece.
-   pure subroutine end_within(place, passed, is_first)
+   pure subroutine end_within(position, passed, is_first)
       !> In: where the zone or the piece begins. Out: where the zone ends.
-      type(place_t), intent(inout) :: place
+      type(position_t), intent(inout) :: position
       !> Share of the piece that is passed since then.
       real(dp), intent(in) :: passed
       !> Did the zone begin in this piece?
       logical, intent(in) :: is_first
 
-      place%theta = min(place%theta + passed, 1.0_dp)
-      place%passed = merge(passed, -1.0_dp, is_first)
+      position%theta = min(position%theta + passed, 1.0_dp)
+      position%passed = merge(passed, -1.0_dp, is_first)
    end subroutine end_within
 
-   !> The level of the largest block that begins at a place; 1 for a piece.
-   pure integer function first_level(way, place) result(level)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The place.
-      type(place_t), intent(in) :: place
+   !> The level of the largest block that begins at a position; 1 for a piece.
+   pure integer function first_level(path, position) result(level)
+      type(column_path_t), intent(in) :: path
+      type(position_t), intent(in) :: position
 
       level = 1
-      if (place%theta > 0) return
+      if (position%theta > 0) return
       do while (level < n_levels)
          associate (length => block_length(level + 1))
-            if (mod(place%piece - 1, length) > 0 .or. place%piece - 1 + length > way%n) return
+            if (mod(position%piece - 1, length) > 0 .or. position%piece - 1 + length > path%n) return
          end associate
          level = level + 1
       end do
    end function first_level
 
    !> Pass the rest of a piece, or a block.
-   pure subroutine pass(place, level)
-      !> The place, which moves on.
-      type(place_t), intent(inout) :: place
+   pure subroutine pass(position, level)
+      type(position_t), intent(inout) :: position
       !> Level of the block, 0 or 1 for a piece.
       integer, intent(in) :: level
 
-      place%piece = place%piece + block_length(max(level, 1))
-      place%theta = 0
+      position%piece = position%piece + block_length(max(level, 1))
+      position%theta = 0
    end subroutine pass
 
-   !> What is left of disturbances at the end of a block, or of the piece of the place.
-   pure function what_is_left(way, place, ratio, decay, level) result(left)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The place where the block begins.
-      type(place_t), intent(in) :: place
-      !> A piece over the times of relaxation, and what is left after pieces and blocks; shapes `(n_arms)`, `(n_arms, n_levels)`.
+   !> What remains of disturbances at the end of a block, or of the piece of the position.
+   pure function remaining_share(path, position, ratio, decay, level) result(remaining)
+      type(column_path_t), intent(in) :: path
+      type(position_t), intent(in) :: position
+      !> A piece over the times of relaxation, and what remains after pieces and blocks; shapes `(n_arms)`, `(n_arms, n_levels)`.
       real(dp), intent(in) :: ratio(:), decay(:, :)
       !> Level of the block.
       integer, intent(in) :: level
-      real(dp) :: left(way%solid%n)
+      real(dp) :: remaining(path%solid%n)
 
-      left = decay(:, level)
-      if (level == 1 .and. place%theta > 0) left = decay_of((1 - place%theta)*ratio)
-   end function what_is_left
+      remaining = decay(:, level)
+      if (level == 1 .and. position%theta > 0) remaining = decay_of((1 - position%theta)*ratio)
+   end function remaining_share
 
-   !> Number of the block of a place.
-   pure integer function block_of(place, level)
-      !> The place.
-      type(place_t), intent(in) :: place
+   !> Number of the block of a position.
+   pure integer function block_of(position, level)
+      type(position_t), intent(in) :: position
       !> Level of the block.
       integer, intent(in) :: level
 
-      block_of = (place%piece - 1)/block_length(level) + 1
+      block_of = (position%piece - 1)/block_length(level) + 1
    end function block_of
 
    !> The pressure above that at which contact ends, within a piece.
-   pure subroutine set_contact_curve(way, level, excess, place, curve)
-      !> The way.
-      type(way_t), intent(in) :: way
+   pure subroutine set_contact_curve(path, level, excess, position, curve)
+      type(column_path_t), intent(in) :: path
       !> Penetration, and strength of the contact.
       real(dp), intent(in) :: level
-      !> Disturbance times stiffness at the place; shape `(n_arms)`.
+      !> Disturbance times stiffness at the position; shape `(n_arms)`.
       real(dp), intent(in) :: excess(:)
-      !> The place, in the piece.
-      type(place_t), intent(in) :: place
-      !> Receives the curve.
+      type(position_t), intent(in) :: position
       type(zone_curve_t), intent(inout) :: curve
-      real(dp) :: stretch(way%solid%n), growth(way%solid%n), term, share
+      real(dp) :: stretch(path%solid%n), growth(path%solid%n), term, share
       integer :: i, m
 
-      call stretches_at(way, place%piece, 0.0_dp, stretch, growth)
-      curve%n = way%solid%n
+      call stretches_at(path, position%piece, 0.0_dp, stretch, growth)
+      curve%n = path%solid%n
       curve%last = highest_power
-      curve%anchor = place%theta
+      curve%anchor = position%theta
       curve%power = 0
-      curve%rate = way%ratio
+      curve%rate = path%ratio
       curve%amplitude = excess
-      associate (c => way%coefficients(:, place%piece), d => way%degree, k => way%solid%stiffness, z => way%ratio)
+      associate (c => path%coefficients(:, position%piece), d => path%degree, k => path%solid%stiffness, z => path%ratio)
          share = 1
-         do i = 1, way%solid%n
-            if (way%is_slow(i)) then
+         do i = 1, path%solid%n
+            if (path%is_slow(i)) then
                share = share + k(i)
                ! k (f - e): e_(m+1) = z (c_m - e_m)/(m + 1)
                term = c(1) - stretch(i)
@@ -283,7 +269,7 @@ contains
                   term = (m + 1)*(c(m + 2) - term)/z(i)
                   curve%power(m) = curve%power(m) + k(i)*term
                end do
-               curve%amplitude(i) = curve%amplitude(i) + k(i)*(stretch(i) - term)*decay_of(z(i)*place%theta)
+               curve%amplitude(i) = curve%amplitude(i) + k(i)*(stretch(i) - term)*decay_of(z(i)*position%theta)
             end if
          end do
          curve%power(0:d) = curve%power(0:d) + share*c
@@ -292,27 +278,24 @@ contains
    end subroutine set_contact_curve
 
    !> The gap above a bound, or below it, within a piece.
-   pure subroutine set_open_curve(way, base, direction, elements, place, curve)
-      !> The way.
-      type(way_t), intent(in) :: way
+   pure subroutine set_open_curve(path, base, direction, elements, position, curve)
+      type(column_path_t), intent(in) :: path
       !> Displacement without the elements, less penetration and bound.
       real(dp), intent(in) :: base
       !> 1: the gap falls to the bound; -1: it rises to it.
       integer, intent(in) :: direction
-      !> Kelvin elements at the place; shape `(n_arms)`.
+      !> Kelvin elements at the position; shape `(n_arms)`.
       real(dp), intent(in) :: elements(:)
-      !> The place, in the piece.
-      type(place_t), intent(in) :: place
-      !> Receives the curve.
+      type(position_t), intent(in) :: position
       type(zone_curve_t), intent(inout) :: curve
 
-      curve%n = way%solid%n
-      curve%last = way%degree
-      curve%anchor = place%theta
+      curve%n = path%solid%n
+      curve%last = path%degree
+      curve%anchor = position%theta
       curve%power = 0
-      curve%power(0:way%degree) = -direction*way%coefficients(:, place%piece)
+      curve%power(0:path%degree) = -direction*path%coefficients(:, position%piece)
       curve%power(0) = curve%power(0) + direction*base
-      curve%rate = way%open_ratio
+      curve%rate = path%open_ratio
       curve%amplitude = direction*elements
    end subroutine set_open_curve
 

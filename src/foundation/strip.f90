@@ -94,7 +94,6 @@ contains
 
    !> The profile above a foundation that adhesion has lifted, F + stress [c].
    elemental real(dp) function lifted_profile(self, xi)
-      !> The strip, of which the depth is read.
       type(strip_t), intent(in) :: self
       !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
@@ -133,7 +132,6 @@ contains
 
    !> What the drive is known to: in slow sliding zones end where it passes their bound, to round-off.
    pure real(dp) function drive_round_off(strip)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
 
       drive_round_off = 16*epsilon(1.0_dp) &

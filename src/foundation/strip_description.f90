@@ -6,7 +6,7 @@ module adfric_foundation_strip_description
    use adfric_describe_derived, only: derived_t, add_derived
    use adfric_foundation_adhesion, only: edge_front
    use adfric_foundation_case, only: wavy_case_t, resolve_case
-   use adfric_foundation_variables, only: v_relaxation_time, v_thickness, v_velocity
+   use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
    public :: derive_strips, doubt_strips
@@ -41,7 +41,7 @@ contains
       end associate
    end subroutine derive_strips
 
-   !> Sliding so slow that a layer has no front (docs/theory/wavy.md); empty without a doubt.
+   !> Sliding so slow that a layer has no front (docs/theory/columns_adhesion.md); empty without a doubt.
    function doubt_strips(values) result(text)
       !> Values of one point; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -52,10 +52,10 @@ contains
 
       text = ''
       call resolve_case(values, point)
-      if (.not. is_set(values(v_thickness)) .or. point%given%edge /= edge_front .or. point%given%stress <= 0) return
-      lag = values(v_velocity)*values(v_relaxation_time)
-      if (lag >= values(v_thickness)) return
-      write (lengths, '(es9.2, a, es9.2, a)') lag, ' m <', values(v_thickness), ' m'
+      if (.not. is_set(values(in%thickness)) .or. point%given%edge /= edge_front .or. point%given%stress <= 0) return
+      lag = values(in%velocity)*values(in%relaxation_time)
+      if (lag >= values(in%thickness)) return
+      write (lengths, '(es9.2, a, es9.2, a)') lag, ' m <', values(in%thickness), ' m'
       text = 'edge = ''front'' needs velocity times relaxation_time above thickness, but'//trim(lengths) &
          & //': the layer has less friction'//new_line('a')
    end function doubt_strips

@@ -16,10 +16,7 @@ module adfric_foundation_strip_points
    use adfric_foundation_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_adhesion_zones, regime_saturated, &
       & regime_saturated_adhesion
    use adfric_foundation_surface, only: negligible, is_same_surface
-   use adfric_foundation_variables, only: r_adhesion_area, r_adhesion_count, r_contact_area, r_contact_count, r_contact_shift, &
-      & r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, r_friction_coefficient, r_friction_force, &
-      & r_friction_sample_error, r_load, r_penetration, r_pull_off_load, r_pull_off_penetration, r_regime, r_saturated_share, &
-      & r_snap_count
+   use adfric_foundation_variables, only: out => foundation_output
    implicit none (type, external)
    private
    public :: solve_strip_block
@@ -95,7 +92,6 @@ contains
    pure logical function is_hopeless(known, point)
       !> A point without equilibrium, or a default one before there is any.
       type(wavy_case_t), intent(in) :: known
-      !> The point that is judged.
       type(wavy_case_t), intent(in) :: point
 
       is_hopeless = known%is_load_given .and. point%load <= known%load
@@ -138,42 +134,40 @@ contains
       results = not_a_number()
       if (equilibrium%status /= status_solved) return
       associate (t => equilibrium%totals)
-         results(r_load) = t%load*point%load_unit
-         if (point%is_load_given) results(r_load) = point%load*point%load_unit
-         results(r_penetration) = equilibrium%penetration*point%height
-         results(r_friction_force) = t%friction*point%friction_unit
-         results(r_contact_area) = t%contact*point%area_unit
-         results(r_adhesion_area) = t%adhesion*point%area_unit
-         results(r_dissipation) = t%dissipation*point%friction_unit
-         results(r_edge_loss) = t%edge_loss*point%friction_unit
+         results(out%load) = t%load*point%load_unit
+         if (point%is_load_given) results(out%load) = point%load*point%load_unit
+         results(out%penetration) = equilibrium%penetration*point%height
+         results(out%friction_force) = t%friction*point%friction_unit
+         results(out%contact_area) = t%contact*point%area_unit
+         results(out%adhesion_area) = t%adhesion*point%area_unit
+         results(out%dissipation) = t%dissipation*point%friction_unit
+         results(out%edge_loss) = t%edge_loss*point%friction_unit
          ! friction that is nothing beside the load has no digits of its own
          losses = max(t%friction_scale + t%dissipation + abs(t%edge_loss), negligible*t%load_scale)
-         results(r_energy_imbalance) = 0
-         if (losses > 0) results(r_energy_imbalance) = t%energy_mismatch/losses
+         results(out%energy_imbalance) = 0
+         if (losses > 0) results(out%energy_imbalance) = t%energy_mismatch/losses
          ! the terms of an elastic column cancel but for round-off
-         if (point%is_elastic) results([r_friction_force, r_dissipation, r_energy_imbalance]) = 0
-         if (abs(results(r_load)) > as_good_as_zero*t%load_scale*point%load_unit) &
-            & results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
+         if (point%is_elastic) results([out%friction_force, out%dissipation, out%energy_imbalance]) = 0
+         if (abs(results(out%load)) > as_good_as_zero*t%load_scale*point%load_unit) &
+            & results(out%friction_coefficient) = results(out%friction_force)/results(out%load)
       end associate
       associate (crest => equilibrium%crest)
          width = 2*crest%half_width
          if (crest%regime == regime_free .or. crest%regime == regime_adhesion_only) width = 0
-         results(r_contact_width) = width/two_pi*point%period
-         results(r_contact_shift) = merge(crest%shift, 0.0_dp, width > 0 .and. crest%half_width < pi)/two_pi*point%period
-         results(r_regime) = crest%regime
+         results(out%contact_width) = width/two_pi*point%period
+         results(out%contact_shift) = merge(crest%shift, 0.0_dp, width > 0 .and. crest%half_width < pi)/two_pi*point%period
+         results(out%regime) = crest%regime
          if (.not. point%surface%shape%is_3d) call count_zones(crest, point%surface%adhesion, &
             & point%surface%foundation%beta, results)
       end associate
       if (.not. point%wants_pull_off .or. .not. pull_off%is_converged) return
-      results(r_pull_off_load) = pull_off%load*point%load_unit
-      results(r_pull_off_penetration) = pull_off%penetration*point%height
+      results(out%pull_off_load) = pull_off%load*point%load_unit
+      results(out%pull_off_penetration) = pull_off%penetration*point%height
    end subroutine store
 
    !> Numbers of zones of the one strip of a 2-D wave.
    pure subroutine count_zones(state, adhesion, beta, results)
-      !> Its steady state.
       type(steady_state_t), intent(in) :: state
-      !> Adhesion of the surface.
       type(adhesion_t), intent(in) :: adhesion
       !> Ratio of retardation to relaxation time [-].
       real(dp), intent(in) :: beta
@@ -185,13 +179,13 @@ contains
       call new_strip_adhesion(law, adhesion, 0.5_dp, beta)
       has_contact = state%regime /= regime_free .and. state%regime /= regime_adhesion_only
       has_free = state%regime == regime_adhesion_zones
-      results(r_contact_count) = merge(1, 0, has_contact)
-      results(r_adhesion_count) = merge(1, 0, state%regime == regime_adhesion_only .or. state%regime == regime_saturated_adhesion)
-      if (has_free) results(r_adhesion_count) = count([state%trailing, state%leading] > 0)
-      results(r_snap_count) = merge(1, 0, (has_free .or. (state%regime == regime_adhesion_only .and. state%half_width < pi)) &
+      results(out%contact_count) = merge(1, 0, has_contact)
+      results(out%adhesion_count) = merge(1, 0, state%regime == regime_adhesion_only .or. state%regime == regime_saturated_adhesion)
+      if (has_free) results(out%adhesion_count) = count([state%trailing, state%leading] > 0)
+      results(out%snap_count) = merge(1, 0, (has_free .or. (state%regime == regime_adhesion_only .and. state%half_width < pi)) &
          & .and. law%jump > 0)
-      results(r_saturated_share) = merge(1, 0, state%regime == regime_saturated)
-      results(r_friction_sample_error) = 0
+      results(out%saturated_share) = merge(1, 0, state%regime == regime_saturated)
+      results(out%friction_sample_error) = 0
    end subroutine count_zones
 
 end module adfric_foundation_strip_points

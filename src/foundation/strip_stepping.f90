@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The way of one column of the foundation under the surface, from event to event.
+!> The path of one column of the foundation under the surface, from event to event.
 !>
 !> In every zone the closed form of GM holds, and each zone can end only in one interval of the phase, where the
 !> quantity that ends it is monotone: contact ends where the drive (see `strip`) is negative, a gap closes where
@@ -9,11 +9,11 @@ module adfric_foundation_strip_stepping
    use adfric_base_kinds, only: dp
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_foundation_contact_zone, only: decay, longest_decay
-   use adfric_foundation_phases, only: phases_left, half_interval
+   use adfric_foundation_phases, only: remaining_phases, half_interval
    use adfric_foundation_strip, only: strip_t, profile, lifted_profile, drive, get_drive, drive_round_off
    implicit none (type, external)
    private
-   public :: column_t, advance, leave_contact, march_period, march_to_leading_edge, period_t
+   public :: column_t, advance, leave_contact, step_period, step_to_leading_edge, period_t
    public :: in_contact, in_adhesion, in_free
    public :: period_closed, period_never_released, period_never_attached
 
@@ -59,19 +59,18 @@ module adfric_foundation_strip_stepping
 
    !> What ends a zone, as a function of the phase d passed since it began:
    !> start + amplitude decay(d/length) + x (1 - cos d) + y sin d.
-   type, extends(equation_t) :: zone_curve_t
+   type, extends(equation_t) :: strip_zone_curve_t
       !> Numbers of this formula; the length is a phase.
       real(dp) :: start = 0, amplitude = 0, length = 1, x = 0, y = 0
    contains
       procedure :: evaluate
-   end type zone_curve_t
+   end type strip_zone_curve_t
 
 contains
 
    !> Value and slope of a zone curve.
    pure subroutine evaluate(self, x, value, slope)
-      !> The curve, by its coefficients.
-      class(zone_curve_t), intent(in) :: self
+      class(strip_zone_curve_t), intent(in) :: self
       !> Phase d passed since the zone began [rad], >= 0.
       real(dp), intent(in) :: x
       !> Value of the curve.
@@ -86,10 +85,8 @@ contains
    end subroutine evaluate
 
    !> Pressure above -stress in contact.
-   pure type(zone_curve_t) function contact_curve(strip, column) result(curve)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
+   pure type(strip_zone_curve_t) function contact_curve(strip, column) result(curve)
       type(strip_t), intent(in) :: strip
-      !> A column in contact.
       type(column_t), intent(in) :: column
       real(dp) :: along
 
@@ -104,8 +101,7 @@ contains
    end function contact_curve
 
    !> Gap above a bound in an open zone.
-   pure type(zone_curve_t) function gap_curve(strip, column, bound) result(curve)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
+   pure type(strip_zone_curve_t) function gap_curve(strip, column, bound) result(curve)
       type(strip_t), intent(in) :: strip
       !> A column in an open zone, in adhesion or free.
       type(column_t), intent(in) :: column
@@ -121,17 +117,14 @@ contains
 
    !> Follow a curve up to the end of the interval of the drive in which it may cross zero, and find where it did.
    pure subroutine follow(strip, curve, span, bound, below, rises, crosses, passed)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> What ends the zone where it crosses zero.
-      type(zone_curve_t), intent(in) :: curve
+      type(strip_zone_curve_t), intent(in) :: curve
       !> Phase to the end of the interval [rad]; negative if there is none.
       real(dp), intent(in) :: span
       !> Bound of the drive at which the interval begins and ends [c].
       real(dp), intent(in) :: bound
       !> Is the interval where the drive is below the bound? Else it is where the drive is above.
       logical, intent(in) :: below
-      !> Is the crossing upwards?
       logical, intent(in) :: rises
       !> Does the curve cross zero before the interval ends?
       logical, intent(out) :: crosses
@@ -158,7 +151,6 @@ contains
 
    !> Move a column to its next event. `has_event` is false if the zone lasts for more than a period.
    pure subroutine advance(strip, column, passed, has_event)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> In: a column in its zone. Out: the column where the next zone begins; as it was if the zone does not end.
       type(column_t), intent(inout) :: column
@@ -166,21 +158,21 @@ contains
       real(dp), intent(inout) :: passed
       !> Does the zone end within a period?
       logical, intent(out) :: has_event
-      type(zone_curve_t) :: curve
+      type(strip_zone_curve_t) :: curve
       real(dp) :: bound
 
       bound = 0
       select case (column%zone)
       case (in_contact)
          curve = contact_curve(strip, column)
-         call follow(strip, curve, phases_left(strip, column%xi, 0.0_dp, .true., column%has_begun), &
+         call follow(strip, curve, remaining_phases(strip, column%xi, 0.0_dp, .true., column%has_begun), &
             & 0.0_dp, .true., .false., has_event, passed)
       case (in_adhesion)
          call end_adhesion(strip, column, curve, bound, has_event, passed)
       case default
          curve = gap_curve(strip, column, strip%adhesion%attach_gap)
          bound = strip%adhesion%stress - strip%adhesion%attach_gap
-         call follow(strip, curve, phases_left(strip, column%xi, bound, .false., column%has_begun), &
+         call follow(strip, curve, remaining_phases(strip, column%xi, bound, .false., column%has_begun), &
             & bound, .false., .false., has_event, passed)
       end select
       if (.not. has_event) return
@@ -203,7 +195,6 @@ contains
 
    !> The column where contact ends: in adhesion, or free at once where there is none beside the contact.
    pure type(column_t) function leave_contact(strip, xi) result(column)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Phase where contact ends [rad].
       real(dp), intent(in) :: xi
@@ -217,12 +208,10 @@ contains
 
    !> Adhesion ends in contact or in freedom, whichever comes first.
    pure subroutine end_adhesion(strip, column, curve, bound, has_event, passed)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> A column in adhesion.
       type(column_t), intent(in) :: column
       !> Gap less the gap at which the zone ends, as a function of the phase passed.
-      type(zone_curve_t), intent(out) :: curve
+      type(strip_zone_curve_t), intent(out) :: curve
       !> Gap at which the zone ends: 0 or that of release [c].
       real(dp), intent(out) :: bound
       !> Does the zone end within a period?
@@ -234,8 +223,8 @@ contains
       logical :: may_close
 
       ! it begins where contact ends or where freedom ends: outside the one interval or outside the other
-      to_closure = phases_left(strip, column%xi, 0.0_dp, .false., column%has_begun .and. .not. column%gap > 0)
-      to_release = phases_left(strip, column%xi, -strip%adhesion%release_gap, .true., column%has_begun .and. column%gap > 0)
+      to_closure = remaining_phases(strip, column%xi, 0.0_dp, .false., column%has_begun .and. .not. column%gap > 0)
+      to_release = remaining_phases(strip, column%xi, -strip%adhesion%release_gap, .true., column%has_begun .and. column%gap > 0)
       may_close = to_closure < to_release
       do try = 1, 2
          bound = merge(0.0_dp, strip%adhesion%release_gap, may_close)
@@ -250,7 +239,6 @@ contains
    !> A free column comes to the gap of attachment: the displacement may jump, and the surface may snap
    !> straight into contact.
    pure subroutine attach(strip, column)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> In: a free column at the gap of attachment. Out: the column in adhesion, or in contact.
       type(column_t), intent(inout) :: column
@@ -265,9 +253,8 @@ contains
       end associate
    end subroutine attach
 
-   !> March from one passage of the leading edge of adhesion to the next.
-   pure subroutine march_period(strip, xi_start, period)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
+   !> Time stepping from one passage of the leading edge of adhesion to the next.
+   pure subroutine step_period(strip, xi_start, period)
       type(strip_t), intent(in) :: strip
       !> Phase of the leading edge, where a free column comes into the range of adhesion [rad].
       real(dp), intent(in) :: xi_start
@@ -330,14 +317,12 @@ contains
          call get_drive(strip, column%xi, period%release_drive, period%release_slope)
       end do
       period%outcome = period_never_released
-   end subroutine march_period
+   end subroutine step_period
 
    !> Derivative of the end of a period with respect to its start: the product over its zones, in which the rates where
    !> contact begins and ends cancel.
    pure real(dp) function get_slope(strip, period) result(slope)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> A closed period, with its lengths and drives.
       type(period_t), intent(in) :: period
       real(dp) :: length, least, freed, attach
 
@@ -351,9 +336,8 @@ contains
       end associate
    end function get_slope
 
-   !> March a column to the first leading edge of adhesion that it passes.
-   pure subroutine march_to_leading_edge(strip, column, outcome)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
+   !> Time stepping a column to the first leading edge of adhesion that it passes.
+   pure subroutine step_to_leading_edge(strip, column, outcome)
       type(strip_t), intent(in) :: strip
       !> In: a column in any zone. Out: the column at the leading edge, if it passes one.
       type(column_t), intent(inout) :: column
@@ -373,6 +357,6 @@ contains
          if (is_free) return
       end do
       outcome = period_never_released
-   end subroutine march_to_leading_edge
+   end subroutine step_to_leading_edge
 
 end module adfric_foundation_strip_stepping

@@ -107,7 +107,6 @@ contains
 
    !> Gap at which adhesion takes hold of the free surface [h]: at minus this penetration the crests are drawn in.
    elemental real(dp) function attach_gap_of(surface) result(gap)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       type(strip_adhesion_t) :: law
 
@@ -119,7 +118,6 @@ contains
    !> Penetration below which nothing adheres [h]: adhesion lifts the foundation by its stress at most, and does not reach further
    !> down than the gap of release.
    elemental real(dp) function lowest_of(surface) result(penetration)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       type(strip_adhesion_t) :: law
 
@@ -129,7 +127,6 @@ contains
 
    !> The strip with the share Y of the height, at a penetration of the surface.
    elemental subroutine new_surface_strip(surface, penetration, share, strip)
-      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
@@ -147,7 +144,6 @@ contains
    pure subroutine add_strip(surface, strip, state, share, width, totals)
       !> The surface in reduced units; its steepness tells which friction is summed.
       type(surface_t), intent(in) :: surface
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> Steady state of the strip; one that is not converged adds no forces.
       type(steady_state_t), intent(in) :: state
@@ -203,7 +199,6 @@ contains
    pure subroutine add_totals(totals, part, weight)
       !> The sums that are added to.
       type(totals_t), intent(inout) :: totals
-      !> The sums that are added.
       type(totals_t), intent(in) :: part
       !> Factor of the forces and areas of `part`, not of its counts [-]; 1 if absent.
       real(dp), intent(in), optional :: weight
@@ -244,9 +239,7 @@ contains
 
    !> Add the change of a strip's load with the penetration, and its bound.
    pure subroutine add_load_slope(strip, state, width, totals)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Steady state of the strip.
       type(steady_state_t), intent(in) :: state
       !> Part of the period in y that the strip stands for [-].
       real(dp), intent(in) :: width

@@ -58,7 +58,6 @@ contains
 
    !> Steepest slope of a strip, or 0 for tau = p f'.
    elemental real(dp) function strip_steepness(self, share)
-      !> The shape of the surface.
       type(wave_shape_t), intent(in) :: self
       !> Share Y of the height.
       real(dp), intent(in) :: share

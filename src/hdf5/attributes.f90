@@ -27,11 +27,9 @@ module adfric_hdf5_attributes
 contains
 
    !> Write a text of any length, in UTF-8.
-   subroutine write_text(calls, place, name, text)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine write_text(calls, index, name, text)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
+      integer(hid_t), intent(in) :: index
       !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> Text of any length, the empty one too.
@@ -52,16 +50,14 @@ contains
          call h5tset_cset_f(type_id, H5T_CSET_UTF8_F, calls%status)
          call calls%check()
       end if
-      call write_any(calls, place, name, type_id, type_id, no_length, c_loc(pointer_to_text))
+      call write_any(calls, index, name, type_id, type_id, no_length, c_loc(pointer_to_text))
       call calls%close_id(type_id)
    end subroutine write_text
 
    !> Write a number.
-   subroutine write_real(calls, place, name, number)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine write_real(calls, index, name, number)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
+      integer(hid_t), intent(in) :: index
       !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> Number that is written in 8 bytes.
@@ -69,15 +65,13 @@ contains
       real(dp), target :: buffer
 
       buffer = number
-      call write_any(calls, place, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, no_length, c_loc(buffer))
+      call write_any(calls, index, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, no_length, c_loc(buffer))
    end subroutine write_real
 
    !> Write an integer.
-   subroutine write_integer(calls, place, name, number)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine write_integer(calls, index, name, number)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
+      integer(hid_t), intent(in) :: index
       !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> Integer that is written in 8 bytes.
@@ -85,15 +79,15 @@ contains
       integer(i8), target :: buffer
 
       buffer = number
-      call write_any(calls, place, name, H5T_STD_I64LE, h5kind_to_type(i8, H5_INTEGER_KIND), no_length, c_loc(buffer))
+      call write_any(calls, index, name, H5T_STD_I64LE, h5kind_to_type(i8, H5_INTEGER_KIND), no_length, c_loc(buffer))
    end subroutine write_integer
 
    !> Write a number over that of an attribute that exists: the file keeps its form.
-   subroutine replace_attribute(calls, place, name, number)
+   subroutine replace_attribute(calls, index, name, number)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
+      integer(hid_t), intent(in) :: index
       !> Name of the attribute, a number that exists.
       character(*), intent(in) :: name
       !> Number that replaces the former one.
@@ -104,7 +98,7 @@ contains
       buffer = number
       attribute = no_id
       if (calls%is_good()) then
-         call h5aopen_f(place, name, attribute, calls%status)
+         call h5aopen_f(index, name, attribute, calls%status)
          call calls%check()
       end if
       if (calls%is_good()) then
@@ -115,11 +109,9 @@ contains
    end subroutine replace_attribute
 
    !> Write a row of small integers.
-   subroutine write_small_integers(calls, place, name, numbers)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine write_small_integers(calls, index, name, numbers)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
+      integer(hid_t), intent(in) :: index
       !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> Integers that are written in a byte each, in a row.
@@ -127,16 +119,14 @@ contains
       integer(int8), target :: buffer(size(numbers))
 
       buffer = numbers
-      call write_any(calls, place, name, H5T_STD_I8LE, h5kind_to_type(int8, H5_INTEGER_KIND), &
+      call write_any(calls, index, name, H5T_STD_I8LE, h5kind_to_type(int8, H5_INTEGER_KIND), &
          size(numbers), c_loc(buffer))
    end subroutine write_small_integers
 
    !> Write an attribute of any type.
-   subroutine write_any(calls, place, name, file_type, memory_type, length, address)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine write_any(calls, index, name, file_type, memory_type, length, address)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
+      integer(hid_t), intent(in) :: index
       !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> HDF5 type of the values in the file.
@@ -145,7 +135,6 @@ contains
       integer(hid_t), intent(in) :: memory_type
       !> Number of values; `no_length` for a scalar.
       integer, intent(in) :: length
-      !> Address of the values in the memory.
       type(c_ptr), intent(in) :: address
       integer(hid_t) :: space, attribute
 
@@ -160,7 +149,7 @@ contains
          call calls%check()
       end if
       if (calls%is_good()) then
-         call h5acreate_f(place, name, file_type, space, attribute, calls%status)
+         call h5acreate_f(index, name, file_type, space, attribute, calls%status)
          call calls%check()
       end if
       if (calls%is_good()) then

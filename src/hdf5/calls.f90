@@ -94,7 +94,6 @@ contains
 
    !> Make HDF5 silent in this thread: a thread-safe build of HDF5 must be told in each thread.
    subroutine silence(self)
-      !> The chain to which this call belongs.
       class(hdf5_calls_t), intent(inout) :: self
 
       if (self%is_good()) call h5eset_auto_f(0, self%status)
@@ -125,7 +124,6 @@ contains
 
    !> Has every call been successful?
    pure logical function is_good(self)
-      !> The chain so far.
       class(hdf5_calls_t), intent(in) :: self
 
       is_good = .not. self%has_failed
@@ -147,7 +145,6 @@ contains
 
    !> Raise an error if a call has failed.
    subroutine get_error(self, what, error)
-      !> The chain at its end.
       class(hdf5_calls_t), intent(in) :: self
       !> What was tried, on what file: the beginning of the message.
       character(*), intent(in) :: what
@@ -173,7 +170,6 @@ contains
    integer(c_int) function keep_reason(number, entry, data) bind(c)
       !> Number of the entry, 0 for the cause.
       integer(c_int), intent(in), value :: number
-      !> Entry of the stack of errors.
       type(stack_entry_t), intent(in) :: entry
       !> Address of the `reason_t` that receives the text.
       type(c_ptr), intent(in), value :: data

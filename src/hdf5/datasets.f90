@@ -75,7 +75,7 @@ contains
       type(hdf5_calls_t), intent(inout) :: calls
       !> Space in which the part is selected, in place of what was selected before.
       integer(hid_t), intent(in) :: space
-      !> First place of the part along each dimension, from 0, and how many places; the slowest dimension first.
+      !> First index of the part along each dimension, from 0, and how many indices; the slowest dimension first.
       integer(i8), intent(in) :: start(:), count(:)
 
       if (size(start) == 0 .or. .not. calls%is_good()) return
@@ -146,7 +146,6 @@ contains
 
    !> Create a list of properties: contiguous, laid out and filled at once.
    subroutine create_list(calls, list)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the list of properties, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: list
@@ -168,9 +167,7 @@ contains
 
    !> Create a dataset: contiguous, laid out and filled at once.
    subroutine create_dataset(calls, file, name, file_type, space, fill_type, fill, dataset)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open file.
       integer(hid_t), intent(in) :: file
       !> Name of the dataset, with its group before it if it has one.
       character(*), intent(in) :: name
@@ -201,13 +198,10 @@ contains
 
    !> Write real numbers.
    subroutine write_reals(calls, dataset, memory_space, file_space, values)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Space of as many values as are written.
       integer(hid_t), intent(in) :: memory_space
-      !> Space of the dataset's shape, with the part selected.
       integer(hid_t), intent(in) :: file_space
       !> Numbers in the order of the file, the last dimension fastest.
       real(dp), intent(in), contiguous, target :: values(:)
@@ -217,13 +211,10 @@ contains
 
    !> Write states.
    subroutine write_states(calls, dataset, memory_space, file_space, values)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Space of as many values as are written.
       integer(hid_t), intent(in) :: memory_space
-      !> Space of the dataset's shape, with the part selected.
       integer(hid_t), intent(in) :: file_space
       !> States in the order of the file, the last dimension fastest.
       integer(int8), intent(in), contiguous, target :: values(:)
@@ -233,13 +224,10 @@ contains
 
    !> Write integers.
    subroutine write_integers(calls, dataset, memory_space, file_space, values)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Space of as many values as are written.
       integer(hid_t), intent(in) :: memory_space
-      !> Space of the dataset's shape, with the part selected.
       integer(hid_t), intent(in) :: file_space
       !> Integers in the order of the file, the last dimension fastest.
       integer(i8), intent(in), contiguous, target :: values(:)
@@ -249,17 +237,13 @@ contains
 
    !> Write values of any type.
    subroutine write_from(calls, dataset, memory_type, memory_space, file_space, address)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> HDF5 type of the values in the memory.
       integer(hid_t), intent(in) :: memory_type
       !> Space of as many values as are written.
       integer(hid_t), intent(in) :: memory_space
-      !> Space of the dataset's shape, with the part selected.
       integer(hid_t), intent(in) :: file_space
-      !> Address of the values.
       type(c_ptr), intent(in) :: address
 
       if (.not. calls%is_good()) return

@@ -61,7 +61,6 @@ contains
    subroutine open_source(calls, path, file)
       !> The chain of calls that this is a part of.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Name of the file.
       character(*), intent(in) :: path
       !> Its id.
       integer(hid_t), intent(out) :: file

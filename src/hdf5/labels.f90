@@ -27,12 +27,10 @@ module adfric_hdf5_labels
 contains
 
    !> Read the text of an attribute.
-   subroutine read_label(calls, place, name, label, is_text)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine read_label(calls, index, name, label, is_text)
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the dataset that the attribute belongs to.
-      integer(hid_t), intent(in) :: place
-      !> Name of the attribute.
+      integer(hid_t), intent(in) :: index
       character(*), intent(in) :: name
       !> Text of the attribute; empty if there is no such attribute, or nothing in it.
       character(:), allocatable, intent(out) :: label
@@ -51,10 +49,10 @@ contains
       exists = .false.
       n_texts = 0
       type_class = -1
-      if (calls%is_good()) call h5aexists_f(place, name, exists, calls%status)
+      if (calls%is_good()) call h5aexists_f(index, name, exists, calls%status)
       call calls%check()
       if (.not. (calls%is_good() .and. exists)) return
-      call h5aopen_f(place, name, attribute, calls%status)
+      call h5aopen_f(index, name, attribute, calls%status)
       call calls%check()
       if (calls%is_good()) call h5aget_type_f(attribute, type_id, calls%status)
       call calls%check()
@@ -75,7 +73,6 @@ contains
 
    !> Read a text of fixed or of variable length.
    subroutine read_text(calls, attribute, type_id, space, label)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open attribute, one text.
       integer(hid_t), intent(in) :: attribute

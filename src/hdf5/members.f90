@@ -77,40 +77,37 @@ contains
       !> What is wrong with the file, for the user; empty if nothing is.
       character(:), allocatable, intent(out) :: flaw
       type(hdf5_calls_t) :: calls
-      integer(hid_t) :: file_id, place
+      integer(hid_t) :: file_id, index
       integer :: k
 
       flaw = ''
       file_id = no_id
-      place = no_id
+      index = no_id
       call calls%open_library()
       call open_foreign_file(calls, file, file_id, flaw)
       if (len(flaw) == 0 .and. calls%is_good()) then
-         call h5oopen_f(file_id, path, place, calls%status)
+         call h5oopen_f(file_id, path, index, calls%status)
          ! what is not there has no attributes either; whoever reads the values says that it is not there
          if (calls%status < 0) then
-            place = no_id
+            index = no_id
             calls%status = 0
          end if
       end if
       do k = 1, size(labels)
-         if (place /= no_id) call read_number_label(calls, place, get_word(names, k), labels(k))
+         if (index /= no_id) call read_number_label(calls, index, get_word(names, k), labels(k))
       end do
-      if (place /= no_id) call h5oclose_f(place, calls%status)
+      if (index /= no_id) call h5oclose_f(index, calls%status)
       call calls%check()
       call close_file(calls, file_id)
       call say_failure(calls, flaw)
    end subroutine read_number_labels
 
    !> Read an attribute.
-   subroutine read_number_label(calls, place, name, label)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine read_number_label(calls, index, name, label)
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open dataset or group.
-      integer(hid_t), intent(in) :: place
-      !> Name of the attribute.
+      integer(hid_t), intent(in) :: index
       character(*), intent(in) :: name
-      !> Receives the number.
       type(number_label_t), intent(out) :: label
       real(dp), target :: buffer
       type(c_ptr) :: address
@@ -123,10 +120,10 @@ contains
       space = no_id
       type_class = -1
       n = 0
-      if (calls%is_good()) call h5aexists_f(place, name, label%exists, calls%status)
+      if (calls%is_good()) call h5aexists_f(index, name, label%exists, calls%status)
       call calls%check()
       if (.not. (calls%is_good() .and. label%exists)) return
-      call h5aopen_f(place, name, attribute, calls%status)
+      call h5aopen_f(index, name, attribute, calls%status)
       call calls%check()
       if (calls%is_good()) call h5aget_type_f(attribute, type_id, calls%status)
       call calls%check()

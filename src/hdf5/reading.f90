@@ -13,7 +13,7 @@ module adfric_hdf5_reading
    private
    public :: has_attribute, read_attribute, open_dataset, n_values_of, read_values, get_extent
 
-   !> Read an attribute: a text of variable length, a number, an integer, or as many small integers as there is room for.
+   !> Read an attribute: a text of variable length, a number, an integer, or as many small integers as there is space for.
    interface read_attribute
       module procedure read_text
       module procedure read_real
@@ -41,54 +41,48 @@ module adfric_hdf5_reading
 contains
 
    !> Is there an attribute of this name?
-   logical function has_attribute(calls, place, name)
+   logical function has_attribute(calls, index, name)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
+      integer(hid_t), intent(in) :: index
       !> Name of the attribute.
       character(*), intent(in) :: name
 
       has_attribute = .false.
       if (.not. calls%is_good()) return
-      call h5aexists_f(place, name, has_attribute, calls%status)
+      call h5aexists_f(index, name, has_attribute, calls%status)
       call calls%check()
    end function has_attribute
 
    !> Open an attribute.
-   subroutine open_attribute(calls, place, name, attribute)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine open_attribute(calls, index, name, attribute)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
-      !> Name of the attribute.
+      integer(hid_t), intent(in) :: index
       character(*), intent(in) :: name
       !> Id of the attribute, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: attribute
 
       attribute = no_id
       if (.not. calls%is_good()) return
-      call h5aopen_f(place, name, attribute, calls%status)
+      call h5aopen_f(index, name, attribute, calls%status)
       call calls%check()
    end subroutine open_attribute
 
    !> Read an attribute of any type.
-   subroutine read_any(calls, place, name, memory_type, address)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine read_any(calls, index, name, memory_type, address)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
-      !> Name of the attribute.
+      integer(hid_t), intent(in) :: index
       character(*), intent(in) :: name
       !> HDF5 type of the values in the memory.
       integer(hid_t), intent(in) :: memory_type
-      !> Address of room for the values; left as it is if a call has failed.
+      !> Address of space for the values; left as it is if a call has failed.
       type(c_ptr), intent(in) :: address
       type(c_ptr) :: copy
       integer(hid_t) :: attribute
 
       copy = address
-      call open_attribute(calls, place, name, attribute)
+      call open_attribute(calls, index, name, attribute)
       if (calls%is_good()) then
          call h5aread_f(attribute, memory_type, copy, calls%status)
          call calls%check()
@@ -97,12 +91,9 @@ contains
    end subroutine read_any
 
    !> Read a text; empty if there is none.
-   subroutine read_text(calls, place, name, text)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine read_text(calls, index, name, text)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
-      !> Name of the attribute.
+      integer(hid_t), intent(in) :: index
       character(*), intent(in) :: name
       !> Text of the attribute; empty if a call has failed.
       character(:), allocatable, intent(out) :: text
@@ -115,7 +106,7 @@ contains
       text = ''
       type_id = no_id
       space = no_id
-      call open_attribute(calls, place, name, attribute)
+      call open_attribute(calls, index, name, attribute)
       if (calls%is_good()) then
          call h5aget_type_f(attribute, type_id, calls%status)
          call calls%check()
@@ -145,53 +136,44 @@ contains
    end subroutine read_text
 
    !> Read a number.
-   subroutine read_real(calls, place, name, number)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine read_real(calls, index, name, number)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
-      !> Name of the attribute.
+      integer(hid_t), intent(in) :: index
       character(*), intent(in) :: name
       !> Number of the attribute; 0 if a call has failed.
       real(dp), intent(out) :: number
       real(dp), target :: buffer
 
       buffer = 0
-      call read_any(calls, place, name, H5T_NATIVE_DOUBLE, c_loc(buffer))
+      call read_any(calls, index, name, H5T_NATIVE_DOUBLE, c_loc(buffer))
       number = buffer
    end subroutine read_real
 
    !> Read an integer.
-   subroutine read_integer(calls, place, name, number)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine read_integer(calls, index, name, number)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
-      !> Name of the attribute.
+      integer(hid_t), intent(in) :: index
       character(*), intent(in) :: name
       !> Integer of the attribute; 0 if a call has failed.
       integer(i8), intent(out) :: number
       integer(i8), target :: buffer
 
       buffer = 0
-      call read_any(calls, place, name, h5kind_to_type(i8, H5_INTEGER_KIND), c_loc(buffer))
+      call read_any(calls, index, name, h5kind_to_type(i8, H5_INTEGER_KIND), c_loc(buffer))
       number = buffer
    end subroutine read_integer
 
    !> Read small integers.
-   subroutine read_small_integers(calls, place, name, numbers)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine read_small_integers(calls, index, name, numbers)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the file or the dataset.
-      integer(hid_t), intent(in) :: place
-      !> Name of the attribute.
+      integer(hid_t), intent(in) :: index
       character(*), intent(in) :: name
       !> As many integers as the attribute has; all 0 if a call has failed.
       integer(int8), intent(out) :: numbers(:)
       integer(int8), target :: buffer(size(numbers))
 
       buffer = 0
-      call read_any(calls, place, name, h5kind_to_type(int8, H5_INTEGER_KIND), c_loc(buffer))
+      call read_any(calls, index, name, h5kind_to_type(int8, H5_INTEGER_KIND), c_loc(buffer))
       numbers = buffer
    end subroutine read_small_integers
 
@@ -235,13 +217,10 @@ contains
 
    !> Read real numbers.
    subroutine read_reals(calls, dataset, memory_space, file_space, values)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Space of as many values as are read.
       integer(hid_t), intent(in) :: memory_space
-      !> Space of the dataset's shape, with the part selected.
       integer(hid_t), intent(in) :: file_space
       !> Numbers in the order of the file, the last dimension fastest; left as they are if a call has failed.
       real(dp), intent(inout), contiguous, target :: values(:)
@@ -251,13 +230,10 @@ contains
 
    !> Read states.
    subroutine read_states(calls, dataset, memory_space, file_space, values)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Space of as many values as are read.
       integer(hid_t), intent(in) :: memory_space
-      !> Space of the dataset's shape, with the part selected.
       integer(hid_t), intent(in) :: file_space
       !> States in the order of the file, the last dimension fastest; left as they are if a call has failed.
       integer(int8), intent(inout), contiguous, target :: values(:)
@@ -267,13 +243,10 @@ contains
 
    !> Read integers.
    subroutine read_integers(calls, dataset, memory_space, file_space, values)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Space of as many values as are read.
       integer(hid_t), intent(in) :: memory_space
-      !> Space of the dataset's shape, with the part selected.
       integer(hid_t), intent(in) :: file_space
       !> Integers in the order of the file, the last dimension fastest; left as they are if a call has failed.
       integer(i8), intent(inout), contiguous, target :: values(:)
@@ -283,17 +256,14 @@ contains
 
    !> Read values of any type.
    subroutine read_at(calls, dataset, memory_type, memory_space, file_space, address)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> HDF5 type of the values in the memory.
       integer(hid_t), intent(in) :: memory_type
       !> Space of as many values as are read.
       integer(hid_t), intent(in) :: memory_space
-      !> Space of the dataset's shape, with the part selected.
       integer(hid_t), intent(in) :: file_space
-      !> Address of room for the values; left as it is if a call has failed.
+      !> Address of space for the values; left as it is if a call has failed.
       type(c_ptr), intent(in) :: address
       type(c_ptr) :: copy
 
@@ -303,15 +273,15 @@ contains
       call calls%check()
    end subroutine read_at
 
-   !> Where the values of a dataset stand in the file: first byte, from 0, and how many; none if they have no place of their own.
+   !> Where the values of a dataset stand in the file: first byte, from 0, and how many; none if they have no index of their own.
    subroutine get_extent(calls, dataset, first, n_bytes)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> First byte of the values in the file, from 0; 0 if they have no place of their own.
+      !> First byte of the values in the file, from 0; 0 if they have no index of their own.
       integer(i8), intent(out) :: first
-      !> Number of bytes of the values; 0 if they have no place of their own.
+      !> Number of bytes of the values; 0 if they have no index of their own.
       integer(i8), intent(out) :: n_bytes
       integer(hsize_t) :: size
       integer(haddr_t) :: offset
@@ -319,7 +289,7 @@ contains
       first = 0
       n_bytes = 0
       if (.not. calls%is_good()) return
-      ! that values have no place of their own is no failure
+      ! that values have no index of their own is no failure
       call h5dget_storage_size_f(dataset, size, calls%status)
       if (calls%status < 0 .or. size == 0) return
       call h5dget_offset_f(dataset, offset, calls%status)

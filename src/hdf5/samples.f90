@@ -13,7 +13,7 @@ module adfric_hdf5_samples
    use adfric_hdf5_labels, only: read_label
    use adfric_hdf5_sources, only: check_sources
    use adfric_system_files, only: kind_of_path, path_free, path_file
-   use adfric_system_memory, only: free_memory, has_room
+   use adfric_system_memory, only: free_memory, has_space
    implicit none (type, external)
    private
    public :: read_numbers, open_foreign_file, get_extent, units_name, most_dimensions
@@ -77,9 +77,7 @@ contains
 
    !> Open a file to read from it.
    subroutine open_foreign_file(calls, file, file_id, flaw)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Name of the file.
       character(*), intent(in) :: file
       !> Id of the file, to be closed by `close_file`; left as it is if the file cannot be opened.
       integer(hid_t), intent(inout) :: file_id
@@ -107,9 +105,7 @@ contains
 
    !> Number of values along each dimension, of a dataset of numbers that has at least one.
    subroutine get_extent(calls, dataset, largest_rank, counts, flaw)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Largest number of dimensions that the dataset may have.
       integer, intent(in) :: largest_rank
@@ -154,13 +150,11 @@ contains
 
    !> The values themselves.
    subroutine read_values(calls, dataset, counts, values, flaw)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Number of values along each dimension, the slowest first; one or two dimensions.
       integer(i8), intent(in) :: counts(:)
-      !> Numbers in the order of Fortran: the last dimension of the file first; not allocated if there is no room.
+      !> Numbers in the order of Fortran: the last dimension of the file first; not allocated if there is no space.
       real(dp), allocatable, target, intent(out) :: values(:, :)
       !> What is wrong, for the user; empty if nothing is.
       character(:), allocatable, intent(inout) :: flaw
@@ -175,7 +169,7 @@ contains
       status = 1
       n_bytes = product(real(counts, dp))*real_bytes
       if (n_bytes < free_memory() .and. all(counts <= huge(1))) then
-         if (has_room(n_bytes)) allocate (values(counts(size(counts)), n_slow), stat=status)
+         if (has_space(n_bytes)) allocate (values(counts(size(counts)), n_slow), stat=status)
       end if
       if (status /= 0) then
          flaw = 'the dataset is too large for the memory'

@@ -30,13 +30,13 @@ module adfric_hdf5_sources
          implicit none (type, external)
          !> Id of the space with the selection.
          integer(c_int64_t), intent(in), value :: space
-         !> First place of the first box along each dimension, from 0.
+         !> First index of the first box along each dimension, from 0.
          integer(c_int64_t), intent(out) :: start(*)
          !> Distance from a box to the next one along each dimension.
          integer(c_int64_t), intent(out) :: stride(*)
          !> Number of boxes along each dimension.
          integer(c_int64_t), intent(out) :: count(*)
-         !> Number of places of a box along each dimension.
+         !> Number of indices of a box along each dimension.
          integer(c_int64_t), intent(out) :: block(*)
       end function get_regular
 
@@ -46,11 +46,9 @@ contains
 
    !> Find out whether all values of a dataset have a source; those of one that is not virtual have.
    recursive subroutine check_sources(calls, path, dataset, level, flaw)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Name of the file of the dataset.
       character(*), intent(in) :: path
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Number of virtual datasets that have led here, 0 at first.
       integer, intent(in) :: level
@@ -77,11 +75,9 @@ contains
 
    !> Check each source of a virtual dataset, and whether they have all of its values.
    recursive subroutine check_each(calls, path, dataset, list, level, flaw)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Name of the file of the dataset.
       character(*), intent(in) :: path
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Properties with which the dataset was created.
       integer(hid_t), intent(in) :: list
@@ -101,7 +97,7 @@ contains
       call calls%check()
       do i = 0, n_sources - 1
          call check_source(calls, path, list, i, level, flaw)
-         call add_place(calls, list, i, covered, flaw)
+         call add_index(calls, list, i, covered, flaw)
          if (len(flaw) > 0 .or. .not. calls%is_good()) exit
       end do
       call h5sget_select_npoints_f(covered, n_covered, calls%status)
@@ -110,9 +106,8 @@ contains
       call calls%close_id(covered)
    end subroutine check_each
 
-   !> Is a source there? HDF5 would look for it in other places, too; only the usual one counts.
+   !> Is a source there? HDF5 would look for it in other indices, too; only the usual one counts.
    recursive subroutine check_source(calls, path, list, i, level, flaw)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Name of the file of the dataset.
       character(*), intent(in) :: path
@@ -167,9 +162,8 @@ contains
       end do
    end function without_format
 
-   !> Add to what is covered the place of the values of a source.
-   subroutine add_place(calls, list, i, covered, flaw)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   !> Add to what is covered the index of the values of a source.
+   subroutine add_index(calls, list, i, covered, flaw)
       type(hdf5_calls_t), intent(inout) :: calls
       !> Properties with which the dataset was created.
       integer(hid_t), intent(in) :: list
@@ -201,6 +195,6 @@ contains
       end if
       call calls%check()
       call calls%close_id(space)
-   end subroutine add_place
+   end subroutine add_index
 
 end module adfric_hdf5_sources

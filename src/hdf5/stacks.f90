@@ -78,7 +78,6 @@ contains
 
    !> Number of rows.
    pure integer(i8) function n_rows(self)
-      !> The open dataset.
       class(row_stack_t), intent(in) :: self
 
       n_rows = product(self%counts(:size(self%counts) - 1))
@@ -86,7 +85,6 @@ contains
 
    !> Number of values of a row.
    pure integer(i8) function row_length(self)
-      !> The open dataset.
       class(row_stack_t), intent(in) :: self
 
       row_length = self%counts(size(self%counts))
@@ -94,7 +92,6 @@ contains
 
    !> Read neighbouring rows.
    subroutine read_rows(self, first, values, is_read)
-      !> The open dataset.
       class(row_stack_t), intent(in) :: self
       !> Number of the first row, from 1.
       integer(i8), intent(in) :: first
@@ -125,7 +122,6 @@ contains
 
    !> Close the dataset and its file.
    subroutine close_row_stack(self)
-      !> The dataset, open or not.
       class(row_stack_t), intent(inout) :: self
       type(hdf5_calls_t) :: calls
 

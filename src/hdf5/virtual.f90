@@ -34,7 +34,7 @@ contains
       type(hdf5_calls_t), intent(inout) :: calls
       !> Space in which the box is selected besides what is selected.
       integer(hid_t), intent(in) :: space
-      !> First place of the box along each dimension, from 0, and how many places; the slowest dimension first.
+      !> First index of the box along each dimension, from 0, and how many indices; the slowest dimension first.
       integer(i8), intent(in) :: start(:), count(:)
 
       if (.not. calls%is_good()) return

@@ -13,7 +13,7 @@ module adfric_hdf5_words
 
 contains
 
-   !> Create a dataset of one dimension with a word at each place.
+   !> Create a dataset of one dimension with a word at each index.
    subroutine create_word_dataset(calls, file, name, words, dataset)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
@@ -26,13 +26,13 @@ contains
       !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       character(kind=c_char), allocatable, target :: letters(:, :)
-      type(c_ptr), target :: places(count_words(words))
+      type(c_ptr), target :: indices(count_words(words))
       integer(hid_t) :: space, type_id
 
       dataset = no_id
       type_id = no_id
-      call copy_words(words, letters, places)
-      call create_space(calls, [size(places, kind=i8)], space)
+      call copy_words(words, letters, indices)
+      call create_space(calls, [size(indices, kind=i8)], space)
       if (calls%is_good()) call h5tcopy_f(H5T_STRING, type_id, calls%status)
       call calls%check()
       if (calls%is_good()) call h5tset_cset_f(type_id, H5T_CSET_UTF8_F, calls%status)
@@ -42,30 +42,30 @@ contains
          call calls%check()
          if (.not. calls%is_good()) dataset = no_id
       end if
-      if (calls%is_good()) call h5dwrite_f(dataset, type_id, c_loc(places), calls%status)
+      if (calls%is_good()) call h5dwrite_f(dataset, type_id, c_loc(indices), calls%status)
       call calls%check()
       call calls%close_id(type_id)
       call calls%close_id(space)
    end subroutine create_word_dataset
 
    !> The words as C has them, each with a null character at its end.
-   subroutine copy_words(words, letters, places)
+   subroutine copy_words(words, letters, indices)
       !> The words, separated by a blank.
       character(*), intent(in) :: words
       !> Receives the letters, a column for each word.
       character(kind=c_char), allocatable, target, intent(out) :: letters(:, :)
       !> Receives the address of each word.
-      type(c_ptr), intent(out) :: places(:)
+      type(c_ptr), intent(out) :: indices(:)
       character(:), allocatable :: word
       integer :: i, k
 
-      allocate (letters(len(words) + 1, size(places)), source=c_null_char)
-      do i = 1, size(places)
+      allocate (letters(len(words) + 1, size(indices)), source=c_null_char)
+      do i = 1, size(indices)
          word = get_word(words, i)
          do k = 1, len(word)
             letters(k, i) = word(k:k)
          end do
-         places(i) = c_loc(letters(1, i))
+         indices(i) = c_loc(letters(1, i))
       end do
    end subroutine copy_words
 

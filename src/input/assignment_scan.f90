@@ -28,13 +28,11 @@ contains
 
    !> Find the assignments of all groups.
    subroutine scan_assignments(source, groups, assignments, problems)
-      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
       !> The groups of the file; those in which something makes no sense are marked as garbled.
       type(group_t), intent(inout) :: groups(:)
       !> The assignments of all groups, in the order of the file.
       type(assignment_t), allocatable, intent(out) :: assignments(:)
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(assignment_t), allocatable :: found(:)
       integer :: i, n
@@ -50,17 +48,14 @@ contains
 
    !> Find the assignments of one group.
    subroutine scan_group(source, group, number, assignments, n, problems)
-      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
       !> The group to look through; it is marked as garbled if something in it makes no sense.
       type(group_t), intent(inout) :: group
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: number
-      !> Room for the assignments of all groups; those of this group follow the ones found before.
+      !> Space for the assignments of all groups; those of this group follow the ones found before.
       type(assignment_t), intent(inout) :: assignments(:)
       !> Number of assignments found so far.
       integer, intent(inout) :: n
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name
       integer :: equals, next_equals, name_first, next_first
@@ -151,13 +146,11 @@ contains
 
    !> Report what stands between the name of a group and its first assignment.
    subroutine check_start(source, group, name_first, problems)
-      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
       !> The group; it is marked as garbled if something stands there.
       type(group_t), intent(inout) :: group
       !> Position where its first assignment begins; one behind the group if there is none.
       integer, intent(in) :: name_first
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: first
 
@@ -171,7 +164,6 @@ contains
 
    !> Report what cannot be the name of a variable.
    subroutine report_name(source, group, name, equals, problems)
-      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
       !> The group of the assignment, which is marked as garbled.
       type(group_t), intent(inout) :: group
@@ -179,7 +171,6 @@ contains
       character(*), intent(in) :: name
       !> Position of the `=` behind it, for the number of the line.
       integer, intent(in) :: equals
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: what
 

@@ -54,7 +54,6 @@ contains
 
    !> Add the attributes to a checksum.
    subroutine add_attributes(dataset, checksum)
-      !> The dataset with its attributes.
       type(dataset_t), intent(in) :: dataset
       !> The checksum so far; it does not change if there are no attributes.
       type(checksum_t), intent(inout) :: checksum

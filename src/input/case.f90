@@ -40,7 +40,7 @@ contains
 
    !> A case in which nothing is given, so that every variable has its default value.
    subroutine new_case(self, model)
-      !> Receives room for every variable of the model.
+      !> Receives space for every variable of the model.
       type(case_t), intent(out) :: self
       !> The model, whose table has the default values.
       class(model_t), intent(in) :: model
@@ -55,13 +55,10 @@ contains
 
    !> Read the groups of a model.
    subroutine read_groups(file, model, input, problems, common)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> Receives a value for every variable, and which of them are given or broken.
       type(case_t), intent(out) :: input
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       !> Names of the groups that the input may have beside those of the model, separated by a blank; not present: those of a run.
       character(*), intent(in), optional :: common
@@ -89,9 +86,7 @@ contains
 
    !> Was a name read when the solver of the scene was chosen? The solver may have it as well.
    pure logical function is_read(model, group, name)
-      !> The model, which knows such names.
       class(model_t), intent(in) :: model
-      !> Group and name.
       character(*), intent(in) :: group, name
 
       is_read = allocated(model%scene_names)
@@ -100,15 +95,12 @@ contains
 
    !> Report groups that the model does not have, and mark what is behind a group that makes no sense.
    subroutine check_group_names(file, model, common, input, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> Names of the groups that the input may have beside those of the model, separated by a blank.
       character(*), intent(in) :: common
       !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: known
       integer :: i
@@ -127,7 +119,6 @@ contains
 
    !> Mark the variables of a group.
    subroutine mark_group(model, group, input)
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> Name of the group, in small letters; nothing is marked if the model has no such group.
       character(*), intent(in) :: group
@@ -142,18 +133,15 @@ contains
 
    !> Read the value of one variable.
    subroutine read_assignment(file, number, model, input, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the assignment in the file, from 1.
       integer, intent(in) :: number
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> Receives the value of the variable, or that it is broken.
       type(case_t), intent(inout) :: input
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: group, name, flaw
-      integer :: i, place
+      integer :: i, index
 
       associate (assignment => file%assignments(number))
          group = trim(file%groups(assignment%group)%name)
@@ -165,35 +153,33 @@ contains
             return
          end if
          if (model%variables(i)%kind == kind_dataset) then
-            call read_data(file%value_of(number), model%variables(i), input%datasets(i), flaw, place)
+            call read_data(file%value_of(number), model%variables(i), input%datasets(i), flaw, index)
          else
-            call read_variable(file%value_of(number), model%variables(i), input%values(i), flaw, place)
+            call read_variable(file%value_of(number), model%variables(i), input%values(i), flaw, index)
          end if
          input%is_given(i) = .true.
          input%line(i) = file%line_of(assignment%first)
          input%is_broken(i) = input%is_broken(i) .or. len(flaw) > 0
          if (len(flaw) > 0) &
-            call file%report(problems, assignment%group, name, flaw, assignment%value_first + place - 1)
+            call file%report(problems, assignment%group, name, flaw, assignment%value_first + index - 1)
       end associate
    end subroutine read_assignment
 
    !> Read the name of a dataset or group, or the numbers of a list.
-   subroutine read_data(text, variable, dataset, flaw, place)
+   subroutine read_data(text, variable, dataset, flaw, index)
       !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> Receives the name or the numbers; left as it is if something is wrong.
       type(dataset_t), intent(inout) :: dataset
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1.
-      integer, intent(out) :: place
+      integer, intent(out) :: index
 
       if (variable%is_list .and. .not. is_dataset_name(text)) then
-         call read_numbers(text, variable, dataset, flaw, place)
+         call read_numbers(text, variable, dataset, flaw, index)
       else
-         call read_dataset_name(text, dataset, flaw, place)
+         call read_dataset_name(text, dataset, flaw, index)
          if (len(flaw) == 0 .and. dataset%is_column .and. variable%n_columns() > 0) &
             flaw = 'names a column, a group is needed, given '''//show_text(dataset%text)//''''
          if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(variable)
@@ -202,7 +188,6 @@ contains
 
    !> Mark the variables that an unknown name probably means: their absence needs no report of its own.
    subroutine mark_meant(model, group, name, input)
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> Name of the group where the name stands; empty where the name may be of any group.
       character(*), intent(in) :: group

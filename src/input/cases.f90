@@ -30,36 +30,33 @@ module adfric_input_cases
    character(*), parameter :: divider = ':/'
 
    !> The table.
-   type :: source_t
+   type :: case_source_t
       !> Name of the file.
       character(:), allocatable :: file
       !> Name of the group; not allocated for a table of text.
       character(:), allocatable :: path
       !> The table of text.
       type(text_table_t) :: table
-   end type source_t
+   end type case_source_t
 
 contains
 
    !> Read a table of cases.
    subroutine read_cases(file, group, model, input, axis, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> In: what the groups and earlier sweeps give. Out: also what the cases do.
       type(case_t), intent(inout) :: input
       !> The variables and their values; not allocated if the axis cannot be used.
       type(axis_t), intent(out) :: axis
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      type(source_t) :: source
+      type(case_source_t) :: source
       type(dataset_t), allocatable :: columns(:)
       character(:), allocatable :: names
       real(dp), allocatable :: values(:, :)
-      integer, allocatable :: places(:)
+      integer, allocatable :: indices(:)
       integer :: k, n_before, line
 
       n_before = problems%count()
@@ -68,37 +65,35 @@ contains
       call open_source(file, group, source, problems)
       names = ''
       if (problems%count() == n_before) call choose_names(file, group, model, source, names, problems)
-      call find_places(file, group, model, names, places, problems)
-      do k = 1, size(places)
-         call check_not_twice(file, group, model, places(k), input, problems)
+      call find_indices(file, group, model, names, indices, problems)
+      do k = 1, size(indices)
+         call check_not_twice(file, group, model, indices(k), input, problems)
       end do
       if (problems%count() == n_before) &
-         call read_columns(file, group, model, input, source, names, places, columns, values, problems)
+         call read_columns(file, group, model, input, source, names, indices, columns, values, problems)
       if (problems%count() > n_before) then
          ! what it should have given is not missing
-         if (size(places) == 0) input%is_broken = .true.
-         do k = 1, size(places)
-            call break_variable(places(k), line, input)
+         if (size(indices) == 0) input%is_broken = .true.
+         do k = 1, size(indices)
+            call break_variable(indices(k), line, input)
          end do
          return
       end if
       axis%name = case_axis
-      axis%variables = places
+      axis%variables = indices
       axis%values = transpose(values)
-      do k = 1, size(places)
-         call put_swept(places(k), values(1, k), line, columns(k), input)
+      do k = 1, size(indices)
+         call put_swept(indices(k), values(1, k), line, columns(k), input)
       end do
    end subroutine read_cases
 
    !> Find the table.
    subroutine open_source(file, group, source, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
       !> Receives the names of file and group, or the open table.
-      type(source_t), intent(out) :: source
-      !> Receives what is wrong with the input; nothing is removed.
+      type(case_source_t), intent(out) :: source
       type(problems_t), intent(inout) :: problems
       type(error_t), allocatable :: error
       character(:), allocatable :: name
@@ -131,17 +126,14 @@ contains
 
    !> Which columns are wanted: those of `variables`, else all that have the name of a numeric variable.
    subroutine choose_names(file, group, model, source, names, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
       !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
-      !> The table.
-      type(source_t), intent(in) :: source
+      type(case_source_t), intent(in) :: source
       !> Receives the names, separated by a blank; empty if something is wrong.
       character(:), allocatable, intent(inout) :: names
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: known, flaw, there
       logical, allocatable :: exists(:)
@@ -173,8 +165,7 @@ contains
    end subroutine choose_names
 
    !> Find the variables of the columns.
-   subroutine find_places(file, group, model, names, places, problems)
-      !> The input, cut into groups and assignments.
+   subroutine find_indices(file, group, model, names, indices, problems)
       type(namelist_file_t), intent(in) :: file
       !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
@@ -182,57 +173,52 @@ contains
       class(model_t), intent(in) :: model
       !> Names of the columns, separated by a blank.
       character(*), intent(in) :: names
-      !> Receives the places of the variables in the model's table.
-      integer, allocatable, intent(out) :: places(:)
-      !> Receives what is wrong with the input; nothing is removed.
+      !> Receives the indices of the variables in the model's table.
+      integer, allocatable, intent(out) :: indices(:)
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
-      integer :: k, place
+      integer :: k, position
 
-      allocate (places(0))
+      allocate (indices(0))
       do k = 1, count_words(names)
-         call look_up_number(model, get_word(names, k), place, flaw)
-         if (len(flaw) == 0 .and. any(places == place)) flaw = 'given twice, '''//get_word(names, k)//''''
+         call look_up_number(model, get_word(names, k), position, flaw)
+         if (len(flaw) == 0 .and. any(indices == position)) flaw = 'given twice, '''//get_word(names, k)//''''
          if (len(flaw) > 0) then
             call file%report_variable(problems, group, 'variables', flaw)
          else
-            places = [places, place]
+            indices = [indices, position]
          end if
       end do
-   end subroutine find_places
+   end subroutine find_indices
 
    !> Read the columns in SI units.
-   subroutine read_columns(file, group, model, input, source, names, places, columns, values, problems)
-      !> The input, cut into groups and assignments.
+   subroutine read_columns(file, group, model, input, source, names, indices, columns, values, problems)
       type(namelist_file_t), intent(in) :: file
       !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> What the groups give, on which units may depend.
       type(case_t), intent(in) :: input
-      !> The table.
-      type(source_t), intent(in) :: source
+      type(case_source_t), intent(in) :: source
       !> Names of the columns, separated by a blank.
       character(*), intent(in) :: names
-      !> Places of the variables in the model's table.
-      integer, intent(in) :: places(:)
+      !> Indices of the variables in the model's table.
+      integer, intent(in) :: indices(:)
       !> Receives what is known of each column.
       type(dataset_t), allocatable, intent(out) :: columns(:)
       !> Receives the values; shape `(n_cases, n_variables)`.
       real(dp), allocatable, intent(out) :: values(:, :)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
       real(dp), allocatable :: numbers(:, :)
       integer :: k
 
-      allocate (columns(size(places)))
-      do k = 1, size(places)
+      allocate (columns(size(indices)))
+      do k = 1, size(indices)
          call load_column(source, get_word(names, k), columns(k), numbers, flaw)
-         if (len(flaw) == 0) call convert_values(model, places(k), input, columns(k), numbers(:, 1), flaw)
+         if (len(flaw) == 0) call convert_values(model, indices(k), input, columns(k), numbers(:, 1), flaw)
          if (len(flaw) == 0) then
-            if (k == 1) allocate (values(size(numbers, 1), size(places)))
+            if (k == 1) allocate (values(size(numbers, 1), size(indices)))
             if (size(numbers, 1) /= size(values, 1)) flaw = get_word(names, 1)//' and '//get_word(names, k)// &
                ' have not as many values, '//show_count(size(values, 1))//' and '//show_count(size(numbers, 1))
          end if
@@ -246,8 +232,7 @@ contains
 
    !> Read a column as the file has it.
    subroutine load_column(source, name, column, numbers, flaw)
-      !> The table.
-      type(source_t), intent(in) :: source
+      type(case_source_t), intent(in) :: source
       !> Name of the column.
       character(*), intent(in) :: name
       !> Receives its names, its shape and its units.

@@ -11,9 +11,7 @@ contains
 
    !> Lines of comment before a group, from the end of the group before it.
    function comments_before(file, group) result(lines)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group.
       integer, intent(in) :: group
       character(:), allocatable :: lines
       integer :: first
@@ -25,7 +23,6 @@ contains
 
    !> Lines of comment behind the last group.
    function comments_at_end(file) result(lines)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       character(:), allocatable :: lines
 
@@ -36,9 +33,7 @@ contains
    !> Position behind the end of a group. What stands behind its `/` is a comment of its last assignment if that is in the
    !> same line.
    integer function behind_group(file, group)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group.
       integer, intent(in) :: group
       integer :: i, last
 
@@ -53,7 +48,6 @@ contains
 
    !> Lines of comment above an assignment, from the assignment before it.
    function comments_above(file, number) result(lines)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the assignment.
       integer, intent(in) :: number
@@ -72,7 +66,6 @@ contains
 
    !> What stands between the name of an assignment and the end of its value.
    function layout_of(file, number) result(text)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the assignment.
       integer, intent(in) :: number
@@ -86,7 +79,6 @@ contains
 
    !> The comments between the name of an assignment and the end of its value, a line each.
    function comments_inside(file, number) result(lines)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the assignment.
       integer, intent(in) :: number
@@ -108,7 +100,6 @@ contains
 
    !> Position behind the end of a line.
    pure integer function end_of_line_at(text, position)
-      !> The text.
       character(*), intent(in) :: text
       !> A position in the line.
       integer, intent(in) :: position
@@ -139,7 +130,6 @@ contains
 
    !> The comment behind an assignment, in its line; empty if there is none.
    function comment_behind(file, number) result(comment)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the assignment.
       integer, intent(in) :: number

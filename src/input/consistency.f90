@@ -39,35 +39,31 @@ contains
    end subroutine check_consistency
 
    !> Check where one swept variable takes its least or greatest value, unless that is the first one.
-   subroutine check_end(file, model, input, axis, place, number, problems)
-      !> The input, cut into groups and assignments.
+   subroutine check_end(file, model, input, axis, position, number, problems)
       type(namelist_file_t), intent(in) :: file
       !> The model, which knows what its values may be together.
       class(model_t), intent(in) :: model
       !> Values of all variables, and which of them are given, swept or broken.
       type(case_t), intent(in) :: input
-      !> The swept variables with their values.
       type(axis_t), intent(in) :: axis
-      !> Place of the variable among those of the axis, from 1.
-      integer, intent(in) :: place
+      !> Index of the variable among those of the axis, from 1.
+      integer, intent(in) :: position
       !> Which value of the axis is looked at, from 1; nothing is done at the first one.
       integer, intent(in) :: number
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: values(size(input%values))
 
       if (number == 1) return
       values = input%values
       values(axis%variables) = axis%values(:, number)
-      associate (variable => model%variables(axis%variables(place)))
+      associate (variable => model%variables(axis%variables(position)))
          call check_point(file, model, input, values, ' (at '//variable%name//' = '// &
-            show_value(axis%values(place, number), variable)//')', problems)
+            show_value(axis%values(position, number), variable)//')', problems)
       end associate
    end subroutine check_end
 
    !> Check one point.
    subroutine check_point(file, model, input, values, point, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model, which knows what its values may be together.
       class(model_t), intent(in) :: model
@@ -77,7 +73,6 @@ contains
       real(dp), intent(in) :: values(:)
       !> What to add to a problem to say at which point it is met; empty for the first point.
       character(*), intent(in) :: point
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(problems_t) :: found
       integer :: i, n_before
@@ -96,11 +91,8 @@ contains
 
    !> Is the problem only that a variable has no value since something was wrong with it?
    pure logical function is_consequence(item, model, input)
-      !> A problem that the model has found.
       type(problem_t), intent(in) :: item
-      !> The model, whose table names the variables.
       class(model_t), intent(in) :: model
-      !> Says of which variables the value is broken.
       type(case_t), intent(in) :: input
       integer :: i
 
@@ -137,9 +129,7 @@ contains
 
    !> Has the same been said before? At the ends of a sweep, has anything been said of the variable?
    pure logical function is_known(item, problems, n_before, is_end)
-      !> A problem that the model has found.
       type(problem_t), intent(in) :: item
-      !> Everything that has been reported so far.
       type(problems_t), intent(in) :: problems
       !> Number of problems that had been reported before this point.
       integer, intent(in) :: n_before
@@ -161,11 +151,8 @@ contains
 
    !> Line of the variable that a problem names, else of its group; 0 if neither stands in the file.
    pure integer function line_of_variable(item, file, model, input)
-      !> A problem that the model has found.
       type(problem_t), intent(in) :: item
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model, whose table names the variables.
       class(model_t), intent(in) :: model
       !> Says in which lines variables are given or swept.
       type(case_t), intent(in) :: input

@@ -29,19 +29,18 @@ module adfric_input_dataset
 contains
 
    !> Read the name of a dataset.
-   pure subroutine read_dataset_name(text, dataset, flaw, place)
+   pure subroutine read_dataset_name(text, dataset, flaw, position)
       !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
       !> Receives the names of file and dataset; left as it is if something is wrong.
       type(dataset_t), intent(inout) :: dataset
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1.
-      integer, intent(out) :: place
+      integer, intent(out) :: position
       character(:), allocatable :: word, name
       integer :: colon
 
-      call take_only_word(text, word, flaw, place)
+      call take_only_word(text, word, flaw, position)
       if (len(flaw) == 0) call convert(word, name, flaw)
       if (len(flaw) > 0) return
       colon = find_column_name(name)
@@ -119,7 +118,6 @@ contains
 
    !> Take the numbers of a column of an open table, each of which there has to be.
    subroutine take_numbers(table, dataset, values, flaw)
-      !> The table.
       type(text_table_t), intent(in) :: table
       !> In: the names of file and column. Out: also shape and units.
       type(dataset_t), intent(inout) :: dataset

@@ -24,7 +24,6 @@ contains
       class(model_t), intent(inout) :: model
       !> In: the names of the datasets. Out: also what is known of their values, and which are broken.
       type(case_t), intent(inout) :: input
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(problems_t) :: found
       real(dp), allocatable :: values(:, :)
@@ -36,7 +35,7 @@ contains
          associate (variable => model%variables(i), dataset => input%datasets(i))
             call load_data(dataset, variable, values, flaw)
             found = problems_t()
-            if (len(flaw) > 0 .and. names_place(flaw, dataset)) then
+            if (len(flaw) > 0 .and. names_index(flaw, dataset)) then
                call found%add(variable%group, variable%name, flaw)
             else if (len(flaw) > 0) then
                call found%add(variable%group, variable%name, flaw//', given '''//dataset%text//''', allowed: ' &
@@ -55,21 +54,20 @@ contains
    end subroutine load_datasets
 
    !> Does it say already in which file, and where there, something is wrong?
-   pure logical function names_place(flaw, dataset)
+   pure logical function names_index(flaw, dataset)
       !> What is wrong.
       character(*), intent(in) :: flaw
       !> The names of file and dataset, if it is no list.
       type(dataset_t), intent(in) :: dataset
 
-      names_place = dataset%is_column
-      if (names_place) names_place = index(flaw, dataset%file//': ') == 1
-   end function names_place
+      names_index = dataset%is_column
+      if (names_index) names_index = index(flaw, dataset%file//': ') == 1
+   end function names_index
 
    !> Read the values of a dataset or group with its attributes; those of a list are known.
    subroutine load_data(dataset, variable, values, flaw)
       !> In: the names of file and dataset, or the numbers. Out: also what is known of the values.
       type(dataset_t), intent(inout) :: dataset
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> The values in SI units, the last dimension of the file first; shape `(n, 1)` for one dimension or a list, `(n, n_columns)`
       !> for a group.
@@ -93,12 +91,11 @@ contains
    end subroutine load_data
 
    !> Hand the model the attributes of a dataset whose values it has taken.
-   subroutine hand_over_attributes(model, place, dataset, problems)
+   subroutine hand_over_attributes(model, position, dataset, problems)
       !> The model, which takes over the attributes.
       class(model_t), intent(inout) :: model
-      !> Place of the dataset in the variables of the model.
-      integer, intent(in) :: place
-      !> The dataset with its attributes.
+      !> Index of the dataset in the variables of the model.
+      integer, intent(in) :: position
       type(dataset_t), intent(in) :: dataset
       !> Receives what is wrong; nothing is done if something is wrong already.
       type(problems_t), intent(inout) :: problems
@@ -106,7 +103,7 @@ contains
 
       if (problems%count() > 0 .or. .not. allocated(dataset%attributes)) return
       do k = 1, size(dataset%attribute_values)
-         call model%take_attribute(place, get_word(dataset%attributes, k), dataset%attribute_values(k), problems)
+         call model%take_attribute(position, get_word(dataset%attributes, k), dataset%attribute_values(k), problems)
       end do
    end subroutine hand_over_attributes
 

@@ -17,15 +17,12 @@ contains
 
    !> Read all axes. One that cannot be used is left out; there is a problem then.
    subroutine read_axes(file, model, input, axes, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> In: what the groups give. Out: also the first values of the axes, and what is swept or broken.
       type(case_t), intent(inout) :: input
       !> Variables and values of the axes that can be used, in the order of the file.
       type(axis_t), allocatable, intent(out) :: axes(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(axis_t) :: axis
       integer :: i, n
@@ -59,9 +56,7 @@ contains
 
    !> Does a group make an axis of its own? Of `&cases` and `&sample` there may be one.
    pure logical function makes_axis(file, group)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
 
       select case (file%groups(group)%name)
@@ -76,9 +71,7 @@ contains
 
    !> Is it a sweep that goes in step with another one?
    pure logical function goes_with_another(file, group)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
 
       goes_with_another = file%groups(group)%name == 'sweep' .and. file%find_assignment(group, 'with') > 0
@@ -86,9 +79,7 @@ contains
 
    !> Ranges belong to a sample.
    subroutine check_ranges(file, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i
 

@@ -56,9 +56,7 @@ contains
 
    !> The fits of a sphere know its work of adhesion, and do not take it from stress and range.
    subroutine refuse_missing_work(model, problems)
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       select type (model)
@@ -109,9 +107,7 @@ contains
 
    !> Report what only a run can write beside its results.
    subroutine refuse_output(file, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: group, k
 
@@ -125,11 +121,9 @@ contains
 
    !> Report a group that is missing.
    subroutine need_group(file, name, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Name of the group.
       character(*), intent(in) :: name
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (file%find_group(name) > 0 .or. problems%is_enough()) return
@@ -138,19 +132,14 @@ contains
 
    !> Read every `&data`; its abscissa is given nowhere else.
    subroutine read_data_groups(file, rows, model, input, groups, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Rows of all groups of a fit.
       type(variable_t), intent(in) :: rows(:)
-      !> The model.
       class(model_t), intent(in) :: model
       !> In: what the model's groups give. Out: also which variables are abscissas.
       type(case_t), intent(inout) :: input
-      !> Receives the groups.
       type(data_group_t), allocatable, intent(out) :: groups(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      integer :: i, g, place
+      integer :: i, g, index
 
       allocate (groups(count(file%groups%name == 'data')))
       g = 0
@@ -159,12 +148,12 @@ contains
          if (problems%is_enough()) exit
          g = g + 1
          call read_data_group(file, i, rows, model, groups(g), problems)
-         place = groups(g)%data_set%abscissa
-         if (place == 0) then
+         index = groups(g)%data_set%abscissa
+         if (index == 0) then
             input%is_broken = .true.
-         else if (input%is_given(place)) then
-            call groups(g)%reader%report(file, 'abscissa', model%variables(place)%name//' is given twice, here and in &'// &
-               model%variables(place)%group//' in line '//show_count(input%line(place))//', allowed: one of them', problems)
+         else if (input%is_given(index)) then
+            call groups(g)%reader%report(file, 'abscissa', model%variables(index)%name//' is given twice, here and in &'// &
+               model%variables(index)%group//' in line '//show_count(input%line(index))//', allowed: one of them', problems)
          end if
       end do
       groups = groups(:g)
@@ -172,7 +161,6 @@ contains
 
    !> Let the model check its values with each abscissa.
    subroutine check_each_abscissa(file, model, groups, input, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model, which knows what its values may be together.
       class(model_t), intent(in) :: model
@@ -180,30 +168,26 @@ contains
       type(data_group_t), intent(in) :: groups(:)
       !> Values of all variables; abscissas are not set afterwards.
       type(case_t), intent(inout) :: input
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(axis_t) :: axes(0)
       integer :: g
 
       do g = 1, size(groups)
-         associate (place => groups(g)%data_set%abscissa)
-            if (place == 0) cycle
-            if (input%is_given(place)) cycle
-            call hold_variable(model, place, input)
+         associate (index => groups(g)%data_set%abscissa)
+            if (index == 0) cycle
+            if (input%is_given(index)) cycle
+            call hold_variable(model, index, input)
             call check_consistency(file, model, input, axes, problems)
-            input%values(place) = unset
-            input%is_swept(place) = .false.
+            input%values(index) = unset
+            input%is_swept(index) = .false.
          end associate
       end do
    end subroutine check_each_abscissa
 
    !> Units of abscissas and ordinates in this case.
    subroutine set_units(model, input, groups)
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables.
       type(case_t), intent(in) :: input
-      !> Receive the units.
       type(data_group_t), intent(inout) :: groups(:)
       type(result_t), allocatable :: results(:)
       integer :: g
@@ -217,15 +201,12 @@ contains
 
    !> Make the run of the stack.
    subroutine set_run(input, fit, details, run, problems)
-      !> Values of all variables of the model.
       type(case_t), intent(inout) :: input
       !> What is fitted, without model, values and points.
       type(fit_t), intent(inout) :: fit
-      !> The data.
       type(fit_input_t), intent(in) :: details
       !> In: the run with the model. Out: the run with the stack.
       type(run_input_t), intent(inout) :: run
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: reason
       type(hdf5_stack_t), allocatable :: stack
@@ -270,11 +251,8 @@ contains
 
    !> The values, files and axes of the stack's run.
    subroutine extend_plan(input, loaded, run)
-      !> Values of all variables of the model.
       type(case_t), intent(in) :: input
-      !> The data, with the shape of the stack.
       type(loaded_data_t), intent(in) :: loaded
-      !> The run, which receives them.
       type(run_input_t), intent(inout) :: run
       integer :: i, k, n
 
@@ -293,7 +271,6 @@ contains
 
    !> A checksum of all that says how the data are fitted.
    function digest_of(fit, groups) result(digest)
-      !> The fit with its model.
       type(fit_t), intent(in) :: fit
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)

@@ -41,9 +41,7 @@ contains
 
    !> Read the points of all groups.
    subroutine load_data(file, model, groups, is_together, loaded, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model, which names abscissas and ordinates.
       class(model_t), intent(in) :: model
       !> The `&data` groups, all of them whole.
       type(data_group_t), intent(in) :: groups(:)
@@ -51,7 +49,6 @@ contains
       logical, intent(in) :: is_together
       !> Receives the points, or the open stacks.
       type(loaded_data_t), intent(out) :: loaded
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: variable, flaw
       integer :: g, n_before
@@ -80,11 +77,8 @@ contains
    subroutine load_table(group, model, loaded, g, variable, flaw)
       !> The `&data` group.
       type(data_group_t), intent(in) :: group
-      !> The model, which names abscissa and ordinate.
       class(model_t), intent(in) :: model
-      !> Receives the points.
       type(loaded_data_t), intent(inout) :: loaded
-      !> Number of the group.
       integer, intent(in) :: g
       !> Variable of the group that a flaw is one of.
       character(:), allocatable, intent(out) :: variable
@@ -108,13 +102,11 @@ contains
    subroutine load_stack(group, model, is_together, loaded, g, variable, flaw)
       !> The `&data` group.
       type(data_group_t), intent(in) :: group
-      !> The model, which names abscissa and ordinate.
       class(model_t), intent(in) :: model
       !> Are the curves of a stack fitted together?
       logical, intent(in) :: is_together
       !> Receives the points, or what is known of them.
       type(loaded_data_t), intent(inout) :: loaded
-      !> Number of the group.
       integer, intent(in) :: g
       !> Variable of the group that a flaw is one of.
       character(:), allocatable, intent(out) :: variable
@@ -162,7 +154,6 @@ contains
 
    !> Add a curve to others; each is a segment of its own.
    subroutine append(curve, number, is_numbered, all_curves)
-      !> The curve.
       type(columns_t), intent(in) :: curve
       !> Its number, from 1.
       integer, intent(in) :: number
@@ -199,9 +190,7 @@ contains
    subroutine describe(loaded, g, sum, counts)
       !> The counts, and the dataset that receives the rest.
       type(loaded_data_t), intent(inout) :: loaded
-      !> Number of the group.
       integer, intent(in) :: g
-      !> Checksum of the values.
       type(checksum_t), intent(in) :: sum
       !> Number of values along each dimension, the slowest first.
       integer(i8), intent(in) :: counts(:)
@@ -217,13 +206,11 @@ contains
 
    !> Find the shape of the stack: all groups have the same.
    subroutine find_lengths(file, groups, loaded, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       !> In: the open stacks. Out: also the shape.
       type(loaded_data_t), intent(inout) :: loaded
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_same
       integer :: g
@@ -245,15 +232,11 @@ contains
 
    !> Are there points enough for a single fit, and standard errors where they are needed?
    subroutine check_data(file, groups, loaded, fit, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> The points.
       type(loaded_data_t), intent(in) :: loaded
-      !> The fit with its free variables and events.
       type(fit_t), intent(in) :: fit
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: g, n, n_priors
       logical :: is_known
@@ -288,9 +271,7 @@ contains
 
    !> Has a group standard errors of the ordinate from its file, or of all points?
    pure logical function has_sigma(self, g)
-      !> The points, or the open stacks.
       class(loaded_data_t), intent(in) :: self
-      !> Number of the group.
       integer, intent(in) :: g
 
       has_sigma = allocated(self%data_sets(g)%sigma)
@@ -301,9 +282,7 @@ contains
    pure logical function has_errors(group, loaded, g)
       !> The `&data` group.
       type(data_group_t), intent(in) :: group
-      !> The points, or the open stacks.
       type(loaded_data_t), intent(in) :: loaded
-      !> Number of the group.
       integer, intent(in) :: g
 
       has_errors = is_set(group%sigma) .or. is_set(group%relative_sigma) .or. loaded%has_sigma(g)
@@ -313,7 +292,6 @@ contains
    function say_no_points(group, counts) result(text)
       !> The `&data` group.
       type(data_group_t), intent(in) :: group
-      !> Its counts.
       type(point_counts_t), intent(in) :: counts
       character(:), allocatable :: text
 

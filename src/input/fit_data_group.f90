@@ -48,17 +48,11 @@ contains
 
    !> Read a group.
    subroutine read_data_group(file, group, rows, model, self, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Rows of all groups of a fit.
       type(variable_t), intent(in) :: rows(:)
-      !> The model, whose variables and results are measured.
       class(model_t), intent(in) :: model
-      !> Receives what the group says.
       type(data_group_t), intent(out) :: self
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k, n_before
 
@@ -85,9 +79,7 @@ contains
 
    !> Find the table in memory that the group names, if it names one.
    subroutine find_table(file, self)
-      !> The input with its tables.
       type(namelist_file_t), intent(in) :: file
-      !> The group; receives the table.
       type(data_group_t), intent(inout) :: self
       integer :: k
 
@@ -99,13 +91,9 @@ contains
 
    !> A tilt belongs to a load over another abscissa.
    subroutine check_tilt(file, model, self, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model.
       class(model_t), intent(in) :: model
-      !> The group.
       type(data_group_t), intent(in) :: self
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (.not. self%is_nuisance_given(nuisance_tilt) .or. self%data_set%abscissa == 0 .or. self%data_set%ordinate == 0) return
@@ -134,40 +122,34 @@ contains
 
    !> Find the abscissa among the variables of the model.
    subroutine read_abscissa(file, model, self, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Receives the place of the variable; 0 if it is none.
+      !> Receives the index of the variable; 0 if it is none.
       type(data_group_t), intent(inout) :: self
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, flaw
-      integer :: place
+      integer :: position
 
       call self%reader%read_text(file, 'abscissa', name, problems)
       call self%reader%report_missing(file, 'abscissa', problems)
       if (.not. allocated(name)) return
-      call find_variable(model, to_lower(name), list_numbers(model), place, flaw)
-      if (place > 0) then
-         if (.not. is_number(model%variables(place))) then
+      call find_variable(model, to_lower(name), list_numbers(model), position, flaw)
+      if (position > 0) then
+         if (.not. is_number(model%variables(position))) then
             flaw = 'not a number, given '''//show_text(name)//''', allowed: '//join_words(list_numbers(model), ', ')
-            place = 0
+            position = 0
          end if
       end if
-      if (place == 0) call self%reader%report(file, 'abscissa', flaw, problems)
-      self%data_set%abscissa = place
+      if (position == 0) call self%reader%report(file, 'abscissa', flaw, problems)
+      self%data_set%abscissa = position
    end subroutine read_abscissa
 
    !> Find the ordinate among the results of the model.
    subroutine read_ordinate(file, model, self, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Receives the place of the result; 0 if it is none.
+      !> Receives the index of the result; 0 if it is none.
       type(data_group_t), intent(inout) :: self
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, known
       integer :: i
@@ -193,7 +175,6 @@ contains
 
    !> Does a result vary smoothly with the variables?
    pure logical function is_smooth(result)
-      !> Row of the model's table.
       type(result_t), intent(in) :: result
 
       is_smooth = result%n_states() == 0 .and. .not. (result%is_counted .or. result%is_hidden)
@@ -201,11 +182,8 @@ contains
 
    !> Read the names of the columns.
    subroutine read_columns(file, self, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Receives the names.
       type(data_group_t), intent(inout) :: self
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call self%reader%read_text(file, 'abscissa_column', self%abscissa_column, problems)
@@ -218,11 +196,8 @@ contains
 
    !> Read the standard errors; at most one of each is given.
    subroutine read_errors(file, self, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Receives the standard errors.
       type(data_group_t), intent(inout) :: self
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call self%reader%read_number(file, 'sigma', self%sigma, problems)
@@ -248,11 +223,8 @@ contains
 
    !> Read the ends of the abscissa.
    subroutine read_range(file, self, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Receives the ends.
       type(data_group_t), intent(inout) :: self
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call self%reader%read_number(file, 'from', self%from, problems)
@@ -265,11 +237,9 @@ contains
 
    !> Read what a residual costs.
    subroutine read_loss(file, self, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Receives the loss and its width.
       type(data_group_t), intent(inout) :: self
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call self%reader%read_whole(file, 'loss', self%data_set%loss, problems)

@@ -22,7 +22,7 @@ module adfric_input_fit_free
    private
    public :: read_frees, hold_variable
 
-   !> Places of the words of `scale`.
+   !> Indices of the words of `scale`.
    integer, parameter :: scale_log = 1
    !> Most free variables.
    integer, parameter :: most_frees = 10
@@ -33,21 +33,16 @@ contains
 
    !> Read every group. One that cannot be used is left out; there is a problem then.
    subroutine read_frees(file, rows, model, groups, input, frees, readers, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Rows of all groups of a fit.
       type(variable_t), intent(in) :: rows(:)
-      !> The model.
       class(model_t), intent(in) :: model
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       !> In: what the model's groups give. Out: also what is free, and values for it with which the model can be asked.
       type(case_t), intent(inout) :: input
-      !> Receives the free variables.
       type(free_t), allocatable, intent(out) :: frees(:)
       !> Receives the group of each of them, for messages.
       type(reader_t), allocatable, intent(out) :: readers(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(free_t) :: free
       type(reader_t) :: reader
@@ -80,7 +75,6 @@ contains
 
    !> Are two free variables the same?
    elemental logical function is_same(one, other)
-      !> Two free variables.
       type(free_t), intent(in) :: one, other
 
       is_same = one%variable == other%variable .and. one%data_set == other%data_set .and. one%nuisance == other%nuisance
@@ -88,19 +82,15 @@ contains
 
    !> Find what is free; its name is not allocated if nothing can be.
    subroutine find_free(file, reader, model, groups, input, free, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The group.
       type(reader_t), intent(in) :: reader
-      !> The model.
       class(model_t), intent(in) :: model
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       !> In: what the model's groups give. Out: also what is free.
       type(case_t), intent(inout) :: input
-      !> Receives the place of the variable, or the nuisance and its data set, the name and the unit.
+      !> Receives the index of the variable, or the nuisance and its data set, the name and the unit.
       type(free_t), intent(inout) :: free
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, flaw
 
@@ -156,9 +146,7 @@ contains
       character(*), intent(in) :: name
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> Receives the nuisance.
       type(free_t), intent(inout) :: free
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       character(:), allocatable :: bare
       integer :: percent, status, k
@@ -220,15 +208,13 @@ contains
          //'&data, allowed: one of them'
    end subroutine check_nuisance
 
-   !> A variable of the model is given in one place, and is no abscissa.
+   !> A variable of the model is given in one index, and is no abscissa.
    subroutine check_variable(model, groups, variable, input, flaw)
-      !> The model.
       class(model_t), intent(in) :: model
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> Place of the variable in the model's table.
+      !> Index of the variable in the model's table.
       integer, intent(in) :: variable
-      !> What the model's groups give.
       type(case_t), intent(in) :: input
       !> What is wrong; empty if nothing is wrong.
       character(:), allocatable, intent(inout) :: flaw
@@ -250,9 +236,8 @@ contains
 
    !> A value for what is free, of the usual size, so that the model can be asked what it thinks of the rest.
    subroutine hold_variable(model, variable, input)
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Place of the variable in the model's table.
+      !> Index of the variable in the model's table.
       integer, intent(in) :: variable
       !> Receives the value, and that it varies.
       type(case_t), intent(inout) :: input
@@ -272,15 +257,11 @@ contains
 
    !> Read start, bounds, scale and prior.
    subroutine read_numbers_of(file, reader, model, free, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The group.
       type(reader_t), intent(in) :: reader
-      !> The model.
       class(model_t), intent(in) :: model
       !> The free variable, which receives them.
       type(free_t), intent(inout) :: free
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: scale
 
@@ -308,19 +289,14 @@ contains
 
    !> Is a value one that the variable may have?
    subroutine check_size(file, reader, model, free, name, value, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The group.
       type(reader_t), intent(in) :: reader
-      !> The model.
       class(model_t), intent(in) :: model
-      !> The free variable.
       type(free_t), intent(in) :: free
       !> Name of the value in the group.
       character(*), intent(in) :: name
       !> The value, or `unset`.
       real(dp), intent(in) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
       integer :: first
@@ -336,13 +312,9 @@ contains
 
    !> Do minimum, start and maximum rise?
    subroutine check_order(file, reader, free, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The group.
       type(reader_t), intent(in) :: reader
-      !> The free variable.
       type(free_t), intent(in) :: free
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (is_set(free%minimum) .and. is_set(free%maximum)) then

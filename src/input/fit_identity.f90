@@ -20,19 +20,13 @@ contains
 
    !> Report what is known beforehand not to be in the data.
    subroutine check_identity(file, model, input, groups, frees, readers, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables.
       type(case_t), intent(in) :: input
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> The group of each of them.
       type(reader_t), intent(in) :: readers(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i
 
@@ -46,20 +40,15 @@ contains
    end subroutine check_identity
 
    !> Has a nuisance any effect on its data set, and one of its own?
-   subroutine check_nuisance(file, model, group, frees, place, reader, problems)
-      !> The input, cut into groups and assignments.
+   subroutine check_nuisance(file, model, group, frees, index, reader, problems)
       type(namelist_file_t), intent(in) :: file
-      !> The model.
       class(model_t), intent(in) :: model
       !> The `&data` group of the nuisance.
       type(data_group_t), intent(in) :: group
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
       !> Which of them it is.
-      integer, intent(in) :: place
-      !> Its group.
+      integer, intent(in) :: index
       type(reader_t), intent(in) :: reader
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_x_load, is_y_load, is_approach, has_effect
       integer :: i
@@ -69,7 +58,7 @@ contains
       is_y_load = model%results(group%data_set%ordinate)%name == 'load'
       is_approach = model%variables(group%data_set%abscissa)%name == 'approach'
       has_effect = .true.
-      select case (frees(place)%nuisance)
+      select case (frees(index)%nuisance)
       case (nuisance_load_offset)
          has_effect = is_x_load .or. is_y_load
       case (nuisance_contact_point)
@@ -79,31 +68,26 @@ contains
       case (nuisance_tilt)
          has_effect = is_y_load .and. .not. is_x_load
       end select
-      if (.not. has_effect) call reader%report(file, 'variable', frees(place)%name//' has no effect on '// &
+      if (.not. has_effect) call reader%report(file, 'variable', frees(index)%name//' has no effect on '// &
          model%results(group%data_set%ordinate)%name//' against '//model%variables(group%data_set%abscissa)%name// &
          ', allowed: a variable that has one', problems)
-      if (frees(place)%nuisance /= nuisance_friction_offset .or. .not. is_y_load .or. is_x_load) return
+      if (frees(index)%nuisance /= nuisance_friction_offset .or. .not. is_y_load .or. is_x_load) return
       do i = 1, size(frees)
-         if (frees(i)%nuisance /= nuisance_load_offset .or. frees(i)%data_set /= frees(place)%data_set) cycle
-         if (is_set(frees(i)%prior) .or. is_set(frees(place)%prior)) cycle
-         call reader%report(file, 'variable', frees(place)%name//' and '//frees(i)%name//' are one number where the load is ' &
+         if (frees(i)%nuisance /= nuisance_load_offset .or. frees(i)%data_set /= frees(index)%data_set) cycle
+         if (is_set(frees(i)%prior) .or. is_set(frees(index)%prior)) cycle
+         call reader%report(file, 'variable', frees(index)%name//' and '//frees(i)%name//' are one number where the load is ' &
             //'the ordinate, allowed: one of them free, or a prior', problems)
       end do
    end subroutine check_nuisance
 
    !> The gain of friction and the shear strength are one number.
    subroutine check_gain(file, model, groups, frees, readers, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model.
       class(model_t), intent(in) :: model
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> The group of each of them.
       type(reader_t), intent(in) :: readers(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: strength, i, g, last
       logical :: is_known
@@ -130,19 +114,13 @@ contains
 
    !> What friction against load alone cannot say: F is tau0 R^(4/3) (w/E*)^(2/3) times a function of P/(w R) and lambda.
    subroutine check_friction_alone(file, model, input, groups, frees, readers, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables.
       type(case_t), intent(in) :: input
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> The group of each of them.
       type(reader_t), intent(in) :: readers(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: strength, modulus, fraction, g
 
@@ -168,52 +146,43 @@ contains
 
    !> Is the stress or the range of adhesion held, so that the modulus has a part in lambda?
    pure logical function is_dugdale_given(model, input)
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables.
       type(case_t), intent(in) :: input
-      integer :: k, place
+      integer :: k, index
 
       is_dugdale_given = .false.
       do k = 1, 2
-         place = model%solver_index_of('sphere', get_word('adhesion_stress adhesion_range', k))
-         if (place == 0) cycle
-         is_dugdale_given = is_dugdale_given .or. (is_set(input%values(place)) .and. .not. input%is_swept(place))
+         index = model%solver_index_of('sphere', get_word('adhesion_stress adhesion_range', k))
+         if (index == 0) cycle
+         is_dugdale_given = is_dugdale_given .or. (is_set(input%values(index)) .and. .not. input%is_swept(index))
       end do
    end function is_dugdale_given
 
    !> Is a number given, and above 0?
-   pure logical function is_above_zero(input, place)
-      !> Values of all variables.
+   pure logical function is_above_zero(input, index)
       type(case_t), intent(in) :: input
-      !> Place of the variable; 0: there is none.
-      integer, intent(in) :: place
+      !> Index of the variable; 0: there is none.
+      integer, intent(in) :: index
 
       is_above_zero = .false.
-      if (place == 0) return
-      if (is_set(input%values(place))) is_above_zero = input%values(place) > 0
+      if (index == 0) return
+      if (is_set(input%values(index))) is_above_zero = input%values(index) > 0
    end function is_above_zero
 
    !> Has each free variable a meaning in the theory?
    subroutine check_theory(file, model, input, frees, readers, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables.
       type(case_t), intent(in) :: input
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> The group of each of them.
       type(reader_t), intent(in) :: readers(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: theory
-      integer :: place, i, k
+      integer :: index, i, k
 
-      place = model%solver_index_of('model', 'theory')
-      if (place == 0) return
-      theory = get_word(model%variables(place)%choices, nint(input%values(place)))
+      index = model%solver_index_of('model', 'theory')
+      if (index == 0) return
+      theory = get_word(model%variables(index)%choices, nint(input%values(index)))
       if (theory == 'maugis_dugdale') return
       do k = 1, 3
          i = find_free(model, frees, get_word('lambda adhesion_stress adhesion_range', k))
@@ -228,13 +197,10 @@ contains
       end do
    end subroutine check_theory
 
-   !> Place of a variable of the model among the free ones; 0 if it is not free.
+   !> Index of a variable of the model among the free ones; 0 if it is not free.
    pure integer function find_free(model, frees, name)
-      !> The model.
       class(model_t), intent(in) :: model
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> Name of the variable.
       character(*), intent(in) :: name
       integer :: i
 

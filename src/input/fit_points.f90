@@ -36,7 +36,6 @@ contains
    subroutine set_points(group, columns, data_set)
       !> The `&data` group.
       class(data_group_t), intent(in) :: group
-      !> The columns.
       type(columns_t), intent(in) :: columns
       !> Receives the points; the rest of it is that of the group.
       type(data_set_t), intent(inout) :: data_set
@@ -76,7 +75,6 @@ contains
    elemental logical function is_above(value, bound)
       !> The number, or NaN.
       real(dp), intent(in) :: value
-      !> The bound.
       real(dp), intent(in) :: bound
 
       is_above = .false.
@@ -96,9 +94,7 @@ contains
 
    !> What is wrong with columns whatever their order; empty if nothing is.
    pure subroutine find_flaw(columns, flaw)
-      !> The columns.
       type(columns_t), intent(in) :: columns
-      !> What is wrong, what was given, what is allowed.
       character(:), allocatable, intent(out) :: flaw
       integer :: i
 
@@ -137,9 +133,7 @@ contains
 
    !> Add columns to a checksum.
    subroutine add_to_checksum(columns, sum)
-      !> The columns.
       type(columns_t), intent(in) :: columns
-      !> The checksum.
       type(checksum_t), intent(inout) :: sum
 
       call sum%add_reals(columns%x)
@@ -152,7 +146,6 @@ contains
 
    !> Count the points of a curve.
    pure subroutine count_points(data_set, counts)
-      !> The curve.
       type(data_set_t), intent(in) :: data_set
       !> The counts, to which those of the curve are added.
       type(point_counts_t), intent(inout) :: counts

@@ -123,7 +123,6 @@ contains
    function text_row(group, name, meaning) result(row)
       !> Group of the variable, without `&`.
       character(*), intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> What it is, for `adfric help`.
       character(*), intent(in) :: meaning
@@ -133,13 +132,11 @@ contains
       row%kind = kind_text
    end function text_row
 
-   !> Place of a row; 0 if there is none.
+   !> Index of a row; 0 if there is none.
    pure integer function find_fit_row(rows, group, name)
-      !> All rows.
       type(variable_t), intent(in) :: rows(:)
       !> Group of the variable, without `&`.
       character(*), intent(in) :: group
-      !> Name of the variable.
       character(*), intent(in) :: name
 
       do find_fit_row = size(rows), 1, -1

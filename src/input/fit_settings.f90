@@ -20,22 +20,18 @@ module adfric_input_fit_settings
 
    !> Levels of intervals where none are given.
    real(dp), parameter :: usual_levels(*) = [0.6827_dp, 0.95_dp]
-   !> Place of the word `together`.
+   !> Index of the word `together`.
    integer, parameter :: curves_together = 2
 
 contains
 
    !> Read every `&event`.
    subroutine read_events(file, rows, groups, events, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Rows of all groups of a fit.
       type(variable_t), intent(in) :: rows(:)
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> Receives the events.
       type(event_t), allocatable, intent(out) :: events(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(reader_t) :: reader
       real(dp) :: kind
@@ -69,19 +65,13 @@ contains
 
    !> Read `&fit`, which may be absent.
    subroutine read_settings(file, rows, model, input, fit, is_together, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Rows of all groups of a fit.
       type(variable_t), intent(in) :: rows(:)
-      !> The model.
       class(model_t), intent(in) :: model
-      !> What the model's groups give.
       type(case_t), intent(in) :: input
-      !> Receives the settings.
       type(fit_t), intent(inout) :: fit
       !> Are the curves of a stack fitted together?
       logical, intent(out) :: is_together
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(reader_t) :: reader
       integer :: curves, group
@@ -107,29 +97,25 @@ contains
 
    !> Read the theories that are compared.
    subroutine read_theories(file, reader, model, input, fit, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The group `&fit`.
       type(reader_t), intent(in) :: reader
-      !> The model.
       class(model_t), intent(in) :: model
-      !> What the model's groups give.
       type(case_t), intent(in) :: input
-      !> Receives the places of the theories.
+      !> Receives the indices of the theories.
       type(fit_t), intent(inout) :: fit
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: words, known
-      integer :: i, k, place
+      integer :: i, k, index
 
       call reader%read_texts(file, 'theories', words, problems)
       if (len(words) == 0) return
-      place = model%solver_index_of('model', 'theory')
-      if (place == 0) then
+      index = model%solver_index_of('model', 'theory')
+      if (index == 0) then
          call reader%report(file, 'theories', 'the model '''//model%name//''' has no theories', problems)
          return
       end if
-      known = model%variables(place)%choices
+      known = model%variables(index)%choices
       do i = 1, count_words(words)
          if (.not. has_word(known, get_word(words, i)) .or. get_word(words, i) == 'auto') then
             call reader%report(file, 'theories', 'unknown theory, given '''//show_text(get_word(words, i))//''', allowed: '''// &
@@ -138,7 +124,7 @@ contains
          end if
          do k = 1, count_words(known)
             if (get_word(known, k) /= get_word(words, i)) cycle
-            if (k /= nint(input%values(place))) fit%theories = [fit%theories, k]
+            if (k /= nint(input%values(index))) fit%theories = [fit%theories, k]
          end do
       end do
    end subroutine read_theories

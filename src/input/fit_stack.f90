@@ -94,15 +94,12 @@ contains
 
    !> Open the columns of a group.
    subroutine open_stack_file(self, group, model, variable, flaw)
-      !> Receives the open columns.
       type(stack_file_t), intent(out) :: self
       !> The `&data` group.
       class(data_group_t), intent(in) :: group
-      !> The model, which names the abscissa.
       class(model_t), intent(in) :: model
       !> Variable of the group that a flaw is one of.
       character(:), allocatable, intent(out) :: variable
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       character(:), allocatable :: folder
       logical :: exists(4)
@@ -140,7 +137,6 @@ contains
          character(:), allocatable, intent(in) :: given
          !> Usual name of the column; empty if it has none.
          character(*), intent(in) :: usual
-         !> Must the column be there?
          logical, intent(in) :: is_needed
          !> Is there a column of the usual name?
          logical, intent(in) :: is_there
@@ -171,12 +167,8 @@ contains
 
    !> Open a column, and find out how its numbers become SI units.
    subroutine open_column(self, file, path, unit, flaw)
-      !> Receives the open column.
       type(stack_column_t), intent(out) :: self
-      !> Name of the file.
-      character(*), intent(in) :: file
-      !> Name of the dataset.
-      character(*), intent(in) :: path
+      character(*), intent(in) :: file, path
       !> SI unit that is wanted.
       character(*), intent(in) :: unit
       !> What is wrong; empty if nothing is wrong.
@@ -235,7 +227,6 @@ contains
 
    !> Has the stack standard errors of the ordinate?
    pure logical function has_sigma(self)
-      !> The open columns.
       class(stack_file_t), intent(in) :: self
 
       has_sigma = self%columns(c_sigma)%exists
@@ -243,7 +234,6 @@ contains
 
    !> Read neighbouring curves.
    subroutine read_columns(self, first, curves, is_read)
-      !> The open columns.
       class(stack_file_t), intent(in) :: self
       !> Number of the first curve, from 1.
       integer(i8), intent(in) :: first
@@ -285,7 +275,6 @@ contains
 
    !> Close the columns.
    subroutine close_stack_file(self)
-      !> The columns, open or not.
       class(stack_file_t), intent(inout) :: self
       integer :: c
 
@@ -296,7 +285,6 @@ contains
 
    !> See `curve_source_t`.
    subroutine get_curves(self, first, data_sets, is_read)
-      !> The stack.
       class(hdf5_stack_t), intent(in) :: self
       !> Number of the first curve, from 1.
       integer(i8), intent(in) :: first
@@ -325,7 +313,6 @@ contains
 
    !> See `curve_source_t`.
    subroutine close_stack(self)
-      !> The stack.
       class(hdf5_stack_t), intent(inout) :: self
       integer :: g
 

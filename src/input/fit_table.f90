@@ -19,7 +19,6 @@ contains
    subroutine read_table_columns(group, model, columns, form, variable, flaw)
       !> The `&data` group.
       class(data_group_t), intent(in) :: group
-      !> The model, which names abscissa and ordinate.
       class(model_t), intent(in) :: model
       !> Receives the columns in SI units.
       type(columns_t), intent(out) :: columns
@@ -27,7 +26,6 @@ contains
       character(:), allocatable, intent(out) :: form
       !> Variable of the group that a flaw is one of.
       character(:), allocatable, intent(out) :: variable
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       type(text_table_t) :: table
       type(error_t), allocatable :: error
@@ -65,13 +63,11 @@ contains
 
    !> Take a column: that of the name that is given, else that of its usual name if it is there.
    subroutine take(table, given, usual, is_needed, unit, values, of_variable, form, variable, flaw)
-      !> The table.
       type(text_table_t), intent(in) :: table
       !> Name that is given; not allocated if none is, empty if no column is wanted.
       character(:), allocatable, intent(in) :: given
       !> Usual name of the column; empty if it has none.
       character(*), intent(in) :: usual
-      !> Must the column be there?
       logical, intent(in) :: is_needed
       !> SI unit that is wanted.
       character(*), intent(in) :: unit
@@ -109,7 +105,6 @@ contains
    pure logical function is_wanted(given, is_needed, is_there)
       !> Name that is given; not allocated if none is, empty if no column is wanted.
       character(:), allocatable, intent(in) :: given
-      !> Must the column be there?
       logical, intent(in) :: is_needed
       !> Is there a column of the usual name?
       logical, intent(in) :: is_there

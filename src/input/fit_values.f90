@@ -43,15 +43,10 @@ contains
 
    !> Begin with a group: names that it does not have are reported.
    subroutine new_reader(self, file, group, rows, problems)
-      !> Receives the group.
       type(reader_t), intent(out) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Rows of all groups of a fit.
       type(variable_t), intent(in) :: rows(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       self%group = group
@@ -62,11 +57,8 @@ contains
 
    !> Is a variable given?
    logical function has(self, file, name)
-      !> The group.
       class(reader_t), intent(in) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Name of the variable.
       character(*), intent(in) :: name
 
       has = file%find_assignment(self%group, name) > 0
@@ -74,39 +66,32 @@ contains
 
    !> Read a number, or a choice as its place; the default where it is not given, or wrong.
    subroutine read_number(self, file, name, value, problems)
-      !> The group.
       class(reader_t), intent(in) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Name of the variable.
       character(*), intent(in) :: name
       !> Receives the number.
       real(dp), intent(out) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
-      integer :: number, place
+      integer :: number, entry
 
       associate (row => self%rows(find_fit_row(self%rows, self%name, name)))
          value = row%default
          number = file%find_assignment(self%group, name)
          if (number == 0) return
-         call read_variable(file%value_of(number), row, value, flaw, place)
-         if (len(flaw) > 0) call file%report_variable(problems, self%group, name, flaw, place)
+         call read_variable(file%value_of(number), row, value, flaw, entry)
+         if (len(flaw) > 0) call file%report_variable(problems, self%group, name, flaw, entry)
       end associate
    end subroutine read_number
 
    !> Read a whole number, or a choice as its place.
    subroutine read_whole(self, file, name, value, problems)
-      !> The group.
       class(reader_t), intent(in) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Name of the variable, which has a default.
       character(*), intent(in) :: name
       !> Receives the number.
       integer, intent(out) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: number
 
@@ -116,24 +101,20 @@ contains
 
    !> Read a list of numbers.
    subroutine read_numbers(self, file, name, values, problems)
-      !> The group.
       class(reader_t), intent(in) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Name of the variable.
       character(*), intent(in) :: name
       !> In: the default. Out: the numbers that are given.
       real(dp), allocatable, intent(inout) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp), allocatable :: given(:)
       character(:), allocatable :: flaw
-      integer :: number, place, first
+      integer :: number, entry, first
 
       number = file%find_assignment(self%group, name)
       if (number == 0) return
       associate (row => self%rows(find_fit_row(self%rows, self%name, name)))
-         call read_list(file%value_of(number), given, flaw, place, most_numbers)
+         call read_list(file%value_of(number), given, flaw, entry, most_numbers)
          if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(row)
          if (len(flaw) == 0) call find_outlier(given, row, first, flaw)
       end associate
@@ -146,15 +127,11 @@ contains
 
    !> Read a text.
    subroutine read_text(self, file, name, text, problems)
-      !> The group.
       class(reader_t), intent(in) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Name of the variable.
       character(*), intent(in) :: name
       !> Receives the text; not allocated where none is given, or something is wrong.
       character(:), allocatable, intent(out) :: text
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call take_text(file, self%group, name, 'a text in quotes', text, problems)
@@ -162,15 +139,11 @@ contains
 
    !> Read several words.
    subroutine read_texts(self, file, name, words, problems)
-      !> The group.
       class(reader_t), intent(in) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Name of the variable.
       character(*), intent(in) :: name
       !> Receives the words, separated by a blank; empty where none is given, or something is wrong.
       character(:), allocatable, intent(out) :: words
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(item_t) :: item
       character(:), allocatable :: text, word, flaw
@@ -199,15 +172,11 @@ contains
 
    !> Add a problem of a variable of the group.
    subroutine report(self, file, name, text, problems)
-      !> The group.
       class(reader_t), intent(in) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Name of the variable; empty for the group.
       character(*), intent(in) :: name
-      !> What is wrong, what was given, what is allowed.
       character(*), intent(in) :: text
-      !> Receives the problem.
       type(problems_t), intent(inout) :: problems
 
       call file%report_variable(problems, self%group, name, text)
@@ -215,13 +184,9 @@ contains
 
    !> Report that a variable is not given, unless something in the group made no sense.
    subroutine report_missing(self, file, name, problems)
-      !> The group.
       class(reader_t), intent(in) :: self
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Name of the variable.
       character(*), intent(in) :: name
-      !> Receives the problem.
       type(problems_t), intent(inout) :: problems
 
       if (file%groups(self%group)%is_garbled .or. self%has(file, name)) return

@@ -31,25 +31,24 @@ contains
    end function is_dataset_name
 
    !> Read the numbers of a list.
-   subroutine read_numbers(text, variable, dataset, flaw, place)
+   subroutine read_numbers(text, variable, dataset, flaw, index)
       !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
       !> Row of the model's table: unit, bounds and number of values.
       type(variable_t), intent(in) :: variable
       !> Receives the numbers; left as it is if something is wrong.
       type(dataset_t), intent(inout) :: dataset
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1.
-      integer, intent(out) :: place
+      integer, intent(out) :: index
       real(dp), allocatable :: numbers(:)
 
-      call read_list(text, numbers, flaw, place, most=variable%most_count)
+      call read_list(text, numbers, flaw, index, most=variable%most_count)
       if (len(flaw) > 0) then
          flaw = flaw//', allowed: '//describe_allowed(variable)
       else
          call keep_numbers(numbers, variable, dataset, flaw)
-         place = 1
+         index = 1
       end if
    end subroutine read_numbers
 

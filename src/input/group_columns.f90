@@ -76,7 +76,6 @@ contains
 
    !> Find out under which name the group has a column.
    subroutine choose_name(dataset, wanted, name, flaw)
-      !> Names of file and group.
       type(dataset_t), intent(in) :: dataset
       !> Name of the column in the row of the variable.
       character(*), intent(in) :: wanted
@@ -101,9 +100,7 @@ contains
 
    !> Read a dataset of the group.
    subroutine load_column(dataset, variable, k, name, column, flaw)
-      !> Names of file and group.
       type(dataset_t), intent(in) :: dataset
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> Which of its columns is read, from 1.
       integer, intent(in) :: k
@@ -134,9 +131,8 @@ contains
 
    !> The row of a column, as if it were a variable of its own.
    function row_of(variable, k) result(row)
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
-      !> Place of the column, from 1.
+      !> Index of the column, from 1.
       integer, intent(in) :: k
       type(variable_t) :: row
 
@@ -167,7 +163,6 @@ contains
    subroutine describe_columns(dataset, variable, values)
       !> In: names and attributes. Out: also length, range and checksum.
       type(dataset_t), intent(inout) :: dataset
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> The values in SI units; shape `(n, n_columns)`.
       real(dp), intent(in) :: values(:, :)

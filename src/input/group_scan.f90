@@ -40,11 +40,9 @@ contains
 
    !> Find the groups.
    subroutine scan_groups(source, groups, problems)
-      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
       !> The groups, in the order of the file.
       type(group_t), allocatable, intent(out) :: groups(:)
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(group_t), allocatable :: found(:)
       integer :: position, n
@@ -74,11 +72,9 @@ contains
 
    !> Move to the next group; what stands before it is a problem.
    subroutine skip_to_group(source, position, problems)
-      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
       !> In: where to look from. Out: the `&` of the next group, or one behind the text.
       integer, intent(inout) :: position
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_reported
 
@@ -97,11 +93,9 @@ contains
 
    !> Report text that belongs to no group.
    subroutine report_outside(source, position, problems)
-      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
       !> Position where the text begins that belongs to no group.
       integer, intent(in) :: position
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call problems%add('', '', 'text outside of any group, given '// &
@@ -161,13 +155,11 @@ contains
 
    !> Find the end of a group, and move behind it.
    subroutine skip_to_group_end(source, position, group, problems)
-      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
       !> In: the position behind the name of the group. Out: the position behind the group.
       integer, intent(inout) :: position
       !> Receives the ends of its body; it is garbled if a quote is not closed.
       type(group_t), intent(inout) :: group
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call find_group_end(source%bare, position, group)

@@ -20,49 +20,41 @@ contains
 
    !> A real number.
    subroutine take_number(file, group, name, value, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> Receives the number; left as it is if it is not given, or something is wrong.
       real(dp), intent(inout) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: word, flaw
       real(dp) :: given
-      integer :: number, place
+      integer :: number, entry
 
       number = file%find_assignment(group, name)
       if (number == 0) return
-      call take_only_word(file%value_of(number), word, flaw, place)
+      call take_only_word(file%value_of(number), word, flaw, entry)
       if (len(flaw) == 0) call convert(word, given, flaw)
       if (len(flaw) == 0) value = given
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: a number', place)
+      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: a number', entry)
    end subroutine take_number
 
    !> An integer within bounds.
    subroutine take_count(file, group, name, least, most, value, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> Bounds of the integer.
       integer, intent(in) :: least, most
       !> Receives the integer; left as it is if it is not given, or something is wrong.
       integer(i8), intent(inout) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: word, flaw
       integer(i8) :: given
-      integer :: number, place
+      integer :: number, entry
 
       number = file%find_assignment(group, name)
       if (number == 0) return
-      call take_only_word(file%value_of(number), word, flaw, place)
+      call take_only_word(file%value_of(number), word, flaw, entry)
       if (len(flaw) == 0) call convert(word, given, flaw)
       if (len(flaw) == 0) then
          if (given < least) flaw = 'out of range, given '//show_count(given)
@@ -70,94 +62,82 @@ contains
          if (len(flaw) == 0) value = given
       end if
       if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: an integer >= '//show_count(least)// &
-         ' and <= '//show_count(most), place)
+         ' and <= '//show_count(most), entry)
    end subroutine take_count
 
    !> One of several words.
    subroutine take_choice(file, group, name, choices, word, problems, what)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> Words that are allowed, separated by a blank.
       character(*), intent(in) :: choices
       !> Receives the word; left as it is if it is not given, or something is wrong.
       character(:), allocatable, intent(inout) :: word
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       !> What a word is called in a message; not present: choice.
       character(*), intent(in), optional :: what
       character(:), allocatable :: quoted, given, flaw, called
-      integer :: number, place
+      integer :: number, entry
 
       number = file%find_assignment(group, name)
       if (number == 0) return
       given = ''
       called = 'choice'
       if (present(what)) called = what
-      call take_only_word(file%value_of(number), quoted, flaw, place)
+      call take_only_word(file%value_of(number), quoted, flaw, entry)
       if (len(flaw) == 0) call convert(quoted, given, flaw)
       if (len(flaw) == 0 .and. .not. has_word(choices, given)) flaw = 'unknown '//called//', given '''//show_text(given)//''''
       if (len(flaw) == 0) word = given
       if (len(flaw) > 0) call file%report_variable(problems, group, name, &
-         flaw//', allowed: '''//join_words(choices, ''', ''')//''''//did_you_mean(given, choices), place)
+         flaw//', allowed: '''//join_words(choices, ''', ''')//''''//did_you_mean(given, choices), entry)
    end subroutine take_choice
 
    !> A text in quotes.
    subroutine take_text(file, group, name, allowed, word, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> What is allowed, in words.
       character(*), intent(in) :: allowed
       !> Receives the text without its quotes; left as it is if it is not given, or something is wrong.
       character(:), allocatable, intent(inout) :: word
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted, given, flaw
-      integer :: number, place
+      integer :: number, entry
 
       number = file%find_assignment(group, name)
       if (number == 0) return
-      call take_only_word(file%value_of(number), quoted, flaw, place)
+      call take_only_word(file%value_of(number), quoted, flaw, entry)
       if (len(flaw) == 0) call convert(quoted, given, flaw)
       if (len(flaw) == 0) word = given
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: '//allowed, place)
+      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: '//allowed, entry)
    end subroutine take_text
 
    !> Several words in quotes, in small letters.
    subroutine take_words(file, group, name, allowed, words, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> What is allowed, in words.
       character(*), intent(in) :: allowed
       !> Receives the words, separated by a blank; left as it is if they are not given, or something is wrong.
       character(:), allocatable, intent(inout) :: words
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: text, list, word, flaw
       type(item_t) :: item
-      integer :: number, position, place
+      integer :: number, position, entry
 
       number = file%find_assignment(group, name)
       if (number == 0) return
       text = file%value_of(number)
       list = ''
       position = 1
-      place = 1
+      entry = 1
       do
          call next_item(text, position, item, flaw)
          if (item%first == 0) exit
-         place = item%first
+         entry = item%first
          if (len(flaw) == 0) call convert(text(item%first:item%last), word, flaw)
          if (len(flaw) == 0) then
             if (item%repeat > 1 .or. has_word(list, to_lower(word))) flaw = 'given twice, '''//show_text(word)//''''
@@ -168,25 +148,21 @@ contains
       end do
       if (len(flaw) == 0 .and. len(list) == 0) flaw = 'no value given'
       if (len(flaw) == 0) words = list
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: '//allowed, place)
+      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: '//allowed, entry)
    end subroutine take_words
 
    !> The numeric variable of the model that `variable` names.
    subroutine take_variable(file, group, model, name, variable, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> Receives the name in small letters; empty if there is none.
       character(:), allocatable, intent(out) :: name
-      !> Place of the variable in the model's table, from 1; 0 if there is none.
+      !> Index of the variable in the model's table, from 1; 0 if there is none.
       integer, intent(out) :: variable
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted, flaw
-      integer :: number, place
+      integer :: number, entry
 
       variable = 0
       name = ''
@@ -196,7 +172,7 @@ contains
             'not given, needed: the name of a variable of the model')
          return
       end if
-      call take_only_word(file%value_of(number), quoted, flaw, place)
+      call take_only_word(file%value_of(number), quoted, flaw, entry)
       if (len(flaw) == 0) call convert(quoted, name, flaw)
       if (len(flaw) > 0) then
          name = ''
@@ -205,18 +181,16 @@ contains
          name = to_lower(name)
          call look_up_number(model, name, variable, flaw)
       end if
-      if (len(flaw) > 0) call file%report_variable(problems, group, 'variable', flaw, place)
+      if (len(flaw) > 0) call file%report_variable(problems, group, 'variable', flaw, entry)
    end subroutine take_variable
 
    !> Look up a numeric variable, `name` or `group%name`.
    subroutine look_up_number(model, name, variable, flaw)
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> `name` or `group%name`, in small letters.
       character(*), intent(in) :: name
-      !> Place of the variable in the model's table, from 1; 0 if it is none, or no number.
+      !> Index of the variable in the model's table, from 1; 0 if it is none, or no number.
       integer, intent(out) :: variable
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
 
       call find_variable(model, name, list_numbers(model), variable, flaw)

@@ -45,7 +45,6 @@ contains
    pure subroutine split_head(text, head)
       !> The head without quotes, and without blanks around it.
       character(*), intent(in) :: text
-      !> Receives its parts.
       type(head_t), intent(out) :: head
 
       head%text = text
@@ -205,7 +204,6 @@ contains
 
    !> Is a text a unit that is known, a hyphen or 1 among them?
    pure logical function is_unit(text)
-      !> The text.
       character(*), intent(in) :: text
       type(unit_t) :: unused
 
@@ -215,7 +213,6 @@ contains
 
    !> Is a text of a line of units a unit, be it known or not?
    pure logical function is_unit_like(text)
-      !> The text.
       character(*), intent(in) :: text
       integer :: first, length
 

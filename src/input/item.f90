@@ -31,7 +31,6 @@ contains
       integer, intent(inout) :: position
       !> Ends of the value in the text, and how often it is repeated; `first` is 0 if there is no value.
       type(item_t), intent(out) :: item
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
 
       flaw = ''
@@ -59,27 +58,26 @@ contains
    end subroutine next_item
 
    !> Take the value of a variable that has only one.
-   pure subroutine take_only_word(text, word, flaw, place)
+   pure subroutine take_only_word(text, word, flaw, index)
       !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
       !> The value as it is written, without a repeat count of 1; empty if something is wrong.
       character(:), allocatable, intent(out) :: word
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1.
-      integer, intent(out) :: place
+      integer, intent(out) :: index
       type(item_t) :: item, second
       integer :: position
 
       word = ''
-      place = 1
+      index = 1
       position = 1
       call next_item(text, position, item, flaw)
       if (item%first == 0) flaw = 'no value given'
       if (len(flaw) > 0) return
       if (item%repeat > 1) flaw = 'several values, given '//show_text(text)
       if (position <= len(text)) then
-         place = position
+         index = position
          call next_item(text, position, second, flaw)
          if (len(flaw) > 0) return
          flaw = 'several values, given '//show_text(text)

@@ -49,7 +49,6 @@ contains
       character(*), intent(in) :: word
       !> The nearest number that can be held; 0 if something is wrong.
       real(dp), intent(out) :: value
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       integer :: first, exponent
       logical :: is_number
@@ -188,7 +187,6 @@ contains
       character(*), intent(in) :: word
       !> The integer; 0 if something is wrong.
       integer(i8), intent(out) :: value
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       integer :: first
 
@@ -211,7 +209,6 @@ contains
       character(*), intent(in) :: word
       !> The logical; false if something is wrong.
       logical, intent(out) :: value
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
 
       value = .false.
@@ -231,7 +228,6 @@ contains
       character(*), intent(in) :: word
       !> The text between the quotes, a doubled quote made one; empty if something is wrong.
       character(:), allocatable, intent(out) :: value
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       integer :: i, last, n
 

@@ -91,13 +91,10 @@ contains
 
    !> Names and words of the scene that an input describes.
    subroutine find_scene(file, old, is_left_out, scene)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model, in its own language.
       class(model_t), intent(in) :: old
       !> Is the assignment left out? Shape `(n_assignments)`.
       logical, intent(in) :: is_left_out(:)
-      !> Receives the scene.
       type(scene_t), intent(out) :: scene
       character(:), allocatable :: group, name
       integer :: i, k, at
@@ -141,9 +138,7 @@ contains
 
    !> A row with the words that scenes have for its choices.
    function renamed(old, at) result(row)
-      !> The model, in its own language.
       class(model_t), intent(in) :: old
-      !> Index of the variable.
       integer, intent(in) :: at
       type(variable_t) :: row
 
@@ -153,9 +148,7 @@ contains
 
    !> A work or a stress of adhesion of 0 says that there is none. A scene says so by leaving out all of its size.
    subroutine find_left_out(file, old, is_left_out)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model, in its own language.
       class(model_t), intent(in) :: old
       !> Receives whether the assignment is left out; shape `(n_assignments)`.
       logical, intent(out) :: is_left_out(:)
@@ -180,7 +173,6 @@ contains
    function likely_names(text, old) result(names)
       !> Value of the assignment: words in quotes.
       character(*), intent(in) :: text
-      !> The model, in its own language.
       class(model_t), intent(in) :: old
       character(:), allocatable :: names, word, flaw
       integer :: k, at
@@ -198,11 +190,8 @@ contains
 
    !> Write a group of the scene, if the input has something of it.
    subroutine write_group(file, old, new, scene, is_left_out, group, is_used, text)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
-      !> The scene.
       type(scene_t), intent(in) :: scene
       !> Is the assignment left out? Shape `(n_assignments)`.
       logical, intent(in) :: is_left_out(:)
@@ -249,11 +238,8 @@ contains
 
    !> The assignments of a group that all models have, with the names of the scene.
    function lines_of_common(file, group, old, new) result(lines)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group.
       integer, intent(in) :: group
-      !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
       character(:), allocatable :: lines, name, text
       integer :: i, swept
@@ -291,7 +277,6 @@ contains
 
    !> The lines of an assignment with its comments: those of its value, too, which keeps its lines if it has not changed.
    function lines_of_assignment(file, number, name, value, note) result(lines)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the assignment.
       integer, intent(in) :: number

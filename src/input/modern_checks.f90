@@ -19,7 +19,6 @@ contains
    subroutine count_samples(counts, file, new, problems)
       !> Number of samples along x and y; 0 where it is not known.
       integer, intent(in) :: counts(2)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The solver, in the language of scenes.
       class(model_t), intent(inout) :: new
@@ -41,9 +40,7 @@ contains
    !> What cannot be written as a scene is said: variables that it does not have, columns of tables by the names of the model, and
    !> numbers of converted variables but for those of sweeps.
    subroutine check_rest(file, old, new, is_left_out, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
       !> Is the assignment left out? Shape `(n_assignments)`.
       logical, intent(in) :: is_left_out(:)
@@ -80,9 +77,7 @@ contains
 
    !> Data of what a scene counts over the nominal area have to be divided by it first.
    subroutine check_ordinates(file, old, new, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
       !> Receives what is wrong; nothing is removed.
       type(problems_t), intent(inout) :: problems

@@ -21,7 +21,6 @@ contains
 
    !> Is a variable counted otherwise in a scene?
    pure logical function is_converted(new, at)
-      !> The solver, in the language of scenes.
       class(model_t), intent(in) :: new
       !> Index of the variable; 0: none.
       integer, intent(in) :: at
@@ -35,11 +34,9 @@ contains
 
    !> Index of the variable that an assignment gives a value, in the table of the model; 0 if the model has none such.
    pure integer function index_of_assigned(file, number, old)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the assignment.
       integer, intent(in) :: number
-      !> The model, in its own language.
       class(model_t), intent(in) :: old
 
       associate (assignment => file%assignments(number))
@@ -49,11 +46,8 @@ contains
 
    !> Index of the variable that a group sweeps; 0 if it names none.
    integer function swept_variable(file, group, old) result(at)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group.
       integer, intent(in) :: group
-      !> The model, in its own language.
       class(model_t), intent(in) :: old
       character(:), allocatable :: word, flaw
       integer :: number
@@ -84,10 +78,7 @@ contains
    function word_of(text, row, other) result(word)
       !> Value of the assignment: a word in quotes.
       character(*), intent(in) :: text
-      !> The row that has the word.
-      type(variable_t), intent(in) :: row
-      !> The row whose word is wanted.
-      type(variable_t), intent(in) :: other
+      type(variable_t), intent(in) :: row, other
       character(:), allocatable :: word, given, flaw
       integer :: k
 
@@ -135,9 +126,7 @@ contains
    function value_in_scene(given, old, new, at) result(text)
       !> Value as it stands in the input.
       character(*), intent(in) :: given
-      !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
-      !> Index of the variable.
       integer, intent(in) :: at
       character(:), allocatable :: text, flaw
       real(dp) :: value
@@ -156,7 +145,6 @@ contains
    function theories_in_scene(text, old, new) result(words)
       !> Words in quotes.
       character(*), intent(in) :: text
-      !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
       character(:), allocatable :: words
       integer :: k, at
@@ -187,7 +175,6 @@ contains
    function names_in_scene(text, old, new) result(names)
       !> Words in quotes.
       character(*), intent(in) :: text
-      !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
       character(:), allocatable :: names, word, flaw
       integer :: k, at
@@ -207,7 +194,6 @@ contains
    function result_in_scene(text, old, new) result(name)
       !> A word in quotes.
       character(*), intent(in) :: text
-      !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
       character(:), allocatable :: name, word, flaw
       integer :: k
@@ -224,9 +210,7 @@ contains
    function numbers_in_scene(text, new, at) result(numbers)
       !> The numbers, or the name of a dataset.
       character(*), intent(in) :: text
-      !> The solver, in the language of scenes.
       class(model_t), intent(in) :: new
-      !> Index of the variable.
       integer, intent(in) :: at
       character(:), allocatable :: numbers, flaw
       real(dp) :: value
@@ -247,9 +231,7 @@ contains
    function number_in_scene(value, new, at) result(number)
       !> Value of the model.
       real(dp), intent(in) :: value
-      !> The solver, in the language of scenes.
       class(model_t), intent(in) :: new
-      !> Index of the variable.
       integer, intent(in) :: at
       character(:), allocatable :: number
 

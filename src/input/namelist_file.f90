@@ -45,7 +45,6 @@ contains
       type(namelist_file_t), intent(out) :: self
       !> Name of the file, as the user gave it.
       character(*), intent(in) :: path
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       !> Allocated if the file cannot be read, or is no text.
       type(error_t), allocatable, intent(out) :: error
@@ -65,18 +64,17 @@ contains
       character(*), intent(in) :: path
       !> The whole text of the file, byte by byte.
       character(*), intent(in) :: text
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       !> Allocated if it is no text; without the name of the file.
       type(error_t), allocatable, intent(out) :: error
       type(source_t) :: source
-      integer :: place
+      integer :: index
 
-      place = find_control_character(text)
-      if (place > 0) then
-         call new_source(source, text(:place))
+      index = find_control_character(text)
+      if (index > 0) then
+         call new_source(source, text(:index))
          call set_error(error, input_failure, 'cannot be an input, it is not a text, given the control '// &
-            'character '//show_count(iachar(text(place:place)))//' (line '//show_count(source%line_at(place))//')')
+            'character '//show_count(iachar(text(index:index)))//' (line '//show_count(source%line_at(index))//')')
          return
       end if
       call new_namelist_file(self, path, text, problems)
@@ -90,7 +88,6 @@ contains
       character(*), intent(in) :: path
       !> The whole text of the file, byte by byte.
       character(*), intent(in) :: text
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       self%path = path
@@ -115,9 +112,7 @@ contains
 
    !> Report groups that stand twice.
    subroutine report_repeated_groups(self, problems)
-      !> The file, whose groups are compared.
       type(namelist_file_t), intent(in) :: self
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i, first
 
@@ -134,7 +129,6 @@ contains
    subroutine report_repeated_variables(self, problems)
       !> The file, whose assignments are compared within each group.
       type(namelist_file_t), intent(in) :: self
-      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i, first
 
@@ -150,7 +144,6 @@ contains
 
    !> Number of the first group of a name; 0 if there is none.
    pure integer function find_group(self, name)
-      !> The file, whose groups are searched.
       class(namelist_file_t), intent(in) :: self
       !> Name of the group, in small letters.
       character(*), intent(in) :: name
@@ -163,7 +156,6 @@ contains
 
    !> Number of the first assignment to a variable of a group; 0 if there is none.
    pure integer function find_assignment(self, group, name)
-      !> The file, whose assignments are searched.
       class(namelist_file_t), intent(in) :: self
       !> Number of the group in the file, from 1.
       integer, intent(in) :: group
@@ -179,7 +171,6 @@ contains
 
    !> Text of the value of an assignment, without comments.
    pure function value_of(self, assignment) result(text)
-      !> The file, from whose text the value is taken.
       class(namelist_file_t), intent(in) :: self
       !> Number of the assignment in the file, from 1.
       integer, intent(in) :: assignment
@@ -192,7 +183,6 @@ contains
 
    !> Line of a position in the text.
    pure integer function line_of(self, position)
-      !> The file, whose lines are counted.
       class(namelist_file_t), intent(in) :: self
       !> Position in the text, from 1 to one behind its end.
       integer, intent(in) :: position
@@ -220,8 +210,7 @@ contains
    end subroutine report
 
    !> Add a problem of a variable to the list, with the line where it stands; where it does not, that of its group.
-   subroutine report_variable(self, problems, group, variable, text, place)
-      !> The file, which says where the variable stands.
+   subroutine report_variable(self, problems, group, variable, text, index)
       class(namelist_file_t), intent(in) :: self
       !> Receives the problem behind those that there are.
       type(problems_t), intent(inout) :: problems
@@ -232,13 +221,13 @@ contains
       !> What is wrong, what was given, what is allowed.
       character(*), intent(in) :: text
       !> Position of what is wrong in the text of the value; absent: the name of the variable is meant.
-      integer, intent(in), optional :: place
+      integer, intent(in), optional :: index
       integer :: number, position
 
       position = self%groups(group)%first
       number = self%find_assignment(group, variable)
       if (number > 0) position = self%assignments(number)%first
-      if (number > 0 .and. present(place)) position = self%assignments(number)%value_first + place - 1
+      if (number > 0 .and. present(index)) position = self%assignments(number)%value_first + index - 1
       call self%report(problems, group, variable, text, position)
    end subroutine report_variable
 

@@ -9,7 +9,7 @@ module adfric_input_range_mapping
 
    !> The range of a variable in a sample.
    type :: range_of_variable_t
-      !> Place of the variable in the model's table, from 1; 0 if there is none.
+      !> Index of the variable in the model's table, from 1; 0 if there is none.
       integer :: variable = 0
       !> Number of the `&range` group in the file, from 1.
       integer :: group = 0

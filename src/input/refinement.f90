@@ -26,15 +26,11 @@ contains
 
    !> Read the refinement of a run, if there is one.
    subroutine read_refinement(file, model, axes, refinement, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model, whose table says which variables and results it has.
       class(model_t), intent(in) :: model
-      !> The axes of the run.
       type(axis_t), intent(in) :: axes(:)
-      !> Receives the refinement.
       type(refinement_t), intent(out) :: refinement
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name
       integer :: group, variable, n_before
@@ -57,21 +53,19 @@ contains
    end subroutine read_refinement
 
    !> Read the name of the result.
-   subroutine read_result(file, group, model, place, problems)
-      !> The input, cut into groups and assignments.
+   subroutine read_result(file, group, model, index, problems)
       type(namelist_file_t), intent(in) :: file
       !> Number of `&refine` in the file, from 1.
       integer, intent(in) :: group
       !> The model, whose table says which results it has.
       class(model_t), intent(in) :: model
-      !> Receives the place of the result in the table; 0 if there is none.
-      integer, intent(out) :: place
-      !> Receives what is wrong with the input; nothing is removed.
+      !> Receives the index of the result in the table; 0 if there is none.
+      integer, intent(out) :: index
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, known
       integer :: n_before, i
 
-      place = 0
+      index = 0
       name = ''
       n_before = problems%count()
       call take_text(file, group, 'result', 'the name of a result of the model', name, problems)
@@ -80,9 +74,9 @@ contains
       do i = 1, size(model%results)
          if (model%results(i)%is_hidden) cycle
          known = trim(adjustl(known//' '//model%results(i)%name))
-         if (model%results(i)%name == name .and. len(name) > 0) place = i
+         if (model%results(i)%name == name .and. len(name) > 0) index = i
       end do
-      if (place > 0) return
+      if (index > 0) return
       if (file%find_assignment(group, 'result') == 0) then
          call file%report_variable(problems, group, 'result', 'not given, needed: one of '//join_words(known, ', '))
       else
@@ -93,17 +87,14 @@ contains
 
    !> Read a number below 1.
    subroutine read_share(file, group, name, least, value, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&refine` in the file, from 1.
       integer, intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> Least value that is allowed.
       real(dp), intent(in) :: least
       !> Receives the number; left as it is if it is not given.
       real(dp), intent(inout) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: n_before
 
@@ -116,19 +107,15 @@ contains
 
    !> The run has one sweep, of the variable, whose values rise or fall.
    subroutine check_axes(file, group, model, axes, variable, limit, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&refine` in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table names the variable.
       class(model_t), intent(in) :: model
-      !> The axes of the run.
       type(axis_t), intent(in) :: axes(:)
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> Values that the refined sweep may have.
       integer(i8), intent(in) :: limit
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
       integer :: n
@@ -164,23 +151,22 @@ contains
    subroutine find_spacing(file, variable, model, is_logarithmic)
       !> The input, cut into groups and assignments, in which nothing is wrong with the sweep.
       type(namelist_file_t), intent(in) :: file
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
-      !> The model, whose table names the variable.
       class(model_t), intent(in) :: model
       !> Receives the answer; a list of values is taken for a linear one.
       logical, intent(out) :: is_logarithmic
       type(problems_t) :: unused
       character(:), allocatable :: name, spacing
-      integer :: i, place
+      integer :: i, index
 
       is_logarithmic = .false.
       do i = 1, size(file%groups)
          if (file%groups(i)%name /= 'sweep') cycle
          spacing = 'linear'
-         call take_variable(file, i, model, name, place, unused)
+         call take_variable(file, i, model, name, index, unused)
          call take_choice(file, i, 'spacing', 'linear log', spacing, unused)
-         if (place == variable .and. has_word('log', spacing)) is_logarithmic = .true.
+         if (index == variable .and. has_word('log', spacing)) is_logarithmic = .true.
       end do
    end subroutine find_spacing
 

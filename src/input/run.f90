@@ -78,9 +78,7 @@ contains
 
    !> Nothing is known of a run but where its results go.
    subroutine start_run(run, output)
-      !> Receives empty texts.
       type(run_input_t), intent(inout) :: run
-      !> Name of the results file.
       character(*), intent(in) :: output
 
       run%model_name = ''
@@ -90,13 +88,11 @@ contains
 
    !> Find out which model an input wants.
    subroutine find_job(file, known_models, run, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
       !> Receives the names of the model and of the results file, the title and the text.
       type(run_input_t), intent(inout) :: run
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: group
 
@@ -119,7 +115,6 @@ contains
 
    !> Does an input describe a scene, and name no model?
    pure logical function describes_scene(file, job)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of its `&job`; 0 if it has none.
       integer, intent(in) :: job
@@ -180,11 +175,9 @@ contains
 
    !> Report that there is no `&job`.
    subroutine report_missing_job(file, known_models, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: text
       integer :: i
@@ -202,39 +195,33 @@ contains
 
    !> Read a text of `&job`; what is wrong, or not given, leaves it as it is.
    subroutine read_word(file, group, name, word, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
       !> Name of the variable of `&job`.
       character(*), intent(in) :: name
       !> Receives the text without its quotes; left as it is if something is wrong or nothing is given.
       character(:), allocatable, intent(inout) :: word
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted, given, flaw
-      integer :: number, place
+      integer :: number, position
 
       number = file%find_assignment(group, name)
       if (number == 0) return
-      call take_only_word(file%value_of(number), quoted, flaw, place)
+      call take_only_word(file%value_of(number), quoted, flaw, position)
       if (len(flaw) == 0) call convert(quoted, given, flaw)
       if (len(flaw) == 0) then
          word = given
       else
-         call file%report_variable(problems, group, name, flaw//', allowed: a text in quotes', place)
+         call file%report_variable(problems, group, name, flaw//', allowed: a text in quotes', position)
       end if
    end subroutine read_word
 
    !> Read the name of the results file.
    subroutine read_output(file, group, output, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
       !> In: the name for an input that gives none. Out: the name that is given, if one is.
       character(:), allocatable, intent(inout) :: output
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call read_word(file, group, 'output', output, problems)
@@ -251,15 +238,12 @@ contains
 
    !> Read the name of the model; empty if it is unknown.
    subroutine read_model(file, group, known_models, model, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
       !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
       !> In: empty. Out: the name of a known model; empty if something is wrong.
       character(:), allocatable, intent(inout) :: model
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: choices
       integer :: n_before

@@ -16,7 +16,7 @@ module adfric_input_sample
    use adfric_numerics_unit_samples, only: fill_latin_hypercube, fill_random, fill_sobol, most_sobol_dimensions
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t
-   use adfric_system_memory, only: has_room
+   use adfric_system_memory, only: has_space
    implicit none (type, external)
    private
    public :: read_sample, sample_axis
@@ -40,17 +40,14 @@ contains
 
    !> Read a sample.
    subroutine read_sample(file, group, model, input, axis, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&sample` in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> In: what the groups and earlier sweeps give. Out: also what the sample does.
       type(case_t), intent(inout) :: input
       !> The variables and their values; not allocated if the axis cannot be used.
       type(axis_t), intent(out) :: axis
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(sample_t) :: sample
       type(range_of_variable_t), allocatable :: ranges(:)
@@ -66,7 +63,7 @@ contains
          'method', 'the Sobol sequence has at most '//show_count(most_sobol_dimensions)//' variables, given '// &
          show_count(size(ranges))//', allowed: ''latin_hypercube'', ''random'', or fewer &range groups')
       if (problems%count() == n_before) then
-         if (.not. has_room(2*real_bytes*sample%n_points*size(ranges))) call file%report_variable(problems, group, 'count', &
+         if (.not. has_space(2*real_bytes*sample%n_points*size(ranges))) call file%report_variable(problems, group, 'count', &
             'too many values for the memory, given '//show_count(sample%n_points)//', allowed: fewer')
       end if
       if (problems%count() > n_before .or. size(ranges) == 0) then
@@ -83,13 +80,10 @@ contains
 
    !> Read `&sample` itself.
    subroutine read_head(file, group, sample, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&sample` in the file, from 1.
       integer, intent(in) :: group
-      !> Receives count, method and seed.
       type(sample_t), intent(out) :: sample
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       sample%method = 'sobol'
@@ -107,15 +101,12 @@ contains
 
    !> Read all `&range` groups. One that cannot be used is left out; there is a problem then.
    subroutine read_ranges(file, model, input, ranges, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> In: what the groups and earlier sweeps give. Out: variables that are broken.
       type(case_t), intent(inout) :: input
       !> Receives the ranges, in the order of the file.
       type(range_of_variable_t), allocatable, intent(out) :: ranges(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(range_of_variable_t) :: range
       integer :: i, n, n_before
@@ -145,17 +136,13 @@ contains
 
    !> Read one range.
    subroutine read_range(file, group, model, input, range, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&range` group in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> What the groups and earlier sweeps give.
       type(case_t), intent(in) :: input
       !> Receives the range; its variable is 0 if there is none.
       type(range_of_variable_t), intent(out) :: range
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, spacing, ends, flaw
       integer :: n_before, first
@@ -188,13 +175,11 @@ contains
 
    !> Both ends of a range are needed.
    subroutine check_given(file, group, name, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&range` group in the file, from 1.
       integer, intent(in) :: group
       !> 'from' or 'to'.
       character(*), intent(in) :: name
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (file%find_assignment(group, name) == 0) &
@@ -203,9 +188,7 @@ contains
 
    !> Spread the points over the ranges.
    subroutine fill_axis(sample, ranges, model, axis)
-      !> Count, method and seed.
       type(sample_t), intent(in) :: sample
-      !> The ranges, at least one.
       type(range_of_variable_t), intent(in) :: ranges(:)
       !> The model, whose table says which variables are integers.
       class(model_t), intent(in) :: model

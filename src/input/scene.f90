@@ -16,7 +16,8 @@ module adfric_input_scene
    use adfric_run_converted_model, only: convert_model
    use adfric_describe_scene_facts, only: describe_scene, find_facts, scene_t, words_of
    use adfric_describe_scene_names, only: rename_tables
-   use adfric_describe_scene_solvers, only: answers, find_nearest, known_extents, known_surfaces, known_tractions, n_scenes, scenes, &
+   use adfric_describe_scene_solvers, only: answers, find_nearest, known_extents, known_surfaces, known_tractions, n_scenes, &
+      & scenes, &
       word_length
    implicit none (type, external)
    private
@@ -50,11 +51,9 @@ contains
 
    !> Find the solver of a scene, with its tables in the language of scenes.
    subroutine new_scene_model(file, model, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Receives the solver; not allocated if there is none.
       class(model_t), allocatable, intent(out) :: model
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(scene_t) :: scene
       character(:), allocatable :: solver, units
@@ -103,9 +102,7 @@ contains
 
    !> Make a solver for a scene.
    subroutine make_solver(name, scene, model)
-      !> Name of the solver.
       character(*), intent(in) :: name
-      !> The scene.
       type(scene_t), intent(in) :: scene
       !> Receives the solver, with its tables in the language of scenes.
       class(model_t), allocatable, intent(out) :: model
@@ -123,7 +120,6 @@ contains
    pure integer function count_unknown(model, scene)
       !> The solver, with its tables in the language of scenes.
       class(model_t), intent(in) :: model
-      !> The scene.
       type(scene_t), intent(in) :: scene
       character(:), allocatable :: name
       integer :: k, percent
@@ -146,11 +142,9 @@ contains
 
    !> Read what an input says of its scene.
    subroutine read_scene(file, scene, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Receives names and words; the surface is empty if something is wrong.
       type(scene_t), intent(out) :: scene
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: n_before
 
@@ -191,9 +185,7 @@ contains
 
    !> The columns of a table say what is solved, so that the input has to name them.
    subroutine check_cases(file, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: group
 
@@ -205,7 +197,6 @@ contains
 
    !> The names that an input gives values, in groups of the scene or by a sweep.
    subroutine list_given(file, names)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Receives the names with their groups; of what is swept by its name alone, the name.
       character(:), allocatable, intent(out) :: names
@@ -234,7 +225,6 @@ contains
 
    !> Read a word of a list; what is wrong, or not given, leaves it as it is.
    subroutine read_choice(file, group, name, known, word, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Group and name of the variable.
       character(*), intent(in) :: group, name
@@ -242,7 +232,6 @@ contains
       character(*), intent(in) :: known
       !> Receives the word.
       character(:), allocatable, intent(inout) :: word
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (file%find_group(group) > 0) call take_choice(file, file%find_group(group), name, known, word, problems, what='word')
@@ -250,11 +239,8 @@ contains
 
    !> Report names that no solver has in the language of scenes: where they are unknown the scene may be another one.
    subroutine report_unknown_names(scene, problems, is_reported)
-      !> The scene.
       type(scene_t), intent(in) :: scene
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      !> Was there such a name?
       logical, intent(out) :: is_reported
       class(model_t), allocatable :: model
       character(:), allocatable :: name, group, text, of_model
@@ -287,11 +273,9 @@ contains
 
    !> Say that nobody answers a scene yet, what stands in the way, and which scene is nearest.
    subroutine report_no_solver(scene, solver, problems)
-      !> The scene.
       type(scene_t), intent(in) :: scene
       !> Name of the solver that is wanted; empty: any.
       character(*), intent(in) :: solver
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: groups(4) = [character(10) :: 'surface', 'solid', 'friction', 'operating']
       character(word_length) :: words(4), nearest(4)

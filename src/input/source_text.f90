@@ -87,7 +87,6 @@ contains
 
    !> Line of a position, from 1.
    pure integer function line_at(self, position)
-      !> A text whose lines have been counted.
       class(source_t), intent(in) :: self
       !> Position in the text, from 1 to one behind its end.
       integer, intent(in) :: position

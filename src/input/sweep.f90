@@ -22,17 +22,13 @@ contains
 
    !> Read a sweep that goes by itself.
    subroutine read_sweep(file, group, model, input, axis, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> In: what the groups and earlier sweeps give. Out: also what this sweep does.
       type(case_t), intent(inout) :: input
       !> The variable and its values; not allocated if the axis cannot be used.
       type(axis_t), intent(out) :: axis
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(dataset_t) :: dataset
       character(:), allocatable :: name, flaw
@@ -68,17 +64,13 @@ contains
 
    !> Let a sweep go in step with another one.
    subroutine join_sweep(file, group, model, input, axes, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> In: what the groups and earlier sweeps give. Out: also what this sweep does.
       type(case_t), intent(inout) :: input
       !> The axes, one of which receives the variable.
       type(axis_t), intent(inout) :: axes(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(axis_t) :: axis
       integer :: k
@@ -98,36 +90,30 @@ contains
    end subroutine join_sweep
 
    !> Find the sweep that another one goes in step with.
-   subroutine find_leader(file, group, model, input, axes, place, problems)
-      !> The input, cut into groups and assignments.
+   subroutine find_leader(file, group, model, input, axes, position, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> Says of which variables the value is broken.
       type(case_t), intent(in) :: input
-      !> The axes so far.
       type(axis_t), intent(in) :: axes(:)
-      !> Place of the axis; 0 if there is none.
-      integer, intent(out) :: place
-      !> Receives what is wrong with the input; nothing is removed.
+      !> Index of the axis; 0 if there is none.
+      integer, intent(out) :: position
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, flaw
       integer :: n_before, leader
 
-      place = 0
+      position = 0
       name = ''
       n_before = problems%count()
       call take_text(file, group, 'with', 'the variable of another &sweep', name, problems)
       if (problems%count() > n_before) return
       call look_up_number(model, to_lower(name), leader, flaw)
       if (leader > 0) then
-         do place = 1, size(axes)
-            if (allocated(axes(place)%name)) cycle
-            if (axes(place)%variables(1) == leader) return
+         do position = 1, size(axes)
+            if (allocated(axes(position)%name)) cycle
+            if (axes(position)%variables(1) == leader) return
          end do
-         place = 0
+         position = 0
          ! what is wrong with its sweep has been said
          if (input%is_broken(leader)) return
          flaw = 'it is not swept by a &sweep of its own, given '''//show_text(name)//''', allowed: the variable of a &sweep ' &
@@ -138,17 +124,13 @@ contains
 
    !> Every value is within the range of the variable.
    subroutine check_swept_range(file, group, model, variable, values, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> Values of the sweep, at least one, in the SI unit of the variable.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, flaw
       integer :: first

@@ -12,7 +12,7 @@ module adfric_input_sweep_range
    use adfric_input_number_list, only: read_list, most_values
    use adfric_input_sweep_values, only: fill_linear, fill_logarithmic
    use adfric_run_dataset, only: dataset_t
-   use adfric_system_memory, only: has_room
+   use adfric_system_memory, only: has_space
    implicit none (type, external)
    private
    public :: read_sweep_values
@@ -39,7 +39,6 @@ contains
 
    !> Read the values of a sweep; size 0 if something is wrong.
    subroutine read_sweep_values(file, group, values, dataset, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
@@ -47,7 +46,6 @@ contains
       real(dp), allocatable, intent(out) :: values(:)
       !> The dataset or column of a file that has the values; not given if they stand in the input.
       type(dataset_t), intent(out) :: dataset
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(range_t) :: interval
       integer :: n_before, status
@@ -62,7 +60,7 @@ contains
          if (problems%count() == n_before) call check_range(file, group, interval, problems)
          if (problems%count() == n_before) then
             status = 1
-            if (has_room(real_bytes*interval%count)) allocate (values(interval%count), stat=status)
+            if (has_space(real_bytes*interval%count)) allocate (values(interval%count), stat=status)
             if (status /= 0) call file%report_variable(problems, group, 'count', &
                'too many values for the memory, given '//show_count(interval%count)//', allowed: fewer')
          end if
@@ -75,11 +73,9 @@ contains
 
    !> A list stands alone.
    subroutine check_alone(file, group, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -92,7 +88,6 @@ contains
 
    !> Read a list.
    subroutine read_sweep_list(file, group, values, dataset, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
@@ -100,15 +95,14 @@ contains
       real(dp), allocatable, intent(out) :: values(:)
       !> Receives the names of file and dataset, if the values stand in one.
       type(dataset_t), intent(inout) :: dataset
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: text, flaw
       real(dp), allocatable :: numbers(:, :)
-      integer :: place
+      integer :: index
 
       text = file%value_of(file%find_assignment(group, 'values'))
       if (is_dataset_name(text)) then
-         call read_dataset_name(text, dataset, flaw, place)
+         call read_dataset_name(text, dataset, flaw, index)
          if (len(flaw) > 0) flaw = flaw//', allowed: '//allowed_files
          if (len(flaw) == 0) then
             call load_numbers(dataset, 1, numbers, flaw)
@@ -116,24 +110,22 @@ contains
                allowed_files
          end if
          if (len(flaw) > 0) then
-            call file%report_variable(problems, group, 'values', flaw, place)
+            call file%report_variable(problems, group, 'values', flaw, index)
          else
             values = numbers(:, 1)
          end if
          return
       end if
-      call read_list(text, values, flaw, place)
+      call read_list(text, values, flaw, index)
       if (len(flaw) > 0) call file%report_variable(problems, group, 'values', flaw//', allowed: numbers, at most '// &
-         show_count(most_values), place)
+         show_count(most_values), index)
    end subroutine read_sweep_list
 
    !> A range has both ends and a count. Of a group that makes no sense nothing is missed.
    subroutine check_complete(file, group, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_there(3)
       integer :: k
@@ -152,13 +144,11 @@ contains
 
    !> Read a range.
    subroutine read_range(file, group, interval, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
       !> Receives the ends, the count and the spacing; only to be used if nothing was wrong.
       type(range_t), intent(out) :: interval
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       character(:), allocatable :: spacing
@@ -173,13 +163,11 @@ contains
 
    !> Do the ends, the count and the spacing agree?
    subroutine check_range(file, group, interval, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
       !> The range, each part of which is good by itself.
       type(range_t), intent(in) :: interval
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: ends
       logical :: is_one_value
@@ -198,7 +186,6 @@ contains
 
    !> Set the values of a range.
    pure subroutine fill_range(interval, values)
-      !> The range, whose ends, count and spacing agree.
       type(range_t), intent(in) :: interval
       !> Receives the values; as many as the range has.
       real(dp), intent(out) :: values(:)

@@ -20,9 +20,7 @@ contains
 
    !> Check the counts of ranges and samples. A list, a table and a dataset have one value at least.
    subroutine check_counts(file, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(refinement_t) :: refinement
       type(problems_t) :: unused
@@ -49,9 +47,7 @@ contains
 
    !> Does a group make an axis with a count of its own?
    pure logical function has_count(file, group)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
 
       has_count = file%groups(group)%name == 'sweep' .or. file%groups(group)%name == 'sample'

@@ -15,7 +15,7 @@ contains
    pure subroutine fill_linear(from, to, values)
       !> First and last value, in any order.
       real(dp), intent(in) :: from, to
-      !> Receives the values, as many as there is room for; a single one is `from`.
+      !> Receives the values, as many as there is space for; a single one is `from`.
       real(dp), intent(out) :: values(:)
       real(dp) :: s, n, steps
       integer :: i
@@ -35,7 +35,7 @@ contains
    pure subroutine fill_logarithmic(from, to, values)
       !> First and last value, in any order; both positive or both negative.
       real(dp), intent(in) :: from, to
-      !> Receives the values, as many as there is room for; a single one is `from`.
+      !> Receives the values, as many as there is space for; a single one is `from`.
       real(dp), intent(out) :: values(:)
       real(dp) :: first, last, n, steps, magnitude
       integer :: i

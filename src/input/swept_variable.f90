@@ -17,19 +17,15 @@ module adfric_input_swept_variable
 
 contains
 
-   !> A variable is given in one place.
+   !> A variable is given in one index.
    subroutine check_not_twice(file, group, model, variable, input, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> Says which variables are given or swept already, and in which lines.
       type(case_t), intent(in) :: input
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: where_else
 
@@ -48,7 +44,6 @@ contains
 
    !> Name of the group that begins on a line; empty if none does.
    function group_at(file, line) result(name)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the line, from 1.
       integer, intent(in) :: line
@@ -63,9 +58,8 @@ contains
 
    !> Convert the values of a file to the unit of a variable, and note what is known of them.
    subroutine convert_values(model, variable, input, dataset, values, flaw)
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> What the groups give, on which the unit of the variable may depend.
       type(case_t), intent(in) :: input
@@ -73,7 +67,6 @@ contains
       type(dataset_t), intent(inout) :: dataset
       !> In: the values in their units. Out: the values in SI units.
       real(dp), intent(inout) :: values(:)
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       type(variable_t) :: row
       real(dp), allocatable :: column(:, :)
@@ -95,7 +88,7 @@ contains
 
    !> Take note of a variable that is swept.
    subroutine put_swept(variable, first_value, line, dataset, input)
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> First value of the axis.
       real(dp), intent(in) :: first_value
@@ -114,7 +107,7 @@ contains
 
    !> Take note of a variable whose sweep cannot be used.
    subroutine break_variable(variable, line, input)
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> Line of the group that sweeps it.
       integer, intent(in) :: line

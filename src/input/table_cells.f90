@@ -17,7 +17,7 @@ module adfric_input_table_cells
    !> Signs with which a comment begins.
    character(*), parameter :: comment_signs = '#%'
 
-   !> A place in a line, and the cell that was found last.
+   !> A index in a line, and the cell that was found last.
    type :: cell_t
       !> Positions of the first and the last character of the cell, without quotes and blanks around it; `last < first` for an
       !> empty one.
@@ -34,7 +34,6 @@ contains
 
    !> Position of the last character of a line, before its end.
    pure integer function end_of_text_line(text, first)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position in the line, from 1.
       integer, intent(in) :: first
@@ -47,7 +46,6 @@ contains
 
    !> Find the next line that is not empty.
    pure subroutine find_next_line(text, start, first, last)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position where the search begins, at the beginning of a line.
       integer, intent(in) :: start
@@ -66,7 +64,6 @@ contains
 
    !> Find the line before one that is not empty.
    pure subroutine find_previous_line(text, start, first, last)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position of the first character of a line.
       integer, intent(in) :: start
@@ -118,11 +115,9 @@ contains
    !> Go to the next cell of a line. There is always one where a separator stands before it; where blanks separate, there is none
    !> behind the last one.
    pure subroutine next_cell(text, last, separator, cell)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position of the last character of the line.
       integer, intent(in) :: last
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       !> In: the cell before, whose `next` is not 0. Out: the cell.
       type(cell_t), intent(inout) :: cell
@@ -158,11 +153,9 @@ contains
 
    !> Does a separator stand here?
    pure logical function is_separator_at(text, i, separator)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position in the text.
       integer, intent(in) :: i
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
 
       is_separator_at = text(i:i) == separator
@@ -171,11 +164,9 @@ contains
 
    !> Does a cell end here, behind its closing quote?
    pure logical function ends_here(text, last, separator, i)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position of the last character of the line.
       integer, intent(in) :: last
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       !> Position in the text.
       integer, intent(in) :: i
@@ -191,7 +182,6 @@ contains
 
    !> Pass what stands in quotes.
    pure subroutine pass_quotes(text, last, cell, i)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position of the last character of the line.
       integer, intent(in) :: last
@@ -216,11 +206,9 @@ contains
 
    !> Pass the separator behind a cell.
    pure subroutine pass_separator(text, last, separator, i, cell)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position of the last character of the line.
       integer, intent(in) :: last
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       !> Position behind the cell, where blanks may stand before the separator.
       integer, intent(in) :: i
@@ -243,9 +231,7 @@ contains
 
    !> Text of a cell, with the doubled quotes of a quoted one made one.
    pure function text_of_cell(text, cell) result(content)
-      !> The whole text.
       character(*), intent(in) :: text
-      !> The cell.
       type(cell_t), intent(in) :: cell
       character(:), allocatable :: content
       integer :: i, n
@@ -264,11 +250,9 @@ contains
 
    !> Count the cells of a line.
    pure subroutine count_cells(text, first, last, separator, n_cells, n_filled, is_wrong)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Positions of the first and the last character of the line.
       integer, intent(in) :: first, last
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       !> Number of cells, and of the last one that is not empty.
       integer, intent(out) :: n_cells, n_filled
@@ -290,15 +274,12 @@ contains
 
    !> Find a cell of a line.
    pure subroutine find_cell(text, first, separator, number, cell)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position of the first character of the line.
       integer, intent(in) :: first
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       !> Which cell of the line, from 1; the line has it.
       integer, intent(in) :: number
-      !> Receives the cell.
       type(cell_t), intent(out) :: cell
       integer :: k, last
 

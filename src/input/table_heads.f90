@@ -20,19 +20,19 @@ module adfric_input_table_heads
    character(*), parameter :: reserved = tab//';,'
 
    !> A column.
-   type :: column_t
+   type :: head_column_t
       !> Its head without quotes.
       character(:), allocatable :: text
       !> The same in small letters, with underscores for blanks and hyphens.
       character(:), allocatable :: key
       !> Its unit in the line of units; empty where there is none.
       character(:), allocatable :: unit
-   end type column_t
+   end type head_column_t
 
    !> All columns.
    type :: heads_t
       !> The columns in their order.
-      type(column_t), allocatable :: columns(:)
+      type(head_column_t), allocatable :: columns(:)
    contains
       procedure :: n_columns
       procedure :: are_units
@@ -48,11 +48,9 @@ contains
 
    !> Read a line as the heads of columns: names for all numbers, or units.
    pure subroutine read_heads(text, first, last, separator, n_least, n_most, self, is_right)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Positions of the first and the last character of the line.
       integer, intent(in) :: first, last
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       !> Columns that have a number, and those that there are at most.
       integer, intent(in) :: n_least, n_most
@@ -76,7 +74,6 @@ contains
 
       !> Are there so many heads, or units?
       pure logical function is_number_right(heads)
-         !> The heads.
          type(heads_t), intent(in) :: heads
 
          is_number_right = heads%n_columns() >= n_least .and. heads%n_columns() <= n_most
@@ -87,7 +84,6 @@ contains
 
    !> Heads that somebody has, without a line of text.
    pure subroutine set_heads(self, names, units)
-      !> Receives the heads.
       type(heads_t), intent(out) :: self
       !> The heads, with a unit or without; blanks at their ends do not count.
       character(*), intent(in) :: names(:)
@@ -104,9 +100,7 @@ contains
 
    !> Split a line into heads.
    pure subroutine split_line(line, separator, n_most, self, is_right)
-      !> The line.
       character(*), intent(in) :: line
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       !> Columns that there are at most.
       integer, intent(in) :: n_most
@@ -132,9 +126,7 @@ contains
 
    !> Join words to heads: a unit belongs to the name before it, as in `load [nN]`, `load / nN` and `load in nN`.
    pure subroutine join_units(words, heads)
-      !> The words of the line.
       type(heads_t), intent(in) :: words
-      !> Receives the heads.
       type(heads_t), intent(out) :: heads
       character(:), allocatable :: text
       integer :: k, n
@@ -162,7 +154,6 @@ contains
    pure logical function belongs_together(text, word)
       !> The head so far.
       character(*), intent(in) :: text
-      !> The word.
       character(*), intent(in) :: word
 
       belongs_together = scan(word(:min(1, len(word))), '([{/') == 1 .or. text(len(text):) == '/' .or. to_lower(word) == 'in'
@@ -175,7 +166,6 @@ contains
 
    !> A line with a tab for each gap of two blanks or more.
    pure function with_tabs(line) result(changed)
-      !> The line.
       character(*), intent(in) :: line
       character(:), allocatable :: changed
       integer :: i, n
@@ -197,7 +187,7 @@ contains
    !> Set the head of a column.
    pure subroutine set_text(self, text)
       !> Receives the head; it has no unit from elsewhere.
-      type(column_t), intent(out) :: self
+      type(head_column_t), intent(out) :: self
       !> The head without quotes.
       character(*), intent(in) :: text
 
@@ -208,7 +198,6 @@ contains
 
    !> What is compared of a name: capitals do not count, and blanks, hyphens and underscores are alike.
    pure function key_of(name) result(key)
-      !> The name.
       character(*), intent(in) :: name
       character(len(name)) :: key
       integer :: i
@@ -221,7 +210,6 @@ contains
 
    !> Number of columns.
    elemental integer function n_columns(self)
-      !> The columns.
       class(heads_t), intent(in) :: self
 
       n_columns = size(self%columns)
@@ -229,7 +217,6 @@ contains
 
    !> Are all heads units, in brackets or not, so that they are those of the names above?
    pure logical function are_units(self)
-      !> The heads, or units.
       class(heads_t), intent(in) :: self
       integer :: k
 
@@ -243,7 +230,6 @@ contains
 
    !> Is there a head that is more than a sign, such as the hyphen of a pure number?
    pure logical function has_letters(self)
-      !> The heads, or units.
       class(heads_t), intent(in) :: self
       integer :: k
 
@@ -267,9 +253,7 @@ contains
 
    !> Take the units of the line below.
    pure subroutine take_units(self, units)
-      !> The heads, which receive the units.
       class(heads_t), intent(inout) :: self
-      !> The units; there may be fewer of them.
       class(heads_t), intent(in) :: units
       integer :: k
 
@@ -279,34 +263,31 @@ contains
    end subroutine take_units
 
    !> The head of a column, taken apart.
-   pure subroutine get(self, place, head)
-      !> The columns.
+   pure subroutine get(self, position, head)
       class(heads_t), intent(in) :: self
       !> Which column, from 1.
-      integer, intent(in) :: place
+      integer, intent(in) :: position
       !> Receives name and unit, and what is wrong with them.
       type(head_t), intent(out) :: head
 
-      call split_head(self%columns(place)%text, head)
-      call add_unit(head, self%columns(place)%unit)
+      call split_head(self%columns(position)%text, head)
+      call add_unit(head, self%columns(position)%unit)
    end subroutine get
 
    !> Find a column by its name or by its whole head. The same letters go before letters that are alike.
-   pure subroutine find(self, name, place, other)
-      !> The columns.
+   pure subroutine find(self, name, position, other)
       class(heads_t), intent(in) :: self
-      !> The name.
       character(*), intent(in) :: name
-      !> Receives the place of the column, from 1; 0 if there is none.
-      integer, intent(out) :: place
-      !> Receives the place of another column that fits as well; 0 if there is none.
+      !> Receives the index of the column, from 1; 0 if there is none.
+      integer, intent(out) :: position
+      !> Receives the index of another column that fits as well; 0 if there is none.
       integer, intent(out) :: other
       type(head_t) :: head
       character(len(name)) :: key
       integer :: k
       logical :: is_same, is_exact, is_like
 
-      place = 0
+      position = 0
       other = 0
       is_exact = .false.
       key = key_of(name)
@@ -318,19 +299,18 @@ contains
          is_same = head%text == name .or. head%name == name
          is_like = self%columns(k)%key == key .or. key_of(head%name) == key
          if (is_same .and. .not. is_exact) then
-            place = k
+            position = k
             other = 0
             is_exact = .true.
          else if (is_same .or. (is_like .and. .not. is_exact)) then
-            if (place > 0) other = k
-            if (place == 0) place = k
+            if (position > 0) other = k
+            if (position == 0) position = k
          end if
       end do
    end subroutine find
 
    !> The names of the first columns, and how many there are more.
    pure function list_names(self) result(text)
-      !> The columns.
       class(heads_t), intent(in) :: self
       character(:), allocatable :: text
       type(head_t) :: head
@@ -347,7 +327,6 @@ contains
 
    !> What to say of a column that is not there.
    pure function say_unknown(self, name) result(text)
-      !> The columns that are there.
       class(heads_t), intent(in) :: self
       !> The name that is not known.
       character(*), intent(in) :: name
@@ -366,7 +345,7 @@ contains
       if (len(near) > 0) text = text//'; did you mean '//show_text(exchange(near, inner_blank, ' '))//'?'
    end function say_unknown
 
-   !> A text with one character in the place of another.
+   !> A text with one character in the index of another.
    pure function exchange(text, old, new) result(changed)
       !> Any text.
       character(*), intent(in) :: text

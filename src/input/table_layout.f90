@@ -12,13 +12,13 @@ module adfric_input_table_layout
    use adfric_input_table_numbers, only: find_decimal_mark, has_numbers_alone, is_missing, is_number_form, is_numeral
    implicit none (type, external)
    private
-   public :: layout_t, find_layout
+   public :: table_layout_t, find_layout
 
    !> What may separate columns, in the order in which they are tried; a blank stands for any number of blanks and tabs.
    character(*), parameter :: separators = tab//';, '
 
    !> A layout.
-   type :: layout_t
+   type :: table_layout_t
       !> What separates the columns; a tab where there is one column.
       character :: separator = ','
       !> Is there one column alone?
@@ -31,40 +31,37 @@ module adfric_input_table_layout
       integer :: names_at = 0, units_at = 0
       !> Position of the first line behind them.
       integer :: rows_at = 0
-   end type layout_t
+   end type table_layout_t
 
 contains
 
    !> Find the layout of a text.
-   pure subroutine find_layout(text, layout, flaw, place)
-      !> The whole text.
+   pure subroutine find_layout(text, layout, flaw, position)
       character(*), intent(in) :: text
       !> Receives the layout; only to be used if nothing is wrong.
-      type(layout_t), intent(out) :: layout
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
+      type(table_layout_t), intent(out) :: layout
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1; 0 if it is the whole of it.
-      integer, intent(out) :: place
+      integer, intent(out) :: position
       integer :: first, last
       logical :: is_found
 
       flaw = ''
-      place = 0
+      position = 0
       call find_numbers(text, first, last)
       if (first == 0) then
-         call take_first_line(text, layout, flaw, place)
+         call take_first_line(text, layout, flaw, position)
       else
          call find_heads(text, first, last, .false., layout, is_found)
          if (.not. is_found) call find_heads(text, first, last, .true., layout, is_found)
          if (.not. is_found) call say_what_is_wrong(text, first, last, flaw)
-         if (.not. is_found) place = first
+         if (.not. is_found) position = first
       end if
-      if (len(flaw) == 0) call find_decimal_mark(text, layout%rows_at, layout%separator, layout%has_decimal_comma, flaw, place)
+      if (len(flaw) == 0) call find_decimal_mark(text, layout%rows_at, layout%separator, layout%has_decimal_comma, flaw, position)
    end subroutine find_layout
 
    !> Find the first line that has numbers alone, whatever separates them.
    pure subroutine find_numbers(text, first, last)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Positions of the first and the last character of the line; `first = 0` if there is none.
       integer, intent(out) :: first, last
@@ -80,11 +77,9 @@ contains
 
    !> Has a line numbers alone by a separator, be they right or not?
    pure logical function fits_numbers(text, first, last, separator)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Positions of the first and the last character of the line.
       integer, intent(in) :: first, last
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       type(cell_t) :: cell
       integer :: n
@@ -105,15 +100,13 @@ contains
 
    !> Find the separator by which there are names above the first line of numbers.
    pure subroutine find_heads(text, first, last, in_comments, layout, is_found)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Positions of the first and the last character of the line of numbers.
       integer, intent(in) :: first, last
       !> Do the names stand in comments, directly above?
       logical, intent(in) :: in_comments
       !> Receives the separator and the names, if there are some.
-      type(layout_t), intent(inout) :: layout
-      !> Are there names?
+      type(table_layout_t), intent(inout) :: layout
       logical, intent(out) :: is_found
       integer :: k, n_cells, n_filled
       logical :: is_wrong
@@ -131,7 +124,6 @@ contains
 
    !> Find the nearest line above another that has names, and a line of units before it or none.
    pure recursive subroutine search_above(text, start, n_least, n_most, in_comments, layout, is_found)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position of the first character of the line of numbers.
       integer, intent(in) :: start
@@ -140,8 +132,7 @@ contains
       !> Are comments searched, of which only those directly above count?
       logical, intent(in) :: in_comments
       !> In: the separator. Out: also the names, if there are some.
-      type(layout_t), intent(inout) :: layout
-      !> Are there names?
+      type(table_layout_t), intent(inout) :: layout
       logical, intent(out) :: is_found
       type(heads_t) :: heads
       integer :: first, last, upper
@@ -177,12 +168,11 @@ contains
 
    !> Take the units of the line directly below the names, if it has nothing else.
    pure subroutine take_units_below(text, in_comment, layout)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Is it a comment that may have them?
       logical, intent(in) :: in_comment
       !> In: the layout without units. Out: also the units, if they stand there.
-      type(layout_t), intent(inout) :: layout
+      type(table_layout_t), intent(inout) :: layout
       type(heads_t) :: units
       integer :: first, last, start, n
       logical :: is_right
@@ -209,7 +199,6 @@ contains
 
    !> Find the next line above that is a comment, or that is none.
    pure subroutine find_next_above(text, start, in_comments, first, last)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Position of the first character of a line.
       integer, intent(in) :: start
@@ -229,15 +218,12 @@ contains
 
    !> Read the heads of a line, which may be a comment.
    pure subroutine try_heads(text, first, last, separator, n_least, n_most, heads, is_right)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Positions of the first and the last character of the line, which may be a comment.
       integer, intent(in) :: first, last
-      !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       !> Columns that have a number, and those that there are at most.
       integer, intent(in) :: n_least, n_most
-      !> Receives the heads.
       type(heads_t), intent(out) :: heads
       !> Are they names or units of all columns?
       logical, intent(out) :: is_right
@@ -249,20 +235,17 @@ contains
    end subroutine try_heads
 
    !> Take the first line for the names, where every row has a text.
-   pure subroutine take_first_line(text, layout, flaw, place)
-      !> The whole text.
+   pure subroutine take_first_line(text, layout, flaw, position)
       character(*), intent(in) :: text
-      !> Receives the layout.
-      type(layout_t), intent(inout) :: layout
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
+      type(table_layout_t), intent(inout) :: layout
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1; 0 if it is the whole of it.
-      integer, intent(out) :: place
+      integer, intent(out) :: position
       integer :: first, last, n_cells, n_filled
       logical :: is_right
 
       flaw = ''
-      place = 0
+      position = 0
       call find_next_line(text, 1, first, last)
       do while (first > 0)
          if (.not. is_comment(text(first:last))) exit
@@ -282,12 +265,11 @@ contains
       if (is_right .and. layout%units_at == 0) call take_units_below(text, .true., layout)
       if (is_right) return
       flaw = 'no header, given '//show_text(text(first:last))//', needed: a line with the names of the columns'
-      place = first
+      position = first
    end subroutine take_first_line
 
    !> What may separate the columns of a line, by itself.
    pure character function separator_in(line)
-      !> The line.
       character(*), intent(in) :: line
       integer :: k
 
@@ -300,11 +282,9 @@ contains
 
    !> Say why there are no names above the first line of numbers.
    pure subroutine say_what_is_wrong(text, first, last, flaw)
-      !> The whole text.
       character(*), intent(in) :: text
       !> Positions of the first and the last character of the line of numbers.
       integer, intent(in) :: first, last
-      !> What is wrong, what was given, what is allowed.
       character(:), allocatable, intent(out) :: flaw
       type(cell_t) :: cell
       character :: separator

@@ -74,7 +74,6 @@ contains
 
    !> Has a line numbers, and nothing else but words for no value, whatever separates them?
    pure logical function has_numbers_alone(line)
-      !> The line.
       character(*), intent(in) :: line
       character(*), parameter :: between = ' ,;"'//achar(9)//achar(13)
       integer :: first, length
@@ -100,13 +99,11 @@ contains
    pure subroutine convert_cell(word, has_decimal_comma, separator, value, flaw)
       !> Text of the cell without blanks around it.
       character(*), intent(in) :: word
-      !> Is the decimal mark a comma?
       logical, intent(in) :: has_decimal_comma
       !> What separates the columns.
       character, intent(in) :: separator
       !> Receives the number, NaN where there is none.
       real(dp), intent(out) :: value
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       character(len(word)) :: plain
       integer :: comma
@@ -136,8 +133,7 @@ contains
    end subroutine convert_cell
 
    !> Find the decimal mark: the one that the numbers of the rows have, which is the same in all.
-   pure subroutine find_decimal_mark(text, rows_at, separator, is_comma, flaw, place)
-      !> The whole text.
+   pure subroutine find_decimal_mark(text, rows_at, separator, is_comma, flaw, entry)
       character(*), intent(in) :: text
       !> Position of the first line of the rows.
       integer, intent(in) :: rows_at
@@ -145,10 +141,9 @@ contains
       character, intent(in) :: separator
       !> Receives whether the mark is a comma.
       logical, intent(out) :: is_comma
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1.
-      integer, intent(inout) :: place
+      integer, intent(inout) :: entry
       type(cell_t) :: cell
       integer :: first, last, with_comma, with_point
       logical :: is_shown
@@ -179,12 +174,12 @@ contains
       is_comma = with_comma > 0
       if (.not. is_comma) return
       if (with_point > 0) then
-         place = max(with_comma, with_point)
+         entry = max(with_comma, with_point)
          flaw = 'numbers with points and numbers with commas, given '//word_at(min(with_comma, with_point))//' and '// &
-            word_at(place)//', allowed: one decimal mark'
+            word_at(entry)//', allowed: one decimal mark'
       else if (.not. is_shown) then
-         place = with_comma
-         flaw = 'every comma stands before three digits and may be decimal or part thousands, given '//word_at(place)// &
+         entry = with_comma
+         flaw = 'every comma stands before three digits and may be decimal or part thousands, given '//word_at(entry)// &
             ', allowed: one number at least, as 1,25 or 0,125, that shows which; or columns between semicolons'
       end if
 

@@ -19,16 +19,15 @@ module adfric_input_table_text
 contains
 
    !> Make a text UTF-8 with one kind of line end.
-   pure subroutine decode_text(text, flaw, place)
+   pure subroutine decode_text(text, flaw, position)
       !> In: the bytes of the file. Out: the text.
       character(:), allocatable, intent(inout) :: text
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1.
-      integer, intent(out) :: place
+      integer, intent(out) :: position
 
       flaw = ''
-      place = 1
+      position = 1
       if (begins(text, mark_32_low) .or. begins(text, mark_32_high)) then
          flaw = 'the encoding is UTF-32, allowed: UTF-8, UTF-16 with its mark, Latin-1'
       else if (begins(text, mark_low) .or. begins(text, mark_high)) then
@@ -37,10 +36,10 @@ contains
          text = text(len(mark_8) + 1:)
       end if
       if (len(flaw) > 0) return
-      place = find_control_character(text)
-      if (place > 0) then
-         flaw = 'not a text, given the control character '//show_count(iachar(text(place:place)))
-         if (text(place:place) == char(0)) flaw = flaw//'; UTF-16 needs its mark at the beginning'
+      position = find_control_character(text)
+      if (position > 0) then
+         flaw = 'not a text, given the control character '//show_count(iachar(text(position:position)))
+         if (text(position:position) == char(0)) flaw = flaw//'; UTF-16 needs its mark at the beginning'
          return
       end if
       if (.not. is_utf_8(text)) call decode_latin(text)
@@ -49,17 +48,13 @@ contains
 
    !> Does a text begin with a mark?
    pure logical function begins(text, mark)
-      !> The text.
-      character(*), intent(in) :: text
-      !> The mark.
-      character(*), intent(in) :: mark
+      character(*), intent(in) :: text, mark
 
       begins = index(text(:min(len(text), len(mark))), mark) == 1
    end function begins
 
    !> Is a text UTF-8?
    pure logical function is_utf_8(text)
-      !> The text.
       character(*), intent(in) :: text
       integer :: i, length
 
@@ -112,7 +107,6 @@ contains
       character(*), intent(in) :: text
       !> Position of the first of them.
       integer, intent(in) :: i
-      !> Does the high byte stand first?
       logical, intent(in) :: is_high_first
 
       pair_at = iachar(text(i:i)) + 256*iachar(text(i + 1:i + 1))
@@ -142,7 +136,7 @@ contains
    pure subroutine append(code, text, n)
       !> Number of the letter.
       integer, intent(in) :: code
-      !> The text, which has the room.
+      !> The text, which has the space.
       character(*), intent(inout) :: text
       !> Length of the text so far; it grows.
       integer, intent(inout) :: n
@@ -166,7 +160,6 @@ contains
 
    !> Make a line end of each carriage return that stands alone; one before a line end counts as a blank.
    pure subroutine unify_line_ends(text)
-      !> The text.
       character(*), intent(inout) :: text
       integer :: i
 

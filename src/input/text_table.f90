@@ -11,7 +11,7 @@ module adfric_input_text_table
    use adfric_input_head_unit, only: head_t
    use adfric_input_table_cells, only: cell_t, count_cells, find_cell, find_next_line, is_comment
    use adfric_input_table_heads, only: set_heads
-   use adfric_input_table_layout, only: layout_t, find_layout
+   use adfric_input_table_layout, only: table_layout_t, find_layout
    use adfric_input_table_numbers, only: convert_cell
    use adfric_input_table_text, only: decode_text
    use adfric_input_unit_match, only: match_units
@@ -22,8 +22,8 @@ module adfric_input_text_table
 
    !> More than anybody has in one table of text: something else was given by mistake [bytes].
    integer, parameter :: largest_table = 1000*1024**2
-   !> Rows that there is room for at first.
-   integer, parameter :: first_room = 64
+   !> Rows that there is space for at first.
+   integer, parameter :: first_space = 64
    !> No number of physics is larger.
    real(dp), parameter :: largest = 1.0e60_dp
 
@@ -34,7 +34,7 @@ module adfric_input_text_table
       !> Text of the file.
       character(:), allocatable, private :: text
       !> What stands where.
-      type(layout_t), private :: layout
+      type(table_layout_t), private :: layout
       !> Position in the text of the first character of each row.
       integer, allocatable, private :: rows(:)
       !> The numbers of a table that has no text; shape `(n_rows, n_columns)`.
@@ -52,7 +52,7 @@ module adfric_input_text_table
 
 contains
 
-   !> Read a file: its layout and the place of each row. The numbers are not looked at before a column is taken.
+   !> Read a file: its layout and the index of each row. The numbers are not looked at before a column is taken.
    subroutine open_text_table(self, path, error)
       !> Receives the table; only to be used if there is no error.
       type(text_table_t), intent(out) :: self
@@ -77,16 +77,16 @@ contains
       !> Allocated if it is no table.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: flaw
-      integer :: place
+      integer :: index
 
       self%path = path
       call move_alloc(text, self%text)
-      call decode_text(self%text, flaw, place)
-      if (len(flaw) == 0) call find_layout(self%text, self%layout, flaw, place)
+      call decode_text(self%text, flaw, index)
+      if (len(flaw) == 0) call find_layout(self%text, self%layout, flaw, index)
       if (len(flaw) == 0) then
          call find_rows(self, error)
-      else if (place > 0) then
-         call fail(self, flaw, place, error)
+      else if (index > 0) then
+         call fail(self, flaw, index, error)
       else
          call set_error(error, input_failure, path//': '//flaw)
       end if
@@ -128,7 +128,7 @@ contains
       integer :: first, last, n, n_cells, n_filled, n_names
       logical :: is_wrong
 
-      allocate (self%rows(first_room))
+      allocate (self%rows(first_space))
       n = 0
       n_names = self%layout%heads%n_columns()
       call find_next_line(self%text, self%layout%rows_at, first, last)
@@ -159,7 +159,6 @@ contains
 
    !> Number of rows.
    pure integer function n_rows(self)
-      !> The table.
       class(text_table_t), intent(in) :: self
 
       if (allocated(self%numbers)) then
@@ -171,34 +170,31 @@ contains
 
    !> Is there a column of this name, or are there several?
    pure logical function has_column(self, name)
-      !> The table.
       class(text_table_t), intent(in) :: self
       !> Name of the column, or its whole head.
       character(*), intent(in) :: name
-      integer :: place, other
+      integer :: index, other
 
-      call self%layout%heads%find(name, place, other)
-      has_column = place > 0
+      call self%layout%heads%find(name, index, other)
+      has_column = index > 0
    end function has_column
 
    !> Unit of a column as it is written; empty where there is none, and the numbers are in SI units.
    pure function unit_of(self, name) result(unit)
-      !> The table.
       class(text_table_t), intent(in) :: self
       !> Name of a column that there is.
       character(*), intent(in) :: name
       character(:), allocatable :: unit
       type(head_t) :: head
-      integer :: place, other
+      integer :: index, other
 
-      call self%layout%heads%find(name, place, other)
-      call self%layout%heads%get(place, head)
+      call self%layout%heads%find(name, index, other)
+      call self%layout%heads%get(index, head)
       unit = head%unit
    end function unit_of
 
    !> The names of the first columns, and how many there are more.
    pure function list_names(self) result(text)
-      !> The table.
       class(text_table_t), intent(in) :: self
       character(:), allocatable :: text
 
@@ -207,7 +203,6 @@ contains
 
    !> How the table was read, in words.
    pure function describe(self) result(text)
-      !> The table.
       class(text_table_t), intent(in) :: self
       character(:), allocatable :: text
 
@@ -234,7 +229,6 @@ contains
 
    !> Take a column in SI units.
    subroutine take_column(self, name, wanted, values, error)
-      !> The table.
       class(text_table_t), intent(in) :: self
       !> Name of the column, or its whole head.
       character(*), intent(in) :: name
@@ -264,7 +258,6 @@ contains
 
    !> Take the numbers of a column as they are written, in the unit of the column.
    subroutine get_numbers(self, name, values, error)
-      !> The table.
       class(text_table_t), intent(in) :: self
       !> Name of the column, or its whole head.
       character(*), intent(in) :: name
@@ -311,9 +304,8 @@ contains
 
    !> Take a column of a table that has no text.
    subroutine take_numbers(self, column, name, values, error)
-      !> The table.
       type(text_table_t), intent(in) :: self
-      !> Place of the column, from 1.
+      !> Index of the column, from 1.
       integer, intent(in) :: column
       !> Its name, for messages.
       character(*), intent(in) :: name
@@ -335,7 +327,6 @@ contains
 
    !> Line of the file in which a row stands, from 1.
    pure integer function line_of_row(self, row)
-      !> The table.
       class(text_table_t), intent(in) :: self
       !> Number of the row, from 1.
       integer, intent(in) :: row
@@ -357,15 +348,12 @@ contains
       end do
    end function line_at
 
-   !> Report what is wrong at a place of the file.
+   !> Report what is wrong at a index of the file.
    subroutine fail(self, flaw, position, error)
-      !> The table, whose file and lines are named.
       type(text_table_t), intent(in) :: self
-      !> What is wrong, what was given, what is allowed.
       character(*), intent(in) :: flaw
       !> Position in the text of what is wrong, from 1.
       integer, intent(in) :: position
-      !> Receives the report.
       type(error_t), allocatable, intent(out) :: error
 
       call set_error(error, input_failure, self%path//': '//flaw//' (line '//show_count(line_at(self%text, position))//')')

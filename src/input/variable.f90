@@ -20,7 +20,7 @@ module adfric_input_variable
 contains
 
    !> Read the value of a variable as it is held, as a real number.
-   subroutine read_variable(text, variable, value, flaw, place)
+   subroutine read_variable(text, variable, value, flaw, index)
       !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
       !> Row of the model's table: kind, unit, default and what is allowed.
@@ -30,14 +30,14 @@ contains
       !> What is wrong, what was given, what is allowed; empty if the value is good.
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1.
-      integer, intent(out) :: place
+      integer, intent(out) :: index
       character(:), allocatable :: word, question
       integer(i8) :: n
       logical :: is_on
 
       value = variable%default
       question = ''
-      call take_only_word(text, word, flaw, place)
+      call take_only_word(text, word, flaw, index)
       if (len(flaw) == 0) then
          select case (variable%kind)
          case (kind_real)
@@ -67,9 +67,8 @@ contains
       character(*), intent(in) :: word
       !> Words that are allowed, separated by a blank.
       character(*), intent(in) :: choices
-      !> Place of the word in `choices`, from 1; `unset` if something is wrong.
+      !> Index of the word in `choices`, from 1; `unset` if something is wrong.
       real(dp), intent(out) :: value
-      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       !> A question that names the word which may be meant; empty if there is none.
       character(:), allocatable, intent(out) :: question
@@ -109,7 +108,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
-      !> Place of the first value that is not allowed; 0 if all are.
+      !> Index of the first value that is not allowed; 0 if all are.
       integer, intent(out) :: first
       !> What is wrong, what was given, what is allowed; empty if all values are good.
       character(:), allocatable, intent(out) :: flaw
@@ -208,7 +207,6 @@ contains
 
    !> How many numbers a list may have, in words.
    pure function describe_count(variable) result(text)
-      !> Row of the model's table: number of values.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
 

@@ -25,15 +25,11 @@ contains
 
    !> Read what is wanted.
    subroutine read_variation(file, model, input, wanted, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
-      !> Says which variables have a value.
       type(case_t), intent(in) :: input
-      !> Receives what is wanted.
       type(variation_t), intent(out) :: wanted
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(uncertainty_t) :: uncertain
       integer :: i
@@ -58,69 +54,60 @@ contains
 
    !> Read the names of the variables by which the results are differentiated.
    subroutine read_derivatives(file, group, model, input, wanted, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&output` in the file, from 1.
       integer, intent(in) :: group
       !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
-      !> Says which variables have a value.
       type(case_t), intent(in) :: input
-      !> Receives the variables.
       type(variation_t), intent(inout) :: wanted
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: names, flaw
-      integer :: k, place
+      integer :: k, index
 
       ! of a model that has the group the rest has been read
       if (.not. has_word(list_groups(model), 'output')) call report_unknown_names(file, group, output_names, problems)
       names = ''
       call take_words(file, group, 'derivatives', 'names of numeric variables of the model', names, problems)
       do k = 1, count_words(names)
-         call look_up_number(model, get_word(names, k), place, flaw)
-         if (len(flaw) == 0) call check_variable(model, input, place, flaw)
-         if (len(flaw) == 0 .and. any(wanted%derivatives == place)) flaw = 'given twice, '''//get_word(names, k)//''''
+         call look_up_number(model, get_word(names, k), index, flaw)
+         if (len(flaw) == 0) call check_variable(model, input, index, flaw)
+         if (len(flaw) == 0 .and. any(wanted%derivatives == index)) flaw = 'given twice, '''//get_word(names, k)//''''
          if (len(flaw) > 0) then
             call file%report_variable(problems, group, 'derivatives', flaw)
          else
-            wanted%derivatives = [wanted%derivatives, place]
+            wanted%derivatives = [wanted%derivatives, index]
          end if
       end do
    end subroutine read_derivatives
 
    !> Is it a real number that has a value?
-   subroutine check_variable(model, input, place, flaw)
+   subroutine check_variable(model, input, index, flaw)
       !> The model, whose table says which kind the variable is of.
       class(model_t), intent(in) :: model
-      !> Says which variables have a value.
       type(case_t), intent(in) :: input
-      !> Place of the variable in the model's table, from 1.
-      integer, intent(in) :: place
-      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
+      !> Index of the variable in the model's table, from 1.
+      integer, intent(in) :: index
       character(:), allocatable, intent(out) :: flaw
 
       flaw = ''
-      if (model%variables(place)%kind == kind_integer) then
-         flaw = 'an integer, given '''//model%variables(place)%name//''', allowed: variables that are real numbers'
-      else if (.not. (is_set(input%values(place)) .or. input%is_broken(place))) then
-         flaw = 'it has no value in this run, given '''//model%variables(place)%name//''', allowed: variables that have one'
+      if (model%variables(index)%kind == kind_integer) then
+         flaw = 'an integer, given '''//model%variables(index)%name//''', allowed: variables that are real numbers'
+      else if (.not. (is_set(input%values(index)) .or. input%is_broken(index))) then
+         flaw = 'it has no value in this run, given '''//model%variables(index)%name//''', allowed: variables that have one'
       end if
    end subroutine check_variable
 
    !> Read the error of a variable.
    subroutine read_uncertain(file, group, model, input, uncertain, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&uncertain` group in the file, from 1.
       integer, intent(in) :: group
       !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
-      !> Says which variables have a value.
       type(case_t), intent(in) :: input
       !> Receives the error; its variable is 0 if there is none.
       type(uncertainty_t), intent(out) :: uncertain
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, flaw
 
@@ -139,15 +126,11 @@ contains
 
    !> A number > 0.
    subroutine take_size(file, group, name, value, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Name of the variable in its group.
       character(*), intent(in) :: name
       !> Receives the number; left as it is if it is not given.
       real(dp), intent(inout) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       !> Between these sizes squares can be taken.
       real(dp), parameter :: smallest = 1.0e-60_dp, largest = 1.0e60_dp
@@ -162,13 +145,11 @@ contains
 
    !> Read how errors are propagated.
    subroutine read_method(file, group, wanted, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&uncertain` group in the file, from 1.
       integer, intent(in) :: group
       !> Receives number and seed of the samples.
       type(variation_t), intent(inout) :: wanted
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: method
       integer(i8) :: n, seed

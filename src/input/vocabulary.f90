@@ -33,7 +33,6 @@ contains
 
    !> All groups that an input of a model may have, separated by a blank.
    pure function list_known_groups(model, common) result(groups)
-      !> The model, whose table names groups.
       class(model_t), intent(in) :: model
       !> Names of the groups that the input may have beside those of the model, separated by a blank.
       character(*), intent(in) :: common
@@ -48,7 +47,6 @@ contains
 
    !> Names that a group of a model may have, separated by a blank.
    pure function list_names_of(model, group) result(names)
-      !> The model, whose table names variables.
       class(model_t), intent(in) :: model
       !> Name of the group.
       character(*), intent(in) :: group
@@ -86,7 +84,6 @@ contains
 
    !> What to say of a group that a model does not have.
    pure function say_unknown_group(model, group, common) result(text)
-      !> The model, whose table names groups and variables.
       class(model_t), intent(in) :: model
       !> The unknown name, in small letters and without `&`.
       character(*), intent(in) :: group
@@ -113,7 +110,6 @@ contains
 
    !> Groups in which a scene has the variables that its solver has in a group of its own; empty if it has none such.
    pure function groups_in_scene(model, group) result(groups)
-      !> The solver, in the language of scenes.
       class(model_t), intent(in) :: model
       !> Name of the group.
       character(*), intent(in) :: group
@@ -132,7 +128,6 @@ contains
 
    !> What is solved: the scene, or the model of this name.
    pure function name_of(model) result(text)
-      !> The model.
       class(model_t), intent(in) :: model
       character(:), allocatable :: text
 
@@ -142,7 +137,6 @@ contains
 
    !> What to say of a name that the solver of a scene has for a variable; empty if it has none such.
    pure function say_name_of_model(model, group, name) result(text)
-      !> The solver, in the language of scenes.
       class(model_t), intent(in) :: model
       !> Group and name in the language of the solver.
       character(*), intent(in) :: group, name
@@ -159,7 +153,6 @@ contains
 
    !> What to say of a variable that a group does not have; the model may have it elsewhere.
    pure function say_unknown_variable(model, group, name) result(text)
-      !> The model, whose table names groups and variables.
       class(model_t), intent(in) :: model
       !> Name of the group where the name stands.
       character(*), intent(in) :: group
@@ -200,13 +193,10 @@ contains
 
    !> Report the variables of a group that are not among the known ones.
    subroutine report_unknown_names(file, group, known, problems)
-      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
       !> Names that the group has, separated by a blank.
       character(*), intent(in) :: known
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i
 
@@ -228,7 +218,7 @@ contains
       character(*), intent(in) :: name
       !> Names that are allowed here, separated by a blank.
       character(*), intent(in) :: allowed
-      !> Place of the variable in the model's table, from 1; 0 if none is meant.
+      !> Index of the variable in the model's table, from 1; 0 if none is meant.
       integer, intent(out) :: variable
       !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
@@ -257,7 +247,6 @@ contains
 
    !> The only variable of this name that may be meant without its group; 0 if none is, or several are.
    pure integer function find_bare_name(model, name)
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       !> Name of the variable, in small letters and without its group.
       character(*), intent(in) :: name
@@ -284,7 +273,6 @@ contains
 
    !> Variables that are numbers, separated by a blank, with their groups where several groups have the name.
    pure function list_numbers(model) result(list)
-      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       character(:), allocatable :: list
       integer :: i
@@ -299,7 +287,7 @@ contains
    pure function full_name(model, variable) result(name)
       !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> Place of the variable in the table, from 1.
+      !> Index of the variable in the table, from 1.
       integer, intent(in) :: variable
       character(:), allocatable :: name
 

@@ -17,8 +17,8 @@ module adfric_input_whole_file
    integer, parameter :: largest_file = 100*mebibyte
    !> What `c_open` gives back for a device, a folder, and the like.
    integer(c_int), parameter :: c_is_irregular = -huge(1_c_int)
-   !> Room at first for what has no known length [bytes].
-   integer, parameter :: first_room = 65536
+   !> Space at first for what has no known length [bytes].
+   integer, parameter :: first_space = 65536
 
    !> See `file_bytes.c`.
    interface
@@ -41,7 +41,7 @@ module adfric_input_whole_file
          integer(c_int), intent(in), value :: file
          !> What is read.
          character(kind=c_char), intent(inout) :: bytes(*)
-         !> Room in it [bytes].
+         !> Space in it [bytes].
          integer(c_int64_t), intent(in), value :: n
       end function c_read
 
@@ -72,7 +72,7 @@ contains
       integer, intent(in), optional :: largest
       character(:), allocatable :: name
       integer(c_int) :: file, number
-      integer :: room, limit, code
+      integer :: space, limit, code
 
       name = 'input'
       code = input_failure
@@ -99,8 +99,8 @@ contains
          return
       end if
       ! one byte more than there should be, to meet the end
-      room = room_for(size_of_file(path), limit)
-      allocate (character(room) :: text)
+      space = space_for(size_of_file(path), limit)
+      allocate (character(space) :: text)
       call read_to_end(file, limit, text, number)
       call c_close(file)
       if (number /= 0) then
@@ -111,16 +111,16 @@ contains
       end if
    end subroutine read_whole_file
 
-   !> Room for a file of such a size and one byte more [bytes], but no more than is read.
-   pure integer function room_for(size, limit)
+   !> Space for a file of such a size and one byte more [bytes], but no more than is read.
+   pure integer function space_for(size, limit)
       !> [bytes]; less than 1 if it is not known.
       integer(i8), intent(in) :: size
       !> Size that the file may have [bytes].
       integer, intent(in) :: limit
 
-      room_for = first_room
-      if (size > 0) room_for = int(min(size, int(limit, i8))) + 1
-   end function room_for
+      space_for = first_space
+      if (size > 0) space_for = int(min(size, int(limit, i8))) + 1
+   end function space_for
 
    !> Read to the end of a file, or one byte more than is allowed.
    subroutine read_to_end(file, limit, text, number)
@@ -128,7 +128,7 @@ contains
       integer(c_int), intent(in) :: file
       !> Size that the file may have [bytes].
       integer, intent(in) :: limit
-      !> Room that grows as it is needed; then what has been read.
+      !> Space that grows as it is needed; then what has been read.
       character(:), allocatable, intent(inout) :: text
       !> 0 or an error number.
       integer(c_int), intent(out) :: number

@@ -14,13 +14,13 @@ module adfric_interface_adhesion_rows
    public :: set_adhesion_rows, set_stress_rows, branch_row, check_adhesion, check_stress, has_adhesion, range_of, resolve_adhesion
    public :: adhesion_law_t, n_adhesion_rows, n_stress_rows, branch_adhered, branch_approach, adhesion_names
 
-   !> Places among the rows.
+   !> Indices among the rows.
    integer, parameter :: stress = 1, surface_energy = 2, range = 3, branch = 4, turning_pressure = 5
    !> Number of rows of the stress with its range, and of all.
    integer, parameter :: n_stress_rows = range, n_adhesion_rows = turning_pressure
    !> Names of the rows of the stress.
    character(*), parameter :: adhesion_names = 'stress surface_energy range'
-   !> Places of the words in the choice of the branch.
+   !> Indices of the words in the choice of the branch.
    integer, parameter :: branch_adhered = 1, branch_approach = 2
 
    !> An adhesion as the rows give it.
@@ -144,13 +144,13 @@ contains
    contains
 
       !> Add a problem of one row to the list.
-      subroutine add(place, text)
-         !> Place of the variable among the rows, such as `stress`.
-         integer, intent(in) :: place
+      subroutine add(index, text)
+         !> Index of the variable among the rows, such as `stress`.
+         integer, intent(in) :: index
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
 
-         call problems%add(rows(place)%group, rows(place)%name, text)
+         call problems%add(rows(index)%group, rows(index)%name, text)
       end subroutine add
 
    end subroutine check_stress

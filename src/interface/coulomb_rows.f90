@@ -22,12 +22,12 @@ module adfric_interface_coulomb_rows
    public :: coulomb_t, set_coulomb_rows, check_coulomb, has_coulomb, resolve_coulomb, needs_poisson_ratio, slip_results
    public :: n_coulomb_rows, n_slip_results, along_x, along_y
 
-   !> Places among the rows, and their number.
+   !> Indices among the rows, and their number.
    integer, parameter :: tangential_stress = 1, tangential_axis = 2, coefficient = 3
    integer, parameter :: n_coulomb_rows = coefficient
-   !> Directions of the force, the places of the words of `tangential_axis`.
+   !> Directions of the force, the indices of the words of `tangential_axis`.
    integer, parameter :: along_x = 1, along_y = 2
-   !> Number of the results, and their places: what sticks, displacement, stiffness, energy of a cycle.
+   !> Number of the results, and their indices: what sticks, displacement, stiffness, energy of a cycle.
    integer, parameter :: n_slip_results = 4
 
    !> Forces above mu P by this share are those of sliding, but for round-off.
@@ -131,13 +131,13 @@ contains
    contains
 
       !> Add a problem of one row to the list.
-      subroutine add(place, text)
-         !> Place of the variable among the rows.
-         integer, intent(in) :: place
+      subroutine add(index, text)
+         !> Index of the variable among the rows.
+         integer, intent(in) :: index
          !> What is wrong.
          character(*), intent(in) :: text
 
-         call problems%add(rows(place)%group, rows(place)%name, text)
+         call problems%add(rows(index)%group, rows(index)%name, text)
       end subroutine add
 
    end subroutine check_coulomb
@@ -161,7 +161,6 @@ contains
 
    !> m, the ratio of the tangential to the normal compliance.
    pure real(dp) function compliance_ratio(self, is_line) result(ratio)
-      !> The friction.
       class(coulomb_t), intent(in) :: self
       !> Does the surface vary along x alone?
       logical, intent(in) :: is_line
@@ -171,21 +170,20 @@ contains
    end function compliance_ratio
 
    !> The force over that which friction can hold.
-   pure subroutine get_share(self, pressure, tau, is_held)
-      !> The friction.
+   pure subroutine get_share(self, pressure, tau, is_sustained)
       class(coulomb_t), intent(in) :: self
       !> Mean pressure P, in the unit of `stress`.
       real(dp), intent(in) :: pressure
       !> Receives |T|/(mu P), 0 to 1; 0 without load.
       real(dp), intent(out) :: tau
       !> Does friction hold the force?
-      logical, intent(out) :: is_held
+      logical, intent(out) :: is_sustained
       real(dp) :: needed
 
       tau = 0
       needed = abs(self%stress)/self%coefficient
-      is_held = .not. needed > (1 + round_off)*pressure
-      if (is_held .and. pressure > 0) tau = min(needed/pressure, 1.0_dp)
+      is_sustained = .not. needed > (1 + round_off)*pressure
+      if (is_sustained .and. pressure > 0) tau = min(needed/pressure, 1.0_dp)
    end subroutine get_share
 
 end module adfric_interface_coulomb_rows

@@ -7,11 +7,11 @@ module adfric_interface_history_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_solid_contact_modulus, only: derive_contact_modulus, has_contact_modulus, has_poisson_ratio
-   use adfric_interface_history_path, only: history_path_t, n_path_profiles, n_path_rows, p_approach, p_contact, p_friction_loss, &
-      & p_load, p_stick, p_tangential_displacement, p_tangential_force, path_approaches, path_coefficient, path_loads, &
-      & path_tangential_displacements, path_tangential_forces, r_largest_displacement, r_largest_force, r_total_loss, &
-      & set_path_profiles, set_path_rows
-   use adfric_interface_normal_contact, only: by_displacement, by_force, find_place, normal_contact_t, normal_state_t
+   use adfric_interface_history_path, only: history_path_t, n_path_profiles, n_path_rows, p_approach, p_contact, &
+      & p_friction_loss, p_load, p_stick, p_tangential_displacement, p_tangential_force, path_approaches, &
+      & path_coefficient, path_loads, path_tangential_displacements, path_tangential_forces, set_path_profiles, &
+      & set_path_rows, out => path_output
+   use adfric_interface_normal_contact, only: by_displacement, by_force, find_position, normal_contact_t, normal_state_t
    use adfric_interface_tangential_history, only: history_t, start_history
    use adfric_describe_check, only: require
    use adfric_describe_derived, only: derived_t
@@ -36,7 +36,7 @@ module adfric_interface_history_model
       type(history_path_t) :: path
       !> Number of the rows of the bodies.
       integer :: n_bodies = 0
-      !> First and last place of the rows of the contact modulus.
+      !> First and last index of the rows of the contact modulus.
       integer :: solids(2) = 0
    contains
       procedure :: set_history_tables
@@ -94,11 +94,10 @@ contains
 
    !> Set the tables of the model, but for its name and its summary; results of its own follow those of the path.
    subroutine set_history_tables(self, bodies, solids, contact, stick)
-      !> The model, which receives the tables.
       class(history_model_t), intent(inout) :: self
       !> Rows of the bodies.
       type(variable_t), intent(in) :: bodies(:)
-      !> First and last place of the rows of the contact modulus among these.
+      !> First and last index of the rows of the contact modulus among these.
       integer, intent(in) :: solids(2)
       !> Rows of the size of the contact, and of what sticks.
       type(profile_t), intent(in) :: contact, stick
@@ -117,7 +116,6 @@ contains
 
    !> Largest load or approach of the path; below 0 where it is not given.
    pure real(dp) function largest_of(self, values, list) result(largest)
-      !> The model with its path.
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -129,24 +127,22 @@ contains
    end function largest_of
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which keeps the path.
+   subroutine take_dataset(self, index, values, problems)
       class(history_model_t), intent(inout) :: self
-      !> Place of the list in `variables`.
-      integer, intent(in) :: place
+      !> Index of the list in `variables`.
+      integer, intent(in) :: index
       !> Its numbers; shape `(n_steps, 1)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      self%path%lists(place - self%n_bodies)%values = values(:, 1)
+      self%path%lists(index - self%n_bodies)%values = values(:, 1)
       associate (unused => problems)
       end associate
    end subroutine take_dataset
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model with its path.
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -177,7 +173,6 @@ contains
 
    !> See `model_t`: always.
    pure logical function wants_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -189,7 +184,6 @@ contains
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The model with its path.
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -212,7 +206,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model with its path.
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -234,7 +227,6 @@ contains
 
    !> Solve one point; results of the model's own are left as they are.
    subroutine solve_path(self, values, state, results, error_estimate, status)
-      !> The model with its path.
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -259,25 +251,21 @@ contains
       allocate (found)
       call follow_path(self%path, values(self%n_bodies + 1:), contacts, units, history, found%steps, status)
       if (status /= status_solved) return
-      results(r_total_loss) = found%steps(size(found%steps, 1), p_friction_loss)
-      results(r_largest_force) = maxval(abs(found%steps(:, p_tangential_force)))
-      results(r_largest_displacement) = maxval(abs(found%steps(:, p_tangential_displacement)))
+      results(out%total_loss) = found%steps(size(found%steps, 1), p_friction_loss)
+      results(out%largest_force) = maxval(abs(found%steps(:, p_tangential_force)))
+      results(out%largest_displacement) = maxval(abs(found%steps(:, p_tangential_displacement)))
       error_estimate = 16*epsilon(1.0_dp)
-      if (results(r_total_loss) > 0) error_estimate = max(error_estimate, history%loss_error/history%loss)
+      if (results(out%total_loss) > 0) error_estimate = max(error_estimate, history%loss_error/history%loss)
       call move_alloc(found, state)
    end subroutine solve_path
 
    !> Go through the path.
    pure subroutine follow_path(path, values, contacts, units, history, steps, status)
-      !> The path.
       type(history_path_t), intent(in) :: path
       !> Values of its rows; shape `(n_path_rows)`.
       real(dp), intent(in) :: values(:)
-      !> The normal states.
       class(normal_contact_t), intent(in) :: contacts
-      !> Their units.
       type(history_units_t), intent(in) :: units
-      !> Receives the last state.
       type(history_t), intent(out) :: history
       !> Receives what each step leaves, in SI units; shape `(n_steps, n_path_profiles)`.
       real(dp), allocatable, intent(out) :: steps(:, :)
@@ -297,7 +285,7 @@ contains
          status = status_solved
          do k = 1, size(normal)
             is_converged = .true.
-            call find_place(contacts, along, normal(k)/unit_of(along), next, is_converged)
+            call find_position(contacts, along, normal(k)/unit_of(along), next, is_converged)
             if (.not. normal(k) > 0 .and. along == by_displacement) next%approach = normal(k)/unit_of(along)
             call history%advance(contacts, next, kind, tangential(k) &
                & /(mu*unit_of(kind)*merge(compliance, 1.0_dp, kind == by_displacement)), is_possible)
@@ -314,11 +302,9 @@ contains
 
    !> What a step leaves, in SI units.
    pure subroutine show_step(history, mu, units, step)
-      !> The state.
       type(history_t), intent(in) :: history
       !> Coefficient of friction.
       real(dp), intent(in) :: mu
-      !> Units of the state.
       type(history_units_t), intent(in) :: units
       !> Receives the numbers; shape `(n_path_profiles)`.
       real(dp), intent(out) :: step(:)
@@ -338,7 +324,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing of it is read here.
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -363,7 +348,6 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
-      !> The model, whose table of variables is read.
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

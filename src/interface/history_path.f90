@@ -3,6 +3,7 @@
 !> displacements. Rows of such lists and of what each step leaves, and what lists may not say.
 module adfric_interface_history_path
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count, show_number
    use adfric_base_unset, only: is_set
@@ -12,14 +13,18 @@ module adfric_interface_history_path
    private
    public :: history_path_t, set_path_rows, set_path_results, set_path_profiles
 
-   !> Places of the rows among each other: the coefficient of friction, and the lists.
+   !> Positions of the rows among each other: the coefficient of friction, and the lists.
    integer, parameter, public :: path_coefficient = 1, path_loads = 2, path_approaches = 3, path_tangential_forces = 4, &
       & path_tangential_displacements = 5
    integer, parameter, public :: n_path_rows = path_tangential_displacements
-   !> Places of the results.
-   integer, parameter, public :: r_total_loss = 1, r_largest_force = 2, r_largest_displacement = 3
-   integer, parameter, public :: n_path_results = r_largest_displacement
-   !> Places of the profiles.
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: path_output_t
+      !> Indices, which `path_output` has.
+      integer :: total_loss = 0, largest_force = 0, largest_displacement = 0
+   end type path_output_t
+   type(path_output_t), parameter, public :: path_output = transfer(counting, path_output_t())
+   integer, parameter, public :: n_path_results = path_output%largest_displacement
+   !> Positions of the profiles.
    integer, parameter, public :: p_load = 1, p_approach = 2, p_tangential_force = 3, p_tangential_displacement = 4, &
       & p_contact = 5, p_stick = 6, p_friction_loss = 7
    integer, parameter, public :: n_path_profiles = p_friction_loss
@@ -71,11 +76,11 @@ contains
       !> Receives the rows; shape `(n_path_results)`.
       type(result_t), intent(out) :: results(:)
 
-      results(r_total_loss) = result_row(name='total_friction_loss', unit='J', &
+      results(path_output%total_loss) = result_row(name='total_friction_loss', unit='J', &
          & long_name='energy that friction has taken by the last step', is_main=.true.)
-      results(r_largest_force) = result_row(name='largest_tangential_force', unit='N', &
+      results(path_output%largest_force) = result_row(name='largest_tangential_force', unit='N', &
          & long_name='largest size of the tangential force at a step', is_main=.true.)
-      results(r_largest_displacement) = result_row(name='largest_tangential_displacement', unit='m', &
+      results(path_output%largest_displacement) = result_row(name='largest_tangential_displacement', unit='m', &
          & long_name='largest size of the tangential displacement at a step', is_main=.true.)
    end subroutine set_path_results
 
@@ -98,7 +103,6 @@ contains
 
    !> Number of the steps; 0 where there is no list.
    pure integer function count_steps(self) result(n)
-      !> The path.
       class(history_path_t), intent(in) :: self
       integer :: k
 
@@ -112,7 +116,7 @@ contains
    pure integer function given_of(values, one, two)
       !> Values of the rows; shape `(n_path_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Places of the rows.
+      !> Positions of the rows.
       integer, intent(in) :: one, two
 
       given_of = merge(one, two, is_set(values(one)))
@@ -120,7 +124,6 @@ contains
 
    !> Add to `problems` lists that are missing or too many, or make no path.
    subroutine check(self, rows, values, is_swept, problems)
-      !> The path.
       class(history_path_t), intent(in) :: self
       !> Its rows; their names are part of the messages; shape `(n_path_rows)`.
       type(variable_t), intent(in) :: rows(:)
@@ -128,7 +131,6 @@ contains
       real(dp), intent(in) :: values(:)
       !> Is the row swept? Shape `(n_path_rows)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: normal, tangential, before
 
@@ -156,13 +158,11 @@ contains
 
    !> One of two lists is needed.
    subroutine check_pair(rows, values, one, two, problems)
-      !> The rows of the path.
       type(variable_t), intent(in) :: rows(:)
       !> Their values.
       real(dp), intent(in) :: values(:)
-      !> Places of the two.
+      !> Positions of the two.
       integer, intent(in) :: one, two
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (is_set(values(one)) .and. is_set(values(two))) then
@@ -174,13 +174,10 @@ contains
 
    !> Loads with displacements, or approaches with forces: what changes in one step is one of them.
    subroutine check_mixture(self, rows, normal, tangential, problems)
-      !> The path.
       class(history_path_t), intent(in) :: self
-      !> Its rows.
       type(variable_t), intent(in) :: rows(:)
-      !> Places of the lists that are given.
+      !> Positions of the lists that are given.
       integer, intent(in) :: normal, tangential
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -200,11 +197,9 @@ contains
 
    !> Friction holds every force.
    subroutine check_forces(self, coefficient, problems)
-      !> The path, of loads and tangential forces.
       class(history_path_t), intent(in) :: self
       !> mu [-].
       real(dp), intent(in) :: coefficient
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 

@@ -52,7 +52,7 @@ contains
       real(dp), intent(in) :: slip_energy
       !> Share alpha of the work of slip that comes out of adhesion [-], >= 0.
       real(dp), intent(in) :: interaction
-      !> X, the share of adhesion that is left [-].
+      !> X, the share of adhesion that remains [-].
       real(dp), intent(out) :: ratio
       !> dX/dg [-].
       real(dp), intent(out) :: slope
@@ -73,7 +73,7 @@ contains
    !> g of X, J 4.7 solved for it: (1 - X)(1 + X)/(2 (alpha - 1 + X)). For 0 <= X <= 1, X >= 1 - alpha; enormous where g has
    !> no end.
    elemental real(dp) function slip_energy_of_ratio(ratio, interaction) result(slip_energy)
-      !> X, the share of adhesion that is left [-], from max(0, 1 - alpha) to 1.
+      !> X, the share of adhesion that remains [-], from max(0, 1 - alpha) to 1.
       real(dp), intent(in) :: ratio
       !> Share alpha of the work of slip that comes out of adhesion [-], >= 0.
       real(dp), intent(in) :: interaction

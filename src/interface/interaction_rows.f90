@@ -11,7 +11,7 @@ module adfric_interface_interaction_rows
    public :: set_interaction_rows, slip_energy_ratio_of
    public :: n_interaction_rows
 
-   !> Places among the rows, and their number.
+   !> Indices among the rows, and their number.
    integer, parameter :: interaction = 1, critical_slip = 2, slip_energy_ratio = 3
    integer, parameter :: n_interaction_rows = slip_energy_ratio
 

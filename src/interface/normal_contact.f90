@@ -6,7 +6,7 @@ module adfric_interface_normal_contact
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: normal_contact_t, normal_state_t, coordinate, find_place, by_force, by_displacement, round_off
+   public :: normal_contact_t, normal_state_t, coordinate, find_position, by_force, by_displacement, round_off
 
    !> What a step gives, the tangential force or the displacement; the coordinate that goes with it is the load or the approach.
    integer, parameter :: by_force = 1, by_displacement = 2
@@ -52,7 +52,6 @@ contains
 
    !> Load or approach.
    pure real(dp) function coordinate(state, kind)
-      !> A normal state.
       type(normal_state_t), intent(in) :: state
       !> One of `by_...`.
       integer, intent(in) :: kind
@@ -61,14 +60,12 @@ contains
    end function coordinate
 
    !> A normal state by its coordinate.
-   pure subroutine find_place(contact, kind, given, state, is_converged)
-      !> The normal states.
+   pure subroutine find_position(contact, kind, given, state, is_converged)
       class(normal_contact_t), intent(in) :: contact
       !> One of `by_...`.
       integer, intent(in) :: kind
       !> Load or approach; of 0 and less the state is that without contact.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
       !> Becomes false if it is not found to round-off.
       logical, intent(inout) :: is_converged
@@ -81,6 +78,6 @@ contains
          call contact%at_approach(given, state, is_found)
       end if
       is_converged = is_converged .and. is_found
-   end subroutine find_place
+   end subroutine find_position
 
 end module adfric_interface_normal_contact

@@ -16,10 +16,10 @@ module adfric_interface_shear_strength_rows
    public :: set_shear_rows, check_shear, has_shear, get_friction_of_area, shear_profiles, shear_stress
    public :: n_shear_rows, p_shear_stress
 
-   !> Places among the rows, and their number.
+   !> Indices among the rows, and their number.
    integer, parameter :: shear_strength = 1, pressure_factor = 2
    integer, parameter :: n_shear_rows = pressure_factor
-   !> Place of the shear stress among the profiles, behind those that every contact has.
+   !> Index of the shear stress among the profiles, behind those that every contact has.
    integer, parameter :: p_shear_stress = 3
 
 contains
@@ -52,13 +52,13 @@ contains
          & long_name='shear stress of friction in contact, of a shear strength or in partial slip; 0 outside')
    end function shear_profiles
 
-   !> Shear stress of places, of values that have been checked, not all of them unset [Pa].
+   !> Shear stress of indices, of values that have been checked, not all of them unset [Pa].
    pure function shear_stress(values, pressure, is_contact) result(stress)
       !> Values of the rows; shape `(n_shear_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Pressure, below 0 where adhesion pulls [Pa]; shape `(n_places)`.
+      !> Pressure, below 0 where adhesion pulls [Pa]; shape `(n_indices)`.
       real(dp), intent(in) :: pressure(:)
-      !> Do the surfaces touch? Shape `(n_places)`.
+      !> Do the surfaces touch? Shape `(n_indices)`.
       logical, intent(in) :: is_contact(:)
       real(dp) :: stress(size(pressure)), factor
 

@@ -5,7 +5,8 @@
 !> P, g and U = int P dg at the ends. Forces are in units of mu, displacements in units of mu m.
 module adfric_interface_slip_loss
    use adfric_base_kinds, only: dp
-   use adfric_interface_normal_contact, only: by_displacement, by_force, coordinate, find_place, normal_contact_t, normal_state_t, &
+   use adfric_interface_normal_contact, only: by_displacement, by_force, coordinate, find_position, normal_contact_t, &
+      & normal_state_t, &
       & round_off
    use adfric_interface_slip_stack, only: slip_stack_t
    implicit none (type, external)
@@ -14,7 +15,7 @@ module adfric_interface_slip_loss
 
    !> Below this change of the normal state an integral over it is a rule of three nodes.
    real(dp), parameter :: small = 1.0e-2_dp
-   !> A segment of this share of its place is so narrow that F is a straight function of the place.
+   !> A segment of this share of its place is so narrow that F is a straight function of the position.
    real(dp), parameter :: narrow = 1.0e-6_dp
    !> Beside the edge, within this share of the approach, terms take each other's digits.
    real(dp), parameter :: close = 0.03_dp
@@ -38,15 +39,12 @@ contains
    !> Add what friction takes while a segment is eaten from `high` to `low` and the normal state goes from the first to the second of
    !> `top`: of the coordinate of the step, one is a straight function of the other.
    pure subroutine add_loss(self, contact, kind, factor, low, high, top)
-      !> The contact with its segments; its loss grows.
       class(slip_stack_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> `by_force` or `by_displacement`.
       integer, intent(in) :: kind
       !> 1 - s f.
       real(dp), intent(in) :: factor
-      !> Ends of what is eaten.
       type(normal_state_t), intent(in) :: low, high
       !> The normal state at the beginning, where the slip is at `high`, and at the end.
       type(normal_state_t), intent(in) :: top(2)
@@ -75,11 +73,9 @@ contains
          & *bite%span/max(abs(bite%change), bite%span))
    end subroutine add_loss
 
-   !> Means of the approach and of the load of the normal state over the way.
+   !> Means of the approach and of the load of the normal state over the path.
    pure subroutine find_means(contact, bite, means, is_converged)
-      !> The normal states.
       class(normal_contact_t), intent(in) :: contact
-      !> What is eaten.
       type(bite_t), intent(in) :: bite
       !> Receives the means of approach and load.
       real(dp), intent(out) :: means(2)
@@ -100,16 +96,15 @@ contains
          else
             means = 0
             do i = -1, 1
-               call find_place(contact, bite%kind, last + change*(1 + i*node)/2, at_node, is_converged)
+               call find_position(contact, bite%kind, last + change*(1 + i*node)/2, at_node, is_converged)
                means = means + merge(4.0_dp/9, 2.5_dp/9, i == 0)*[at_node%approach, at_node%load]
             end do
          end if
       end associate
    end subroutine find_means
 
-   !> int F dg of a narrow segment, where F is a straight function of the place.
+   !> int F dg of a narrow segment, where F is a straight function of the position.
    pure real(dp) function narrow_loss(bite, means) result(loss)
-      !> What is eaten.
       type(bite_t), intent(in) :: bite
       !> Means of approach and load.
       real(dp), intent(in) :: means(2)
@@ -125,7 +120,6 @@ contains
 
    !> int F dg of a segment that is not narrow, by P, g and U at its ends.
    pure real(dp) function wide_loss(bite, means, slope) result(loss)
-      !> What is eaten.
       type(bite_t), intent(in) :: bite
       !> Means of approach and load.
       real(dp), intent(in) :: means(2)
@@ -151,57 +145,54 @@ contains
 
    !> The same beside the edge: F = int [K(y) - K(g)] dy, g < y < delta, K = dP/dg, by Gauss's rule.
    pure subroutine add_small_loss(self, contact, factor, bite)
-      !> The contact with its segments; its loss grows.
       class(slip_stack_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> 1 - s f.
       real(dp), intent(in) :: factor
-      !> What is eaten.
       type(bite_t), intent(in) :: bite
       real(dp), parameter :: nodes(4) = [-0.8611363115940526_dp, -0.3399810435848563_dp, 0.3399810435848563_dp, &
          & 0.8611363115940526_dp]
       real(dp), parameter :: weights(4) = [0.3478548451374538_dp, 0.6521451548625461_dp, 0.6521451548625461_dp, &
          & 0.3478548451374538_dp]
-      type(normal_state_t) :: place, edge, between
+      type(normal_state_t) :: position, edge, between
       real(dp) :: opening, part
       integer :: i, j
 
       associate (kind => bite%kind, low => bite%low, top => bite%top, span => bite%span, change => bite%change)
          do i = 1, size(nodes)
-            call find_place(contact, kind, coordinate(low, kind) + span*(1 + nodes(i))/2, place, self%is_converged)
+            call find_position(contact, kind, coordinate(low, kind) + span*(1 + nodes(i))/2, position, self%is_converged)
             edge = top(2)
-            if (abs(change) > 0) call find_place(contact, kind, coordinate(top(2), kind) + change*(1 + nodes(i))/2, edge, &
+            if (abs(change) > 0) call find_position(contact, kind, coordinate(top(2), kind) + change*(1 + nodes(i))/2, edge, &
                & self%is_converged)
-            opening = max(edge%approach - place%approach, 0.0_dp)
+            opening = max(edge%approach - position%approach, 0.0_dp)
             part = 0
             do j = 1, size(nodes)
-               call find_place(contact, by_displacement, place%approach + opening*(1 + nodes(j))/2, between, self%is_converged)
-               part = part + weights(j)/2*opening*max(between%stiffness - place%stiffness, 0.0_dp)
+               call find_position(contact, by_displacement, position%approach + opening*(1 + nodes(j))/2, between, &
+                  & self%is_converged)
+               part = part + weights(j)/2*opening*max(between%stiffness - position%stiffness, 0.0_dp)
             end do
-            associate (weight => factor*weights(i)/2*span/merge(place%stiffness, 1.0_dp, kind == by_force))
+            associate (weight => factor*weights(i)/2*span/merge(position%stiffness, 1.0_dp, kind == by_force))
                self%loss = self%loss + weight*part
-               self%loss_error = self%loss_error + round_off*weight*(opening*place%stiffness + part*edge%approach/max(opening, &
+               self%loss_error = self%loss_error + round_off*weight*(opening*position%stiffness + part*edge%approach/max(opening, &
                   & round_off*edge%approach))
             end associate
          end do
       end associate
    end subroutine add_small_loss
 
-   !> Add what friction takes of a contact that slides as a whole: mu P over the way.
-   pure subroutine add_sliding_loss(self, first, next, way)
-      !> The contact with its segments; its loss grows.
+   !> Add what friction takes of a contact that slides as a whole: mu P over the path.
+   pure subroutine add_sliding_loss(self, first, next, path)
       class(slip_stack_t), intent(inout) :: self
       !> The normal states where it begins to slide and at the end of the step.
       type(normal_state_t), intent(in) :: first, next
       !> How far it slides, over mu m.
-      real(dp), intent(in) :: way
+      real(dp), intent(in) :: path
       real(dp) :: mean
 
       mean = (first%load + next%load)/2
       if (abs(next%approach - first%approach) > near*max(next%approach, first%approach)) &
          & mean = (next%work - first%work)/(next%approach - first%approach)
-      self%loss = self%loss + way*mean
+      self%loss = self%loss + path*mean
    end subroutine add_sliding_loss
 
 end module adfric_interface_slip_loss

@@ -1,17 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The state of a contact with Coulomb's friction: a stack of segments of the load from 0 to P, each of one share f of the friction,
 !>
-!>     T = mu sum f dL,     u = mu m sum f dg + the place where contact began
+!>     T = mu sum f dL,     u = mu m sum f dg + the position where contact began
 !>
 !> |f| <= 1, dg the part of the approach that belongs to dL. Forces are in units of mu, displacements in units of mu m.
 module adfric_interface_slip_stack
    use adfric_base_kinds, only: dp
-   use adfric_interface_normal_contact, only: by_force, coordinate, find_place, normal_contact_t, normal_state_t
+   use adfric_interface_normal_contact, only: by_force, coordinate, find_position, normal_contact_t, normal_state_t
    implicit none (type, external)
    private
    public :: slip_stack_t, step_t
 
-   !> Number of segments for which there is room at first.
+   !> Number of segments for which there is space at first.
    integer, parameter :: first_size = 16
 
    !> A segment of the load.
@@ -57,7 +57,6 @@ contains
 
    !> No segments.
    pure subroutine clear(self)
-      !> The stack.
       class(slip_stack_t), intent(inout) :: self
 
       self%n = 0
@@ -66,7 +65,6 @@ contains
 
    !> Load or approach at the inner end of the outermost segment.
    pure real(dp) function bottom(self, kind)
-      !> The stack, of one segment at least.
       class(slip_stack_t), intent(in) :: self
       !> `by_force` or `by_displacement`.
       integer, intent(in) :: kind
@@ -76,22 +74,20 @@ contains
    end function bottom
 
    !> Cut the outermost segment.
-   pure subroutine cut(self, contact, kind, place, known)
-      !> The stack, of one segment at least.
+   pure subroutine cut(self, contact, kind, position, known)
       class(slip_stack_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> `by_force` or `by_displacement`.
       integer, intent(in) :: kind
       !> Load or approach of the new end.
-      real(dp), intent(in) :: place
-      !> A state that may be that of the place.
+      real(dp), intent(in) :: position
+      !> A state that may be that of the position.
       type(normal_state_t), intent(in) :: known
       type(normal_state_t) :: end_state
       real(dp) :: f
 
       end_state = known
-      if (abs(coordinate(known, kind) - place) > 0) call find_place(contact, kind, place, end_state, self%is_converged)
+      if (abs(coordinate(known, kind) - position) > 0) call find_position(contact, kind, position, end_state, self%is_converged)
       f = self%segments(self%n)%f
       self%n = self%n - 1
       self%normal = end_state
@@ -100,11 +96,8 @@ contains
 
    !> Add a segment.
    pure subroutine push(self, outer, f)
-      !> The stack.
       class(slip_stack_t), intent(inout) :: self
-      !> Outer end of the segment.
       type(normal_state_t), intent(in) :: outer
-      !> Its f.
       real(dp), intent(in) :: f
       type(segment_t), allocatable :: more(:)
       type(segment_t) :: last

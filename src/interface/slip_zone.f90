@@ -3,11 +3,12 @@
 !>
 !> What lies within L keeps its f and what lies beyond has f = s, so that H(L) = s T(L) - L, which falls with L, has the value
 !> s T - P. In a straight step both sides change in proportion, so the inner end of the zone is a straight function of the step within
-!> each segment, and every event, the end of a segment or the end of a zone that unloading overtakes, has a place in closed form.
+!> each segment, and every event, the end of a segment or the end of a zone that unloading overtakes, has a position in closed form.
 !> Forces are in units of mu, displacements in units of mu m.
 module adfric_interface_slip_zone
    use adfric_base_kinds, only: dp
-   use adfric_interface_normal_contact, only: by_displacement, coordinate, find_place, normal_contact_t, normal_state_t, round_off
+   use adfric_interface_normal_contact, only: by_displacement, coordinate, find_position, normal_contact_t, normal_state_t, &
+      & round_off
    use adfric_interface_slip_loss, only: add_loss, add_sliding_loss
    use adfric_interface_slip_stack, only: slip_stack_t, step_t
    implicit none (type, external)
@@ -15,7 +16,7 @@ module adfric_interface_slip_zone
    public :: slip, slide
 
    !> A zone of slip, and how far the step has gone when its inner end is that of the outermost segment.
-   type :: zone_t
+   type :: slip_zone_t
       !> Sign s of the slip.
       real(dp) :: s = 1
       !> s T - P at the beginning and at the end of the step.
@@ -26,7 +27,7 @@ module adfric_interface_slip_zone
       real(dp) :: share = 0, width = 0
       !> The normal state then.
       type(normal_state_t) :: top
-   end type zone_t
+   end type slip_zone_t
 
    !> What a zone does to the outermost segment.
    type :: front_t
@@ -35,7 +36,7 @@ module adfric_interface_slip_zone
       !> Its outer end.
       type(normal_state_t) :: high
       !> Coordinate of its inner end, and of that of the zone when the step has ended or the segment is eaten.
-      real(dp) :: low = 0, place = 0
+      real(dp) :: low = 0, position = 0
       !> Share of the step that is done by then; and width of the zone, below 0 where unloading has overtaken it.
       real(dp) :: share = 1, width = 0
    end type front_t
@@ -44,19 +45,16 @@ contains
 
    !> Slip of one sign eats inwards, up to the end of the step, or until unloading has overtaken it.
    pure subroutine slip(self, contact, next, s, step, has_ended)
-      !> The contact with its segments, one at least.
       class(slip_stack_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> The normal state at the end of the step.
       type(normal_state_t), intent(in) :: next
       !> Sign of the slip.
       real(dp), intent(in) :: s
-      !> In: the step. Out: what is left of it.
+      !> In: the step. Out: what remains of it.
       type(step_t), intent(inout) :: step
-      !> Did the step end?
       logical, intent(out) :: has_ended
-      type(zone_t) :: zone
+      type(slip_zone_t) :: zone
       type(front_t) :: front
 
       call open_zone(self, s, step, zone)
@@ -68,7 +66,7 @@ contains
             return
          end if
          call eat(self, contact, next, step, front, zone)
-         if (front%place > front%low) exit
+         if (front%position > front%low) exit
          self%n = self%n - 1
          if (.not. front%share < 1) exit
       end do
@@ -78,14 +76,11 @@ contains
 
    !> A zone at the beginning of a step; one of this sign that is there goes on.
    pure subroutine open_zone(self, s, step, zone)
-      !> The contact with its segments, one at least.
       class(slip_stack_t), intent(inout) :: self
       !> Sign of the slip.
       real(dp), intent(in) :: s
-      !> The step.
       type(step_t), intent(in) :: step
-      !> Receives the zone.
-      type(zone_t), intent(out) :: zone
+      type(slip_zone_t), intent(out) :: zone
 
       zone%s = s
       zone%normal = step%normal(2) - step%normal(1)
@@ -101,12 +96,9 @@ contains
 
    !> How far the zone gets into the outermost segment.
    pure subroutine meet_segment(self, step, zone, front)
-      !> The contact with its segments, one at least.
       class(slip_stack_t), intent(in) :: self
-      !> The step.
       type(step_t), intent(in) :: step
-      !> The zone.
-      type(zone_t), intent(in) :: zone
+      type(slip_zone_t), intent(in) :: zone
       !> Receives what it does to the segment.
       type(front_t), intent(out) :: front
       real(dp) :: h_low
@@ -116,62 +108,53 @@ contains
       front%low = self%bottom(step%kind)
       h_low = 0
       if (self%n > 1) h_low = zone%s*self%segments(self%n - 1)%sums(step%kind) - front%low
-      front%place = front%low
+      front%position = front%low
       if (h_low > zone%finish .and. 1 - zone%s*front%f > 0) then
-         front%place = min(front%low + (h_low - zone%finish)/(1 - zone%s*front%f), coordinate(front%high, step%kind))
+         front%position = min(front%low + (h_low - zone%finish)/(1 - zone%s*front%f), coordinate(front%high, step%kind))
       else if (zone%finish > zone%begin) then
          front%share = max(zone%share, min(1.0_dp, (h_low - zone%begin)/(zone%finish - zone%begin)))
       end if
-      front%width = step%normal(1) + front%share*zone%normal - front%place
+      front%width = step%normal(1) + front%share*zone%normal - front%position
    end subroutine meet_segment
 
    !> Unloading overtakes the zone within the segment: nothing slips any more, and a step is left.
    pure subroutine end_overtaken(self, contact, zone, front, step)
-      !> The contact with its segments, one at least.
       class(slip_stack_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
-      !> The zone.
-      type(zone_t), intent(in) :: zone
-      !> What it does to the segment.
+      type(slip_zone_t), intent(in) :: zone
       type(front_t), intent(in) :: front
-      !> In: the step. Out: what is left of it.
+      !> In: the step. Out: what remains of it.
       type(step_t), intent(inout) :: step
       type(normal_state_t) :: edge
-      real(dp) :: shift, share, place
+      real(dp) :: shift, share, position
 
       shift = zone%width/(zone%width - front%width)
       share = zone%share + (front%share - zone%share)*shift
-      place = step%normal(1) + share*zone%normal
-      call find_place(contact, step%kind, place, edge, self%is_converged)
+      position = step%normal(1) + share*zone%normal
+      call find_position(contact, step%kind, position, edge, self%is_converged)
       call add_loss(self, contact, step%kind, 1 - zone%s*front%f, edge, front%high, [zone%top, edge])
-      call self%cut(contact, step%kind, place, edge)
+      call self%cut(contact, step%kind, position, edge)
       self%normal = edge
       step%tangential(1) = self%segments(self%n)%sums(step%kind)
-      step%normal(1) = place
+      step%normal(1) = position
    end subroutine end_overtaken
 
    !> Eat the outermost segment, or what of it lies beyond the end of the zone; one that is eaten whole is still there.
    pure subroutine eat(self, contact, next, step, front, zone)
-      !> The contact with its segments, one at least.
       class(slip_stack_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> The normal state at the end of the step.
       type(normal_state_t), intent(in) :: next
-      !> The step.
       type(step_t), intent(in) :: step
-      !> What the zone does to the segment.
       type(front_t), intent(in) :: front
-      !> The zone, which goes on.
-      type(zone_t), intent(inout) :: zone
+      type(slip_zone_t), intent(inout) :: zone
       type(normal_state_t) :: edge, top
 
       top = next
       if (front%share < 1 .and. abs(zone%normal) > 0) &
-         & call find_place(contact, step%kind, step%normal(1) + front%share*zone%normal, top, self%is_converged)
-      if (front%place > front%low) then
-         call find_place(contact, step%kind, front%place, edge, self%is_converged)
+         & call find_position(contact, step%kind, step%normal(1) + front%share*zone%normal, top, self%is_converged)
+      if (front%position > front%low) then
+         call find_position(contact, step%kind, front%position, edge, self%is_converged)
       else if (self%n > 1) then
          edge = self%segments(self%n - 1)%outer
       end if
@@ -179,21 +162,17 @@ contains
       zone%share = front%share
       zone%width = front%width
       zone%top = top
-      if (front%place > front%low) call self%cut(contact, step%kind, front%place, edge)
+      if (front%position > front%low) call self%cut(contact, step%kind, front%position, edge)
    end subroutine eat
 
    !> The end of the step: what has slipped is one segment.
    pure subroutine close_zone(self, contact, next, step, zone)
-      !> The contact with its segments.
       class(slip_stack_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> The normal state at the end of the step.
       type(normal_state_t), intent(in) :: next
-      !> The step.
       type(step_t), intent(in) :: step
-      !> The zone.
-      type(zone_t), intent(in) :: zone
+      type(slip_zone_t), intent(in) :: zone
       logical :: is_sliding
 
       is_sliding = self%n == 0 .and. step%kind == by_displacement
@@ -206,28 +185,25 @@ contains
       end if
    end subroutine close_zone
 
-   !> A contact that slides as a whole drags its zero along, and friction takes mu P over the way.
+   !> A contact that slides as a whole drags its zero along, and friction takes mu P over the path.
    pure subroutine slide(self, contact, next, step, s, start)
-      !> The contact with its segments: one.
       class(slip_stack_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> The normal state at the end of the step.
       type(normal_state_t), intent(in) :: next
-      !> The step, in approach and displacement.
       type(step_t), intent(in) :: step
       !> Sign of the slip.
       real(dp), intent(in) :: s
       !> Approach where it begins to slide.
       real(dp), intent(in) :: start
       type(normal_state_t) :: first
-      real(dp) :: way
+      real(dp) :: path
 
-      way = s*step%tangential(2) - step%normal(2)
-      if (.not. way > 0) return
-      self%zero = self%zero + s*way
-      call find_place(contact, by_displacement, max(start, 0.0_dp), first, self%is_converged)
-      call add_sliding_loss(self, first, next, way)
+      path = s*step%tangential(2) - step%normal(2)
+      if (.not. path > 0) return
+      self%zero = self%zero + s*path
+      call find_position(contact, by_displacement, max(start, 0.0_dp), first, self%is_converged)
+      call add_sliding_loss(self, first, next, path)
    end subroutine slide
 
 end module adfric_interface_slip_zone

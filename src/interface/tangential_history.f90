@@ -29,7 +29,6 @@ contains
 
    !> A contact that has not touched yet.
    pure subroutine start_history(self)
-      !> Receives the state.
       type(history_t), intent(out) :: self
 
       call self%clear()
@@ -37,9 +36,7 @@ contains
 
    !> A straight step to another normal state, under a force or to a displacement.
    pure subroutine advance(self, contact, next, kind, given, is_possible)
-      !> The contact with its history.
       class(history_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> The normal state at the end; out of contact its load and work are 0, and its approach at most 0.
       type(normal_state_t), intent(in) :: next
@@ -69,7 +66,6 @@ contains
 
    !> A contact that is none: where it begins is the zero of its displacement, at the beginning of the step or within it.
    pure subroutine begin_contact(self, next, kind, target)
-      !> The contact with its history.
       type(history_t), intent(inout) :: self
       !> The normal state at the end of the step.
       type(normal_state_t), intent(in) :: next
@@ -92,9 +88,7 @@ contains
 
    !> Go along a step within which contact ends, up to there.
    pure subroutine end_contact(self, contact, next, target)
-      !> The contact with its history.
       type(history_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> The normal state at the end of the step, out of contact.
       type(normal_state_t), intent(in) :: next
@@ -110,7 +104,6 @@ contains
 
    !> Force and displacement at the end of a step, of which one is given.
    pure subroutine set_sums(self, kind, target)
-      !> The contact with its history.
       type(history_t), intent(inout) :: self
       !> `by_force` or `by_displacement`.
       integer, intent(in) :: kind
@@ -130,9 +123,7 @@ contains
 
    !> The coordinates of a step.
    pure type(step_t) function straight_step(self, next, kind, target) result(step)
-      !> The contact with its history.
       type(history_t), intent(in) :: self
-      !> The normal state at the end.
       type(normal_state_t), intent(in) :: next
       !> `by_force` or `by_displacement`.
       integer, intent(in) :: kind
@@ -150,13 +141,9 @@ contains
 
    !> Go along a step, from one change of the sign of slip to the next.
    pure subroutine follow(self, contact, next, whole)
-      !> The contact with its history.
       type(history_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
-      !> The normal state at the end.
       type(normal_state_t), intent(in) :: next
-      !> The step.
       type(step_t), intent(in) :: whole
       type(step_t) :: step
       real(dp) :: normal, tangential, change, size
@@ -185,13 +172,10 @@ contains
 
    !> The contact grows without slip; one that begins cannot bear more than that.
    pure subroutine grow(self, contact, next, step)
-      !> The contact with its history.
       type(history_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> The normal state at the end of the step.
       type(normal_state_t), intent(in) :: next
-      !> The step.
       type(step_t), intent(in) :: step
       real(dp) :: normal, tangential, f
 
@@ -209,13 +193,11 @@ contains
    pure subroutine go_back(self, contact, next, step, has_ended)
       !> The contact with its history, of one segment at least.
       type(history_t), intent(inout) :: self
-      !> Its normal states.
       class(normal_contact_t), intent(in) :: contact
       !> The normal state at the end of the step.
       type(normal_state_t), intent(in) :: next
-      !> In: the step, in which the coordinate falls. Out: what is left of it.
+      !> In: the step, in which the coordinate falls. Out: what remains of it.
       type(step_t), intent(inout) :: step
-      !> Did the step end?
       logical, intent(out) :: has_ended
       real(dp) :: bottom, normal, tangential
 
@@ -231,7 +213,6 @@ contains
 
    !> Radius of what sticks: the contact, less the zone at its edge where the last step has slipped.
    pure real(dp) function stick_radius(self) result(radius)
-      !> The contact with its history.
       class(history_t), intent(in) :: self
 
       radius = self%normal%radius

@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The least sum of squares within bounds, by the method of Levenberg and Marquardt with the scaling of J. J. More (1978).
 !>
-!> At a place q with residuals r and their derivatives J the step s makes |r + J s|^2 + mu |D s|^2 least within the bounds. D are the
-!> largest lengths that the columns of J have had, so that the units of q have no part in the answer. mu falls by up to 10 where the
-!> sum of squares falls as foreseen (H. B. Nielsen 1999), and rises where it does not, or where there is no value at the trial place.
+!> At a position q with residuals r and their derivatives J the step s makes |r + J s|^2 + mu |D s|^2 least within the bounds. D are
+!> the largest lengths that the columns of J have had, so that the units of q have no part in the answer. mu falls by up to 10 where
+!> the sum of squares falls as foreseen (H. B. Nielsen 1999), and rises where it does not, or where there is no value at the trial
+!> position.
 !>
 !> A variable at its bound whose gradient points out is held: then the conditions of Karush, Kuhn and Tucker are those of an
 !> unbounded problem in the rest. A step that would cross a bound ends on it, and the others' steps are found again with that one
@@ -49,13 +50,13 @@ module adfric_numerics_bounded_least_squares
    end type least_squares_t
 
    abstract interface
-      !> Residuals and their derivatives at a place, in one pass.
+      !> Residuals and their derivatives at a position, in one pass.
       subroutine evaluate_i(self, q, n_rows, r, j, cost, is_valid)
          import :: least_squares_t, dp
          implicit none (type, external)
          !> The sum of squares.
          class(least_squares_t), intent(inout) :: self
-         !> The place; shape `(n)`.
+         !> The position; shape `(n)`.
          real(dp), intent(in) :: q(:)
          !> Receives the number of rows that are used here.
          integer, intent(out) :: n_rows
@@ -65,7 +66,7 @@ module adfric_numerics_bounded_least_squares
          real(dp), intent(inout) :: j(:, :)
          !> Receives what is to be least: the sum of squares, or another cost whose gradient is 2 J' r.
          real(dp), intent(out) :: cost
-         !> Is there a value at this place?
+         !> Is there a value at this position?
          logical, intent(out) :: is_valid
       end subroutine evaluate_i
    end interface
@@ -87,11 +88,11 @@ module adfric_numerics_bounded_least_squares
       integer :: most_steps = 200
    end type squares_limits_t
 
-   !> Room for a search.
+   !> Space for a search.
    type :: squares_work_t
-      !> Rows that are used, at the place and at the trial place.
+      !> Rows that are used, at the position and at the trial position.
       integer :: n_rows = 0, n_trial = 0
-      !> Residuals and derivatives at the place and at the trial place, and room for the factors.
+      !> Residuals and derivatives at the position and at the trial position, and space for the factors.
       real(dp), allocatable :: r(:), j(:, :), r_trial(:), j_trial(:, :), a(:, :), b(:)
    end type squares_work_t
 
@@ -106,22 +107,22 @@ module adfric_numerics_bounded_least_squares
    end type squares_outcome_t
 
    !> The problem of one step: R and Q' r of the free variables, and where the step may go.
-   type :: step_t
+   type :: squares_step_t
       !> Number of free variables, and which ones they are.
-      integer :: n = 0, place(most_variables) = 0
+      integer :: n = 0, position(most_variables) = 0
       !> R and Q' r.
       real(dp) :: r(most_variables, most_variables) = 0, w(most_variables) = 0
       !> Scales, bounds of the step, and the step.
       real(dp) :: scale(most_variables) = 0, low(most_variables) = 0, high(most_variables) = 0, s(most_variables) = 0
       !> Square of the length of the undamped step, in units of the residuals.
       real(dp) :: length2 = 0
-   end type step_t
+   end type squares_step_t
 
 contains
 
-   !> Make room for a search.
+   !> Make space for a search.
    pure subroutine new_squares_work(work, most_rows, n)
-      !> Receives the room.
+      !> Receives the space.
       type(squares_work_t), intent(out) :: work
       !> Most rows that an evaluation may give.
       integer, intent(in) :: most_rows
@@ -133,22 +134,22 @@ contains
    end subroutine new_squares_work
 
    !> Find the least sum of squares from a start. `work` holds residuals and derivatives at the end.
-   subroutine find_least_squares(squares, lower, upper, is_held, limits, work, q, outcome)
+   subroutine find_least_squares(squares, lower, upper, is_fixed, limits, work, q, outcome)
       !> The sum of squares.
       class(least_squares_t), intent(inout) :: squares
       !> Bounds of the variables; shape `(n)`.
       real(dp), intent(in) :: lower(:), upper(:)
       !> Which variables stay as they are; shape `(n)`.
-      logical, intent(in) :: is_held(:)
+      logical, intent(in) :: is_fixed(:)
       !> When the search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
+      !> Workspace.
       type(squares_work_t), intent(inout) :: work
-      !> In: the start. Out: the place found; shape `(n)`.
+      !> In: the start. Out: the position found; shape `(n)`.
       real(dp), intent(inout) :: q(:)
       !> Receives how it ended.
       type(squares_outcome_t), intent(out) :: outcome
-      type(step_t) :: step
+      type(squares_step_t) :: step
       real(dp) :: scale(size(q)), damping, raise, before
       integer :: idle
       logical :: is_valid, is_better
@@ -164,7 +165,7 @@ contains
       scale = 0
       idle = 0
       do while (outcome%steps < limits%most_steps)
-         call prepare_step(work, lower, upper, is_held, limits, q, scale, step)
+         call prepare_step(work, lower, upper, is_fixed, limits, q, scale, step)
          if (is_at_end(step, limits, outcome%cost, idle)) then
             outcome%status = merge(squares_stuck, squares_converged, is_far_from_level(step, limits, outcome%cost))
             return
@@ -182,34 +183,33 @@ contains
    end subroutine find_least_squares
 
    !> Factor the columns of the free variables.
-   pure subroutine prepare_step(work, lower, upper, is_held, limits, q, scale, step)
-      !> Residuals and derivatives, and room for the factors.
+   pure subroutine prepare_step(work, lower, upper, is_fixed, limits, q, scale, step)
+      !> Residuals and derivatives, and space for the factors.
       type(squares_work_t), intent(inout) :: work
       !> Bounds of the variables.
       real(dp), intent(in) :: lower(:), upper(:)
       !> Which variables stay as they are.
-      logical, intent(in) :: is_held(:)
+      logical, intent(in) :: is_fixed(:)
       !> The accuracy to which columns count as combinations of others.
       type(squares_limits_t), intent(in) :: limits
-      !> The place.
       real(dp), intent(in) :: q(:)
       !> The largest lengths that the columns have had; 0 at the beginning.
       real(dp), intent(inout) :: scale(:)
       !> Receives the problem of the step.
-      type(step_t), intent(out) :: step
+      type(squares_step_t), intent(out) :: step
       real(dp) :: gradient, length(size(q))
       integer :: k, n, m
 
       m = work%n_rows
       n = 0
       do k = 1, size(q)
-         if (is_held(k)) cycle
+         if (is_fixed(k)) cycle
          length(k) = norm2(work%j(:m, k))
          scale(k) = max(scale(k), length(k))
          gradient = dot_product(work%j(:m, k), work%r(:m))
          if (q(k) <= lower(k) .and. gradient > 0 .or. q(k) >= upper(k) .and. gradient < 0) cycle
          n = n + 1
-         step%place(n) = k
+         step%position(n) = k
          step%scale(n) = scale(k)
          if (.not. scale(k) > 0) step%scale(n) = 1
          step%low(n) = lower(k) - q(k)
@@ -223,17 +223,15 @@ contains
          step%r(:min(k, m), k) = work%a(:min(k, m), k)
          if (k > m) cycle
          step%w(k) = work%b(k)
-         if (abs(step%r(k, k)) > limits%rank_tolerance*length(step%place(k))) step%length2 = step%length2 + step%w(k)**2
+         if (abs(step%r(k, k)) > limits%rank_tolerance*length(step%position(k))) step%length2 = step%length2 + step%w(k)**2
       end do
    end subroutine prepare_step
 
    !> Is the undamped step so short that the search has come to its end?
    pure logical function is_at_end(step, limits, cost, idle)
-      !> The problem of the step.
-      type(step_t), intent(in) :: step
-      !> When a search ends.
+      type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
-      !> Cost at the place.
+      !> Cost at the position.
       real(dp), intent(in) :: cost
       !> Number of steps, the last ones, that have lowered the cost by less than the tolerance.
       integer, intent(in) :: idle
@@ -244,11 +242,9 @@ contains
 
    !> Is the undamped step shorter than the tolerance in standard errors, or round-off?
    pure logical function has_short_step(step, limits, cost)
-      !> The problem of the step.
-      type(step_t), intent(in) :: step
-      !> When a search ends.
+      type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
-      !> Cost at the place.
+      !> Cost at the position.
       real(dp), intent(in) :: cost
       real(dp) :: s(step%n), variance
 
@@ -262,11 +258,9 @@ contains
 
    !> Is the undamped step so short that a difference of two sums cannot judge it?
    pure logical function is_below_judgement(step, limits, cost)
-      !> The problem of the step.
-      type(step_t), intent(in) :: step
-      !> When a search ends.
+      type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
-      !> Cost at the place.
+      !> Cost at the position.
       real(dp), intent(in) :: cost
       real(dp) :: variance
 
@@ -278,11 +272,9 @@ contains
 
    !> Is the undamped step so long that its place is no minimum of a smooth sum?
    pure logical function is_far_from_level(step, limits, cost)
-      !> The problem of the step.
-      type(step_t), intent(in) :: step
-      !> When a search ends.
+      type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
-      !> Cost at the place.
+      !> Cost at the position.
       real(dp), intent(in) :: cost
       real(dp) :: variance
 
@@ -293,21 +285,17 @@ contains
 
    !> Take the first step that lowers the cost, with more and more damping.
    subroutine try_steps(squares, limits, step, work, q, damping, raise, outcome, is_better)
-      !> The sum of squares.
       class(least_squares_t), intent(inout) :: squares
-      !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
-      !> The problem of the step.
-      type(step_t), intent(inout) :: step
-      !> In: residuals and derivatives at the place. Out: those of the new place.
+      type(squares_step_t), intent(inout) :: step
+      !> In: residuals and derivatives at the position. Out: those of the new position.
       type(squares_work_t), intent(inout) :: work
-      !> In: the place. Out: the new place.
+      !> In: the position. Out: the new position.
       real(dp), intent(inout) :: q(:)
       !> The damping, and what the next refused step multiplies it by.
       real(dp), intent(inout) :: damping, raise
       !> Counts the evaluations, and receives the new cost.
       type(squares_outcome_t), intent(inout) :: outcome
-      !> Has a step been found?
       logical, intent(out) :: is_better
       real(dp) :: trial(size(q)), cost, foreseen, gain
       logical :: is_valid
@@ -317,8 +305,8 @@ contains
          call solve_step(step, damping)
          foreseen = foreseen_decrease(step)
          trial = q
-         trial(step%place(:step%n)) = trial(step%place(:step%n)) + step%s(:step%n)
-         if (all(abs(step%s(:step%n)) <= smallest_step*max(1.0_dp, abs(q(step%place(:step%n)))))) return
+         trial(step%position(:step%n)) = trial(step%position(:step%n)) + step%s(:step%n)
+         if (all(abs(step%s(:step%n)) <= smallest_step*max(1.0_dp, abs(q(step%position(:step%n)))))) return
          call squares%evaluate(trial, work%n_trial, work%r_trial, work%j_trial, cost, is_valid)
          outcome%evaluations = outcome%evaluations + 1
          gain = -1
@@ -339,9 +327,8 @@ contains
       call swap(work)
    end subroutine try_steps
 
-   !> Let the trial place be the place.
+   !> Let the trial position be the position.
    pure subroutine swap(work)
-      !> Residuals and derivatives of both.
       type(squares_work_t), intent(inout) :: work
       real(dp), allocatable :: r(:), j(:, :)
 
@@ -356,12 +343,12 @@ contains
    !> The damped step within the bounds. What would cross a bound ends on it, and the rest is found again.
    pure subroutine solve_step(step, damping)
       !> The problem of the step; it receives the step.
-      type(step_t), intent(inout) :: step
+      type(squares_step_t), intent(inout) :: step
       !> mu.
       real(dp), intent(in) :: damping
       real(dp) :: a(2*most_variables, most_variables), b(2*most_variables), s(most_variables)
       logical :: is_fixed(most_variables)
-      integer :: k, n_left, place(most_variables), again
+      integer :: k, n_remaining, position(most_variables), again
 
       is_fixed = .false.
       step%s = 0
@@ -369,33 +356,32 @@ contains
          a = 0
          b = 0
          b(:step%n) = -step%w(:step%n)
-         n_left = 0
+         n_remaining = 0
          do k = 1, step%n
             if (is_fixed(k)) then
                b(:step%n) = b(:step%n) - step%r(:step%n, k)*step%s(k)
             else
-               n_left = n_left + 1
-               place(n_left) = k
-               a(:step%n, n_left) = step%r(:step%n, k)
-               a(step%n + n_left, n_left) = sqrt(damping)*step%scale(k)
+               n_remaining = n_remaining + 1
+               position(n_remaining) = k
+               a(:step%n, n_remaining) = step%r(:step%n, k)
+               a(step%n + n_remaining, n_remaining) = sqrt(damping)*step%scale(k)
             end if
          end do
-         if (n_left == 0) return
-         call factor_columns(a(:step%n + n_left, :n_left), b(:step%n + n_left))
-         call solve_triangle(a(:n_left, :n_left), b(:n_left), s(:n_left))
-         associate (left => place(:n_left))
-            step%s(left) = s(:n_left)
-            if (all(s(:n_left) >= step%low(left) .and. s(:n_left) <= step%high(left))) return
-            is_fixed(left) = s(:n_left) < step%low(left) .or. s(:n_left) > step%high(left)
-            step%s(left) = min(max(s(:n_left), step%low(left)), step%high(left))
+         if (n_remaining == 0) return
+         call factor_columns(a(:step%n + n_remaining, :n_remaining), b(:step%n + n_remaining))
+         call solve_triangle(a(:n_remaining, :n_remaining), b(:n_remaining), s(:n_remaining))
+         associate (remaining => position(:n_remaining))
+            step%s(remaining) = s(:n_remaining)
+            if (all(s(:n_remaining) >= step%low(remaining) .and. s(:n_remaining) <= step%high(remaining))) return
+            is_fixed(remaining) = s(:n_remaining) < step%low(remaining) .or. s(:n_remaining) > step%high(remaining)
+            step%s(remaining) = min(max(s(:n_remaining), step%low(remaining)), step%high(remaining))
          end associate
       end do
    end subroutine solve_step
 
    !> The decrease of the sum if the residuals were linear: -2 s' R' w - |R s|^2.
    pure real(dp) function foreseen_decrease(step)
-      !> The problem of the step, with the step.
-      type(step_t), intent(in) :: step
+      type(squares_step_t), intent(in) :: step
       real(dp) :: change(step%n)
 
       change = matmul(step%r(:step%n, :step%n), step%s(:step%n))

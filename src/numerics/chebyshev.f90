@@ -6,24 +6,24 @@ module adfric_numerics_chebyshev
    use adfric_base_constants, only: pi
    implicit none (type, external)
    private
-   public :: degree, chebyshev_places, coefficients_of, value_of, slope_of
+   public :: degree, chebyshev_positions, coefficients_of, value_of, slope_of
 
    !> Degree of the sums.
    integer, parameter :: degree = 16
 
 contains
 
-   !> The places, downwards.
-   pure function chebyshev_places() result(x)
+   !> The positions, downwards.
+   pure function chebyshev_positions() result(x)
       real(dp) :: x(0:degree)
       integer :: j
 
       x = [(sin(pi*(degree - 2*j)/(2*(degree + 1))), j=0, degree)]
-   end function chebyshev_places
+   end function chebyshev_positions
 
    !> Coefficients of a function.
    pure function coefficients_of(values) result(c)
-      !> Its values at the places.
+      !> Its values at the positions.
       real(dp), intent(in) :: values(0:degree)
       real(dp) :: c(0:degree)
       integer :: j, k
@@ -38,7 +38,7 @@ contains
    pure real(dp) function value_of(c, x) result(value)
       !> Coefficients.
       real(dp), intent(in) :: c(0:degree)
-      !> Place, from -1 to 1.
+      !> Position, from -1 to 1.
       real(dp), intent(in) :: x
       real(dp) :: one, two, next
       integer :: k
@@ -57,7 +57,7 @@ contains
    pure real(dp) function slope_of(c, x) result(slope)
       !> Coefficients.
       real(dp), intent(in) :: c(0:degree)
-      !> Place, from -1 to 1.
+      !> Position, from -1 to 1.
       real(dp), intent(in) :: x
       real(dp) :: one, two, next
       integer :: k

@@ -10,7 +10,7 @@ contains
 
    !> Standard error of the mean of values along a period, by their scatter and the length over which they are correlated:
    !> $$ s^2 = \left(c_0 + 2 \sum_{k=1}^{m} c_k\right)/(n - 1), $$
-   !> c_k being the covariance of values k places apart and m the last before the first that is not positive. Values without
+   !> c_k being the covariance of values k positions apart and m the last before the first that is not positive. Values without
    !> correlation have sqrt(c_0/(n - 1)). A single value has no scatter, 0.
    pure real(dp) function error_of_mean(values) result(error)
       !> The values, of which the first follows on the last.

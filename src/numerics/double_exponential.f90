@@ -10,8 +10,8 @@ module adfric_numerics_double_exponential
    private
    public :: integrand_t, integrate
 
-   !> Places beyond this one have a share of 1e-22 of an integral with an inverse root at the end.
-   real(dp), parameter :: last_place = 4.125_dp
+   !> Positions beyond this one have a share of 1e-22 of an integral with an inverse root at the end.
+   real(dp), parameter :: last_position = 4.125_dp
    !> Halvings of the step.
    integer, parameter :: most_levels = 9
    !> Change of the integral, over that of the absolute values, that tells that half the step has an error of round-off.
@@ -24,20 +24,20 @@ module adfric_numerics_double_exponential
    end type integrand_t
 
    abstract interface
-      !> Value at a place.
+      !> Value at a position.
       pure real(dp) function evaluate_i(self, from_left, from_right)
          import :: integrand_t, dp
          implicit none (type, external)
          !> The function with its parameters.
          class(integrand_t), intent(in) :: self
-         !> Distances of the place from the ends of the range, both > 0; the smaller one has all its digits.
+         !> Distances of the position from the ends of the range, both > 0; the smaller one has all its digits.
          real(dp), intent(in) :: from_left, from_right
       end function evaluate_i
    end interface
 
 contains
 
-   !> The integral, with twice as many places until it rests.
+   !> The integral, with twice as many positions until it rests.
    pure subroutine integrate(integrand, length, integral, is_converged, negligible)
       !> The function.
       class(integrand_t), intent(in) :: integrand
@@ -61,10 +61,10 @@ contains
       if (present(negligible)) nothing = negligible
       sums = 0
       step = 0.5_dp
-      call add_places(integrand, length, 0.0_dp, step, sums)
+      call add_positions(integrand, length, 0.0_dp, step, sums)
       do level = 1, most_levels
          old_integral = integral
-         call add_places(integrand, length, step/2, step, sums)
+         call add_positions(integrand, length, step/2, step, sums)
          step = step/2
          integral = length*step*sums(1)
          if (ieee_is_nan(integral)) return
@@ -73,33 +73,32 @@ contains
       end do
    end subroutine integrate
 
-   !> Add the terms at equally spaced places, which come in pairs at the same distance from either end.
-   pure subroutine add_places(integrand, length, first, step, sums)
-      !> The function.
+   !> Add the terms at equally spaced positions, which come in pairs at the same distance from either end.
+   pure subroutine add_positions(integrand, length, first, step, sums)
       class(integrand_t), intent(in) :: integrand
       !> Length of the range, > 0.
       real(dp), intent(in) :: length
       !> The first place, >= 0; at 0 is the middle of the range.
       real(dp), intent(in) :: first
-      !> Distance of the places.
+      !> Distance of the positions.
       real(dp), intent(in) :: step
       !> Sums of the terms, and of their absolute values.
       real(dp), intent(inout) :: sums(2)
-      real(dp) :: place, ratio, near, weight, value
+      real(dp) :: position, ratio, near, weight, value
 
-      place = first
-      do while (place < last_place)
-         ratio = exp(-pi*sinh(place))
+      position = first
+      do while (position < last_position)
+         ratio = exp(-pi*sinh(position))
          near = length*(ratio/(1 + ratio))
-         weight = pi*cosh(place)*ratio/(1 + ratio)**2
+         weight = pi*cosh(position)*ratio/(1 + ratio)**2
          value = weight*integrand%evaluate(near, length - near)
          sums = sums + [value, abs(value)]
-         if (place > 0) then
+         if (position > 0) then
             value = weight*integrand%evaluate(length - near, near)
             sums = sums + [value, abs(value)]
          end if
-         place = place + step
+         position = position + step
       end do
-   end subroutine add_places
+   end subroutine add_positions
 
 end module adfric_numerics_double_exponential

@@ -53,7 +53,7 @@ contains
       real(dp), intent(in) :: y, y_rest
       !> The rounded quotient.
       real(dp), intent(out) :: total
-      !> What is left.
+      !> What remains.
       real(dp), intent(out) :: rest
       real(dp) :: back, back_rest
 

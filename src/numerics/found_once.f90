@@ -20,7 +20,7 @@ module adfric_numerics_found_once
    integer, parameter :: most_answers = 4
    !> Threads that seek at the same time and are waited for; what more of them find is not kept.
    integer, parameter :: most_seekers = 128
-   !> Entries of a table that is used for the first time, and places in which they are looked for.
+   !> Entries of a table that is used for the first time, and positions in which they are looked for.
    integer, parameter :: fewest_entries = 32, fewest_slots = 64
    !> Numbers of a long key that tell where it is looked for.
    integer, parameter :: most_sampled = 64
@@ -47,17 +47,17 @@ module adfric_numerics_found_once
    !> Keys and what belongs to them.
    type :: found_once_t
       private
-      !> Entries in the order in which they were asked for, the keys of all one behind the other, and the entry at each place where a
-      !> key is looked for, 0 at a free one; not allocated before the first key.
+      !> Entries in the order in which they were asked for, the keys of all one behind the other, and the entry at each position
+      !> where a key is looked for, 0 at a free one; not allocated before the first key.
       type(entry_t), allocatable :: entries(:)
       !> Numbers of the keys.
       real(dp), allocatable :: numbers(:)
-      !> Entries by place.
+      !> Entries by position.
       integer, allocatable :: slots(:)
       !> Entries and numbers in use, and how often the table has begun anew.
       integer :: n_entries = 0, n_numbers = 0, round = 0
       !> Does a thread hold the lock?
-      logical :: is_held(most_seekers) = .false.
+      logical :: is_locked(most_seekers) = .false.
       !> Locks of the threads that seek.
       type(thread_lock_t) :: locks(most_seekers)
       !> Keys, and numbers in them, beyond which the table begins anew; a single key may have more numbers.
@@ -103,7 +103,6 @@ contains
 
    !> Keep what has been found, and let those who wait for it go on.
    subroutine keep(self, search, answer)
-      !> The table.
       class(found_once_t), intent(inout) :: self
       !> What `look_up` has given.
       type(search_t), intent(in) :: search
@@ -122,7 +121,6 @@ contains
 
    !> Let those who wait seek for themselves: nothing could be found, for want of memory for example.
    subroutine give_up(self, search)
-      !> The table, which forgets the key.
       class(found_once_t), intent(inout) :: self
       !> What `look_up` has given.
       type(search_t), intent(in) :: search
@@ -148,30 +146,27 @@ contains
 
    !> Give back the lock of a thread that has sought.
    subroutine end_search(self, search)
-      !> The table.
       class(found_once_t), intent(inout) :: self
       !> What `look_up` has given.
       type(search_t), intent(in) :: search
 
       if (search%seeker == 0) return
-      self%is_held(search%seeker) = .false.
+      self%is_locked(search%seeker) = .false.
       call self%locks(search%seeker)%release()
    end subroutine end_search
 
-   !> Let the thread that asks seek a key, which stands in the table from now on if there are room and a lock for it.
+   !> Let the thread that asks seek a key, which stands in the table from now on if there are space and a lock for it.
    subroutine begin_search(self, key, search)
-      !> The table without the key.
       class(found_once_t), intent(inout) :: self
-      !> The key.
       real(dp), intent(in) :: key(:)
       !> Receives entry and lock; 0 where what is found is not kept.
       type(search_t), intent(inout) :: search
       integer :: failure, seeker
 
-      seeker = findloc(self%is_held, .false., dim=1)
+      seeker = findloc(self%is_locked, .false., dim=1)
       if (seeker == 0) return
       if (self%n_entries >= self%most_entries .or. size(key) > self%most_numbers - self%n_numbers) call begin_anew(self)
-      call make_room(self, size(key), failure)
+      call make_space(self, size(key), failure)
       if (failure /= 0) return
       self%numbers(self%n_numbers + 1:self%n_numbers + size(key)) = key
       self%n_entries = self%n_entries + 1
@@ -179,13 +174,12 @@ contains
       self%n_numbers = self%n_numbers + size(key)
       self%slots(slot_of(self, key)) = self%n_entries
       search = search_t(entry=self%n_entries, seeker=seeker, round=self%round)
-      self%is_held(seeker) = .true.
+      self%is_locked(seeker) = .true.
       call self%locks(seeker)%acquire()
    end subroutine begin_search
 
    !> Forget all keys. Threads that seek go on, and what they find is not kept.
    pure subroutine begin_anew(self)
-      !> The table.
       class(found_once_t), intent(inout) :: self
 
       self%n_entries = 0
@@ -194,9 +188,8 @@ contains
       if (allocated(self%slots)) self%slots = 0
    end subroutine begin_anew
 
-   !> Make room for one more key: twice as much as there was, so that it is seldom made.
-   pure subroutine make_room(self, length, failure)
-      !> The table, of which nothing is lost.
+   !> Make space for one more key: twice as much as there was, so that it is seldom made.
+   pure subroutine make_space(self, length, failure)
       class(found_once_t), intent(inout) :: self
       !> Length of the key.
       integer, intent(in) :: length
@@ -227,11 +220,10 @@ contains
          numbers(:self%n_numbers) = self%numbers(:self%n_numbers)
          call move_alloc(numbers, self%numbers)
       end if
-   end subroutine make_room
+   end subroutine make_space
 
    !> Give back what has been allocated of an empty table.
    pure subroutine give_back(self)
-      !> The table.
       class(found_once_t), intent(inout) :: self
 
       if (allocated(self%entries)) deallocate (self%entries)
@@ -239,9 +231,9 @@ contains
       if (allocated(self%slots)) deallocate (self%slots)
    end subroutine give_back
 
-   !> Set the places of all entries anew.
+   !> Set the positions of all entries anew.
    pure subroutine fill_slots(self)
-      !> The table, more than half of whose places stay free.
+      !> The table, more than half of whose positions stay free.
       class(found_once_t), intent(inout) :: self
       integer :: k, slot
 
@@ -257,20 +249,16 @@ contains
 
    !> The entry of a key; 0 if it has none.
    pure integer function entry_of(self, key) result(entry)
-      !> The table.
       class(found_once_t), intent(in) :: self
-      !> The key.
       real(dp), intent(in) :: key(:)
 
       entry = 0
       if (allocated(self%slots)) entry = self%slots(slot_of(self, key))
    end function entry_of
 
-   !> The place where a key stands, or the free one where it would.
+   !> The position where a key stands, or the free one where it would.
    pure integer function slot_of(self, key) result(slot)
-      !> The table.
       class(found_once_t), intent(in) :: self
-      !> The key.
       real(dp), intent(in) :: key(:)
 
       slot = first_slot(key, size(self%slots))
@@ -282,11 +270,8 @@ contains
 
    !> Is a key that of an entry?
    pure logical function is_key_of(self, entry, key)
-      !> The table, which has the numbers of the entry.
       class(found_once_t), intent(in) :: self
-      !> The entry.
       type(entry_t), intent(in) :: entry
-      !> The key.
       real(dp), intent(in) :: key(:)
       integer :: i
 
@@ -298,11 +283,10 @@ contains
       end do
    end function is_key_of
 
-   !> Where a key is looked for first: keys that differ in any bit of their sampled numbers are spread over all places.
+   !> Where a key is looked for first: keys that differ in any bit of their sampled numbers are spread over all positions.
    pure integer function first_slot(key, n_slots) result(slot)
-      !> The key.
       real(dp), intent(in) :: key(:)
-      !> Number of places.
+      !> Number of positions.
       integer, intent(in) :: n_slots
       !> The halves of a number are mixed by a multiplication modulo a prime, which does not overflow.
       integer(i8), parameter :: prime = 2147483647_i8, factor = 630360016_i8, half = 4294967295_i8

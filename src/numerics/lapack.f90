@@ -43,9 +43,9 @@ module adfric_numerics_lapack
          real(dp), intent(inout) :: a(lda, *)
          !> Receives the factors of the reflections; shape `(min(m, n))`.
          real(dp), intent(out) :: tau(*)
-         !> Room to work in; shape `(lwork)`.
+         !> Workspace; shape `(lwork)`.
          real(dp), intent(out) :: work(*)
-         !> Size of that room, `n` or more; several times as much is faster.
+         !> Size of that space, `n` or more; several times as much is faster.
          integer, intent(in) :: lwork
          !> 0 if all went well; < 0 if an argument is impossible.
          integer, intent(out) :: info

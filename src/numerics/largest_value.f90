@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The largest value of a function over a range at whose ends it may have roots: places that crowd at both ends as those of the
+!> The largest value of a function over a range at whose ends it may have roots: positions that crowd at both ends as those of the
 !> double exponential rule do, and the golden section between the neighbours of each that is above them (J. Kiefer, Proc. AMS 4,
-!> 502, 1953): of two summits the higher one may have the lower of these places.
+!> 502, 1953): of two summits the higher one may have the lower of these positions.
 module adfric_numerics_largest_value
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
@@ -12,9 +12,9 @@ module adfric_numerics_largest_value
    private
    public :: find_largest_value
 
-   !> The first places stand at -12 to 12 steps; the last ones are 4e-8 of the range away from its ends.
+   !> The first positions stand at -12 to 12 steps; the last ones are 4e-8 of the range away from its ends.
    integer, parameter :: n_steps = 12
-   !> Distance of the first places.
+   !> Distance of the first positions.
    real(dp), parameter :: step = 0.2_dp
    !> Next to a maximum the function is level: a bracket of this width leaves 1e-14 of its value.
    real(dp), parameter :: last_width = 1.0e-7_dp
@@ -49,47 +49,45 @@ contains
 
    !> The golden section.
    pure subroutine climb(function, length, from, to, value)
-      !> The function.
       class(integrand_t), intent(in) :: function
       !> Length of the range, > 0.
       real(dp), intent(in) :: length
-      !> Places on both sides of a maximum, from the middle of the range.
+      !> Positions on both sides of a maximum, from the middle of the range.
       real(dp), intent(in) :: from, to
       !> In: the largest value so far. Out: the maximum, if it is larger.
       real(dp), intent(inout) :: value
-      real(dp) :: low, high, places(2), inner(2)
+      real(dp) :: low, high, positions(2), inner(2)
 
       low = from
       high = to
-      places = [high - golden*(high - low), low + golden*(high - low)]
-      inner = [value_at(function, length, places(1)), value_at(function, length, places(2))]
+      positions = [high - golden*(high - low), low + golden*(high - low)]
+      inner = [value_at(function, length, positions(1)), value_at(function, length, positions(2))]
       do while (high - low > last_width)
          if (inner(1) > inner(2)) then
-            high = places(2)
-            places = [high - golden*(high - low), places(1)]
-            inner = [value_at(function, length, places(1)), inner(1)]
+            high = positions(2)
+            positions = [high - golden*(high - low), positions(1)]
+            inner = [value_at(function, length, positions(1)), inner(1)]
          else
-            low = places(1)
-            places = [places(2), low + golden*(high - low)]
-            inner = [inner(2), value_at(function, length, places(2))]
+            low = positions(1)
+            positions = [positions(2), low + golden*(high - low)]
+            inner = [inner(2), value_at(function, length, positions(2))]
          end if
       end do
       value = max(value, inner(1), inner(2))
    end subroutine climb
 
-   !> Value at a place.
-   pure real(dp) function value_at(function, length, place) result(value)
-      !> The function.
+   !> Value at a position.
+   pure real(dp) function value_at(function, length, position) result(value)
       class(integrand_t), intent(in) :: function
       !> Length of the range.
       real(dp), intent(in) :: length
-      !> The place, from the middle of the range; its ends are at infinity.
-      real(dp), intent(in) :: place
+      !> The position, from the middle of the range; its ends are at infinity.
+      real(dp), intent(in) :: position
       real(dp) :: ratio, near
 
-      ratio = exp(-pi*sinh(abs(place)))
+      ratio = exp(-pi*sinh(abs(position)))
       near = length*(ratio/(1 + ratio))
-      if (place < 0) then
+      if (position < 0) then
          value = function%evaluate(near, length - near)
       else
          value = function%evaluate(length - near, near)

@@ -13,24 +13,24 @@ module adfric_numerics_non_negative
    private
    public :: solve_non_negative
 
-   !> Room for the factorisation, in columns.
-   integer, parameter :: room = 32
+   !> Space for the factorisation, in columns.
+   integer, parameter :: space = 32
    !> Steps for each unknown; a problem without rounding takes about one.
    integer, parameter :: steps_per_unknown = 20
 
    !> A problem with columns of length 1 or 0, and its state.
-   type :: problem_t
+   type :: non_negative_problem_t
       !> The triangle of the columns; shape `(n_rows, n)`.
       real(dp), allocatable :: a(:, :)
       !> Right-hand side, of length 1; shape `(n_rows)`.
       real(dp), allocatable :: b(:)
       !> The unknowns; shape `(n)`.
       real(dp), allocatable :: x(:)
-      !> The free unknowns in the order in which they became free; the first `n_free` places are used.
+      !> The free unknowns in the order in which they became free; the first `n_free` positions are used.
       integer, allocatable :: free(:)
       !> Number of free unknowns.
       integer :: n_free = 0
-   end type problem_t
+   end type non_negative_problem_t
 
 contains
 
@@ -45,7 +45,7 @@ contains
       !> Is the solution proved by its gradient, to round-off? If not, x is a point x >= 0 that fits the better the later the search
       !> came to its end.
       logical, intent(out) :: is_solved
-      type(problem_t) :: problem
+      type(non_negative_problem_t) :: problem
       real(dp) :: column_lengths(size(a, 2)), right_length
 
       if (has_asserts) call assert(size(b) == size(a, 1) .and. size(x) == size(a, 2), 'solve_non_negative: shapes')
@@ -63,8 +63,7 @@ contains
 
    !> A problem in which no unknown is free.
    pure subroutine new_problem(self, a, b)
-      !> The problem.
-      type(problem_t), intent(out) :: self
+      type(non_negative_problem_t), intent(out) :: self
       !> The matrix; shape `(m, n)`.
       real(dp), intent(in) :: a(:, :)
       !> Right-hand side; shape `(m)`.
@@ -88,7 +87,7 @@ contains
    pure subroutine make_triangle(a)
       !> In: the matrix. Out: R, with zeros below the diagonal.
       real(dp), intent(inout) :: a(:, :)
-      real(dp) :: factors(size(a, 2)), work(room*size(a, 2))
+      real(dp) :: factors(size(a, 2)), work(space*size(a, 2))
       integer :: info, k
 
       call dgeqrf(size(a, 1), size(a, 2), a, size(a, 1), factors, work, size(work), info)
@@ -100,8 +99,7 @@ contains
 
    !> Free one unknown after the other until none is left that would lessen the residual.
    pure subroutine search(self)
-      !> The problem.
-      type(problem_t), intent(inout) :: self
+      type(non_negative_problem_t), intent(inout) :: self
       logical :: is_tried(size(self%x)), is_free_now
       real(dp) :: gradient(size(self%x))
       integer :: k, entry
@@ -125,8 +123,7 @@ contains
 
    !> How fast the residual falls with each unknown.
    pure function gradient_of(self) result(gradient)
-      !> The problem.
-      type(problem_t), intent(in) :: self
+      type(non_negative_problem_t), intent(in) :: self
       !> Products of the columns and the residual; shape `(n)`.
       real(dp) :: gradient(size(self%x))
 
@@ -135,16 +132,14 @@ contains
 
    !> What rounding leaves of a gradient that vanishes, for columns and a right-hand side of length 1.
    pure real(dp) function round_off(self)
-      !> The problem.
-      type(problem_t), intent(in) :: self
+      type(non_negative_problem_t), intent(in) :: self
 
       round_off = 10*size(self%x)*epsilon(1.0_dp)
    end function round_off
 
    !> Let an unknown become free, and go to the least squares of the free ones as far as all remain positive.
    pure subroutine free_unknown(self, entry, is_free)
-      !> The problem.
-      type(problem_t), intent(inout) :: self
+      type(non_negative_problem_t), intent(inout) :: self
       !> The unknown.
       integer, intent(in) :: entry
       !> Did it become free? It does not where its column is one of the others to round-off.
@@ -172,8 +167,8 @@ contains
    !> Go from the free unknowns towards others until the first one is 0.
    pure subroutine go_towards(self, best)
       !> The problem; its free unknowns are positive, but for a new one that rises.
-      type(problem_t), intent(inout) :: self
-      !> Where to go, which is not positive in at least one place.
+      type(non_negative_problem_t), intent(inout) :: self
+      !> Where to go, which is not positive in at least one position.
       real(dp), intent(in) :: best(:)
       real(dp) :: shares(self%n_free), share
       integer :: k
@@ -198,8 +193,7 @@ contains
 
    !> Unknowns that became 0 are no longer free.
    pure subroutine drop_zeros(self)
-      !> The problem.
-      type(problem_t), intent(inout) :: self
+      type(non_negative_problem_t), intent(inout) :: self
       integer :: k, n
 
       n = 0
@@ -214,9 +208,8 @@ contains
 
    !> Least squares of the free unknowns, of any sign.
    pure subroutine get_least_squares(self, best, is_regular)
-      !> The problem.
-      type(problem_t), intent(in) :: self
-      !> Receives the values of the free unknowns, in their order; the first `n_free` places.
+      type(non_negative_problem_t), intent(in) :: self
+      !> Receives the values of the free unknowns, in their order; the first `n_free` positions.
       real(dp), intent(out) :: best(:)
       !> Can the last column be told from the others?
       logical, intent(out) :: is_regular
@@ -239,8 +232,7 @@ contains
 
    !> Is the state a solution, to round-off?
    pure logical function is_proved(self)
-      !> The problem.
-      type(problem_t), intent(in) :: self
+      type(non_negative_problem_t), intent(in) :: self
       real(dp) :: gradient(size(self%x))
 
       gradient = gradient_of(self)

@@ -7,26 +7,26 @@ module adfric_numerics_panels
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    implicit none (type, external)
    private
-   public :: integrand_t, integrate
+   public :: panel_integrand_t, integrate
 
    !> Largest length of a panel.
    real(dp), parameter :: longest = 2.0_dp
 
    !> A function that carries its parameters.
-   type, abstract :: integrand_t
+   type, abstract :: panel_integrand_t
    contains
       procedure(value_at_i), deferred :: value_at
-   end type integrand_t
+   end type panel_integrand_t
 
    abstract interface
-      !> Value at a place.
-      pure real(dp) function value_at_i(self, place)
-         import :: integrand_t, dp
+      !> Value at a position.
+      pure real(dp) function value_at_i(self, position)
+         import :: panel_integrand_t, dp
          implicit none (type, external)
          !> The function with its parameters.
-         class(integrand_t), intent(in) :: self
+         class(panel_integrand_t), intent(in) :: self
          !> Where it is evaluated, inside the range of the integral.
-         real(dp), intent(in) :: place
+         real(dp), intent(in) :: position
       end function value_at_i
    end interface
 
@@ -35,7 +35,7 @@ contains
    !> The integral of a function from `low` to `high`.
    pure real(dp) function integrate(integrand, low, high) result(total)
       !> The function; it is not evaluated at the ends.
-      class(integrand_t), intent(in) :: integrand
+      class(panel_integrand_t), intent(in) :: integrand
       !> Ends of the range, `low` <= `high`.
       real(dp), intent(in) :: low, high
       real(dp) :: half, middle

@@ -2,7 +2,7 @@
 !> The periodic cubic spline through equidistant values.
 !>
 !> With the distance of neighbours as unit, its slopes d obey d(k - 1) + 4 d(k) + d(k + 1) = 3 (h(k + 1) - h(k - 1)), cyclic in k.
-!> The matrix is -1/z times (1 - z S) times (1 - z / S), where S shifts by one place and z = sqrt(3) - 2: two recurrences, one
+!> The matrix is -1/z times (1 - z S) times (1 - z / S), where S shifts by one position and z = sqrt(3) - 2: two recurrences, one
 !> forwards and one backwards, each of which forgets by z at every step. n steps each, and no growth of errors.
 module adfric_numerics_periodic_spline
    use adfric_base_kinds, only: dp
@@ -11,16 +11,16 @@ module adfric_numerics_periodic_spline
    private
    public :: get_spline_slopes
 
-   !> What a recurrence keeps of its value from one place to the next: the root of 1 + 4 z + z^2 inside the unit circle.
+   !> What a recurrence keeps of its value from one position to the next: the root of 1 + 4 z + z^2 inside the unit circle.
    real(dp), parameter :: kept = sqrt(3.0_dp) - 2
-   !> Places after which a recurrence has forgotten: z^40 is 1e-23.
+   !> Positions after which a recurrence has forgotten: z^40 is 1e-23.
    integer, parameter :: remembered = 40
 
 contains
 
    !> Slopes of the periodic cubic spline.
    pure subroutine get_spline_slopes(heights, slopes)
-      !> Values at equidistant places of one period, 4 or more; the first follows on the last.
+      !> Values at equidistant positions of one period, 4 or more; the first follows on the last.
       real(dp), intent(in) :: heights(:)
       !> Receives the slopes [values per distance of neighbours]; as many as values.
       real(dp), intent(out) :: slopes(:)

@@ -40,7 +40,6 @@ contains
 
    !> The next number, evenly spread between 0 and 1, both left out.
    pure subroutine next_uniform(self, number)
-      !> The sequence.
       type(random_t), intent(inout) :: self
       !> Receives the number.
       real(dp), intent(out) :: number

@@ -26,7 +26,7 @@ module adfric_numerics_scalar_root
          implicit none (type, external)
          !> The equation with its parameters.
          class(equation_t), intent(in) :: self
-         !> The unknown, at a place within the bracket.
+         !> The unknown, at a position within the bracket.
          real(dp), intent(in) :: x
          !> Value of the equation at x, 0 at the root; NaN ends the search.
          real(dp), intent(out) :: value

@@ -31,7 +31,7 @@ module adfric_numerics_secant_root
          implicit none (type, external)
          !> The equation with its parameters.
          class(rising_equation_t), intent(in) :: self
-         !> The unknown, at a place within the bracket.
+         !> The unknown, at a position within the bracket.
          real(dp), intent(in) :: x
          !> Value of the equation, which rises with x; NaN ends the search.
          real(dp), intent(out) :: value

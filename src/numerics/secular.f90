@@ -21,7 +21,7 @@ module adfric_numerics_secular
    real(dp), parameter :: near_share = 0.6_dp
 
    !> The equation of one root in its distance y > 0 from the near pole: sum_i b_i/(y + e_i) = level. It falls with y.
-   type :: equation_t
+   type :: secular_equation_t
       !> Numerators b_i; shape `(n)`.
       real(dp), allocatable :: b(:)
       !> What the rounding of the numerators left; shape `(n)`.
@@ -36,7 +36,7 @@ module adfric_numerics_secular
       real(dp) :: gap = 1
       !> Is there no pole beyond the root?
       logical :: is_last = .false.
-   end type equation_t
+   end type secular_equation_t
 
 contains
 
@@ -54,7 +54,7 @@ contains
       integer, intent(in) :: j
       !> Receives the distances, positive from the poles below; shape `(n)`.
       real(dp), intent(out) :: distances(:)
-      type(equation_t) :: equation
+      type(secular_equation_t) :: equation
       real(dp) :: low, high, y, value, near_slope, far_slope
 
       if (has_asserts) call assert(c > 0 .and. all(b > 0) .and. all(a(2:) > a(:size(a) - 1)), &
@@ -76,8 +76,8 @@ contains
 
    !> The equation as seen from a pole below the root.
    pure subroutine look_from_below(equation, a, c, near)
-      !> Receives level and places of the poles.
-      type(equation_t), intent(inout) :: equation
+      !> Receives level and positions of the poles.
+      type(secular_equation_t), intent(inout) :: equation
       !> Poles; shape `(n)`.
       real(dp), intent(in) :: a(:)
       !> Right-hand side.
@@ -91,8 +91,8 @@ contains
 
    !> The equation as seen from a pole above the root.
    pure subroutine look_from_above(equation, a, c, near)
-      !> Receives level and places of the poles.
-      type(equation_t), intent(inout) :: equation
+      !> Receives level and positions of the poles.
+      type(secular_equation_t), intent(inout) :: equation
       !> Poles; shape `(n)`.
       real(dp), intent(in) :: a(:)
       !> Right-hand side.
@@ -106,8 +106,7 @@ contains
 
    !> A bracket of the root, with both ends positive.
    pure subroutine get_bracket(equation, near, low, high)
-      !> The equation of the root.
-      type(equation_t), intent(in) :: equation
+      type(secular_equation_t), intent(in) :: equation
       !> Number of the near pole.
       integer, intent(in) :: near
       !> Ends of the bracket.
@@ -132,8 +131,7 @@ contains
    !> C. P. Nielsen, D. C. Sorensen, Numerische Mathematik 31, 31, 1978). Where that leaves the bracket, or takes long, a step
    !> halves the bracket on a logarithmic scale.
    pure subroutine find_distance(equation, low, high, y)
-      !> The equation of the root.
-      type(equation_t), intent(in) :: equation
+      type(secular_equation_t), intent(in) :: equation
       !> Ends of the bracket, > 0.
       real(dp), intent(in) :: low, high
       !> The root.
@@ -162,17 +160,15 @@ contains
 
    !> Value of the equation, sum_i b_i/(y + e_i) - level, and what its slope owes to either side.
    pure subroutine evaluate(equation, y, value, near_slope, far_slope)
-      !> The equation of a root.
-      type(equation_t), intent(in) :: equation
+      type(secular_equation_t), intent(in) :: equation
       !> Distance from the near pole, > 0 and less than the gap.
       real(dp), intent(in) :: y
-      !> The value.
       real(dp), intent(out) :: value
       !> The negative of its slope, from the near pole and those behind it.
       real(dp), intent(out) :: near_slope
       !> The negative of its slope, from the poles beyond the root.
       real(dp), intent(out) :: far_slope
-      real(dp) :: distance, distance_rest, term, term_rest, total, rest, left_over
+      real(dp) :: distance, distance_rest, term, term_rest, total, rest, remainder
       integer :: i
 
       value = -equation%level
@@ -183,9 +179,9 @@ contains
          call get_sum(y, equation%e(i), distance, distance_rest)
          distance_rest = distance_rest + equation%e_rest(i)
          call get_quotient(equation%b(i), equation%b_rest(i), distance, distance_rest, term, term_rest)
-         call get_sum(value, term, total, left_over)
+         call get_sum(value, term, total, remainder)
          value = total
-         rest = rest + (left_over + term_rest)
+         rest = rest + (remainder + term_rest)
          if (distance > 0) then
             near_slope = near_slope + term/distance
          else
@@ -197,8 +193,7 @@ contains
 
    !> The step to the root of p + q/y + r/(y - gap), of which q is given by the near slope and r by the far one.
    pure real(dp) function step_of(equation, y, value, near_slope, far_slope)
-      !> The equation of a root.
-      type(equation_t), intent(in) :: equation
+      type(secular_equation_t), intent(in) :: equation
       !> Distance from the near pole, where the step begins.
       real(dp), intent(in) :: y
       !> Value of the equation there.

@@ -20,7 +20,7 @@ module adfric_numerics_spectral_filter
    private
    public :: spectral_filter_t, new_spectral_filter
 
-   !> Columns that are taken from memory together: two lines of the cache have room for so many modes.
+   !> Columns that are taken from memory together: two lines of the cache have space for so many modes.
    integer, parameter :: n_together = 8
    !> Samples of a part of a field, and the largest number of parts.
    integer, parameter :: samples_of_part = 2**14, most_parts = 64
@@ -164,7 +164,6 @@ contains
 
    !> Multiply the modes of a field.
    subroutine apply(self, symbol, x, y, product, imaginary)
-      !> The filter, whose buffers are overwritten.
       class(spectral_filter_t), intent(inout) :: self
       !> Factor of each mode; shape `(n_modes(2), n_modes(1))`, y first; it has to contain the division by `gain`.
       real(dp), intent(in), contiguous :: symbol(:, :)
@@ -212,7 +211,6 @@ contains
 
    !> Multiply the modes of a part.
    subroutine multiply(self, part, symbol, imaginary)
-      !> The filter with the modes of its rows.
       class(spectral_filter_t), intent(inout) :: self
       !> Number of the part, from 1.
       integer, intent(in) :: part
@@ -251,7 +249,6 @@ contains
 
    !> Transform the rows of a part.
    subroutine rows_there(self, part, x)
-      !> The filter, whose modes along x are set.
       class(spectral_filter_t), intent(inout) :: self
       !> Number of the part, from 1.
       integer, intent(in) :: part
@@ -271,7 +268,6 @@ contains
 
    !> Multiply the modes of a field of one row, whose columns are transformed there and back by a factor alone.
    subroutine multiply_line(self, symbol, imaginary)
-      !> The filter, whose modes along x are multiplied.
       class(spectral_filter_t), intent(inout) :: self
       !> Factor of each mode; shape `(1, n_modes(1))`.
       real(dp), intent(in), contiguous :: symbol(:, :)
@@ -292,7 +288,6 @@ contains
 
    !> Transform the columns of a part of a general field, multiply, and transform back.
    subroutine columns_of_waves(self, part, symbol, imaginary)
-      !> The filter, whose modes along x are multiplied.
       class(spectral_filter_t), intent(inout) :: self
       !> Number of the part, from 1.
       integer, intent(in) :: part
@@ -347,7 +342,6 @@ contains
 
    !> Transform the columns of a part of an even field, multiply, and transform back.
    subroutine columns_of_cosines(self, part, symbol)
-      !> The filter, whose modes along x are multiplied.
       class(spectral_filter_t), intent(inout) :: self
       !> Number of the part, from 1.
       integer, intent(in) :: part
@@ -379,7 +373,6 @@ contains
 
    !> Transform the rows of a part back.
    subroutine rows_back(self, part, x, y, products)
-      !> The filter, whose modes along x are used up.
       class(spectral_filter_t), intent(inout) :: self
       !> Number of the part, from 1.
       integer, intent(in) :: part

@@ -24,7 +24,6 @@ contains
 
    !> Hold the lock, once nobody else does. Calls of several threads come one after the other, since the first one makes the lock.
    subroutine acquire(self)
-      !> The lock.
       class(thread_lock_t), intent(inout) :: self
 
       if (.not. self%is_made) call omp_init_lock(self%lock)
@@ -34,7 +33,6 @@ contains
 
    !> Give back the lock, by the thread that holds it.
    subroutine release(self)
-      !> The lock.
       class(thread_lock_t), intent(inout) :: self
 
       call omp_unset_lock(self%lock)
@@ -42,7 +40,6 @@ contains
 
    !> Wait until nobody holds a lock that has been held before; any number of threads may.
    subroutine wait_for(self)
-      !> The lock.
       class(thread_lock_t), intent(inout) :: self
 
       call omp_set_lock(self%lock)
@@ -51,7 +48,6 @@ contains
 
    !> Give back what OpenMP has for the lock. (gfortran 12 ends in a fault where it finalizes an array in a type, so this is called.)
    subroutine destroy(self)
-      !> The lock, held by nobody.
       class(thread_lock_t), intent(inout) :: self
 
       if (self%is_made) call omp_destroy_lock(self%lock)

@@ -23,7 +23,7 @@ module adfric_output_axes
 
    !> A dataset of one dimension whose values change in step with those of another one, which is the scale of the dimension.
    type, extends(scale_t) :: companion_t
-      !> Place of the dimension among those of the points, from 1.
+      !> Index of the dimension among those of the points, from 1.
       integer :: axis = 1
    end type companion_t
 
@@ -31,7 +31,6 @@ contains
 
    !> The scales of the dimensions of the points.
    subroutine find_axes(run, axes)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Receives a scale for each dimension, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
@@ -52,7 +51,6 @@ contains
 
    !> The swept variables that are no scale themselves.
    subroutine find_companions(run, companions)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Receives the variables, in the order of their dimensions.
       type(companion_t), allocatable, intent(out) :: companions(:)
@@ -75,29 +73,26 @@ contains
    end subroutine find_companions
 
    !> Describe a swept variable.
-   subroutine set_swept(run, axis, place, scale)
-      !> The run, with its model and its points.
+   subroutine set_swept(run, axis, index, scale)
       class(run_t), intent(in) :: run
-      !> Place of the axis, from 1.
+      !> Index of the axis, from 1.
       integer, intent(in) :: axis
-      !> Place of the variable along it, from 1.
-      integer, intent(in) :: place
-      !> Receives name, unit and values.
+      !> Index of the variable along it, from 1.
+      integer, intent(in) :: index
       class(scale_t), intent(inout) :: scale
 
-      associate (number => run%plan%axes(axis)%variables(place))
+      associate (number => run%plan%axes(axis)%variables(index))
          scale%name = name_of_swept(run, number)
          scale%unit = file_unit(run%model%unit_of(run%plan%base, number))
          scale%long_name = run%model%variables(number)%meaning
-         scale%values = run%plan%axes(axis)%values(place, :)
+         scale%values = run%plan%axes(axis)%values(index, :)
       end associate
    end subroutine set_swept
 
    !> Name of a swept variable: its own or, where two that are swept share it, with the group before it.
    function name_of_swept(run, variable) result(name)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       character(:), allocatable :: name
       integer :: i, n_same
@@ -114,9 +109,8 @@ contains
    !> Name of a dimension of the points: that of the variable that leads, or a name of its own, with a number behind it where
    !> another dimension before it has the same.
    function name_of_dimension(run, axis) result(name)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
-      !> Place of the axis, from 1.
+      !> Index of the axis, from 1.
       integer, intent(in) :: axis
       character(:), allocatable :: name
       integer :: k, n_same

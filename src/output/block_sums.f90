@@ -24,7 +24,6 @@ contains
 
    !> Checksum of a block.
    integer(i8) function sum_of_block(layout, block, results, error_estimate, status, counts, profile_sum) result(sum)
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
@@ -61,7 +60,6 @@ contains
    integer(i8) function sum_of_profiles(point, profiles) result(sum)
       !> Number of the point in the run, from 1.
       integer(i8), intent(in) :: point
-      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in), contiguous :: profiles(:, :, :)
 
       sum = mix_reals(mix_integers(0_i8, 1, [point]), size(profiles), profiles)

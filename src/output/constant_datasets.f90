@@ -23,9 +23,7 @@ contains
 
    !> Create the datasets with their values.
    subroutine create_constants(calls, file, constants)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> What has one value in the run; a dataset of its name is made for each.
       type(constant_t), intent(in) :: constants(:)
@@ -53,9 +51,7 @@ contains
 
    !> Read constants with their values.
    subroutine read_constants(calls, file, names, constants)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Names of the constants, separated by a blank.
       character(*), intent(in) :: names
@@ -86,7 +82,6 @@ contains
 
    !> Names of constants, separated by a blank.
    pure function list_constants(constants) result(names)
-      !> The constants, in the order of the names.
       type(constant_t), intent(in) :: constants(:)
       character(:), allocatable :: names
       integer :: i

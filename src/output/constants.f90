@@ -34,7 +34,6 @@ contains
 
    !> The variables that have one value.
    subroutine find_constants(run, constants)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Receives the variables that are set and not swept, but for datasets.
       type(constant_t), allocatable, intent(out) :: constants(:)
@@ -57,21 +56,20 @@ contains
    end subroutine find_constants
 
    !> A variable that has one value.
-   subroutine set_constant(run, place, taken, constant)
-      !> The run, with its model and its points.
+   subroutine set_constant(run, index, taken, constant)
       class(run_t), intent(in) :: run
-      !> Place of the variable in the variables of the model.
-      integer, intent(in) :: place
+      !> Index of the variable in the variables of the model.
+      integer, intent(in) :: index
       !> Names of other datasets that the file may have.
       character(*), intent(in) :: taken
       !> Receives the name, the unit and the value.
       type(constant_t), intent(out) :: constant
 
-      associate (variable => run%model%variables(place))
-         constant%name = name_in_file(run, place, taken)
-         constant%unit = file_unit(run%model%unit_of(run%plan%base, place))
+      associate (variable => run%model%variables(index))
+         constant%name = name_in_file(run, index, taken)
+         constant%unit = file_unit(run%model%unit_of(run%plan%base, index))
          constant%long_name = variable%meaning
-         constant%value = run%plan%base(place)
+         constant%value = run%plan%base(index)
          constant%flag_meanings = ''
          if (variable%kind == kind_logical) constant%flag_meanings = logical_words
          if (variable%kind == kind_choice) then
@@ -111,9 +109,7 @@ contains
 
    !> Which derived quantities have one value in the run, and a name of their own.
    subroutine find_derived_constants(run, derived, is_constant)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
-      !> The derived quantities.
       type(derived_t), intent(in) :: derived(:)
       !> Receives whether each of them is one.
       logical, allocatable, intent(out) :: is_constant(:)
@@ -143,9 +139,8 @@ contains
 
    !> Name of a variable in the file; with its group before it where it would not be the only one of its name.
    function name_in_file(run, variable, taken) result(name)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
-      !> Place of the variable in the variables of the model.
+      !> Index of the variable in the variables of the model.
       integer, intent(in) :: variable
       !> Names of other datasets that the file may have, see `list_taken`.
       character(*), intent(in) :: taken
@@ -164,7 +159,6 @@ contains
 
    !> Names of the other datasets that a file may have: results, profiles and their axes, swept variables.
    function list_taken(run) result(names)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       character(:), allocatable :: names
       integer :: i

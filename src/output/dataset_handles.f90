@@ -20,7 +20,7 @@ module adfric_output_dataset_handles
    private
    public :: dataset_handles_t
 
-   !> The datasets, in the order of the layout. Rows are places of points in the file, from 1.
+   !> The datasets, in the order of the layout. Rows are indices of points in the file, from 1.
    type :: dataset_handles_t
       !> Spaces of the shape of a result, of a profile of all points, and of a count of all blocks.
       integer(hid_t) :: space = no_id, profile_space = no_id, count_space = no_id
@@ -50,11 +50,8 @@ contains
    subroutine create(self, calls, file, layout, parts)
       !> Nothing is open in it before; all datasets are open afterwards.
       class(dataset_handles_t), intent(inout) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       !> Files in which the values are; if absent the values are in this file.
       type(virtual_parts_t), intent(in), optional :: parts
@@ -102,11 +99,8 @@ contains
    subroutine open_all(self, calls, file, layout)
       !> Nothing is open in it before; all datasets of results are open afterwards.
       class(dataset_handles_t), intent(inout) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       integer :: i
 
@@ -123,13 +117,11 @@ contains
       call self%sums%open(calls, file, layout%blocks%n_blocks())
    end subroutine open_all
 
-   !> Make room for the ids, and make the spaces.
+   !> Make space for the ids, and make the spaces.
    subroutine prepare(self, calls, layout)
-      !> Gets room for the ids, all `no_id`, and its open spaces.
+      !> Gets space for the ids, all `no_id`, and its open spaces.
       class(dataset_handles_t), intent(inout) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
 
       allocate (self%scales(size(layout%axes) + size(layout%profile_axes)), self%fields(size(layout%fields)), &
@@ -140,24 +132,21 @@ contains
    end subroutine prepare
 
    !> Select the next box of a row of points in the space of the results.
-   subroutine select_rows(self, calls, layout, first, n_left, memory_space, n)
-      !> The open datasets and their spaces.
+   subroutine select_rows(self, calls, layout, first, n_remaining, memory_space, n)
       class(dataset_handles_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the first point in the file, from 1.
+      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
-      !> Number of points that are left.
-      integer, intent(in) :: n_left
+      !> Number of points that remain.
+      integer, intent(in) :: n_remaining
       !> Space of as many values as the box has points; the caller closes it.
       integer(hid_t), intent(out) :: memory_space
       !> Number of points of the box.
       integer, intent(out) :: n
       type(box_t) :: box
 
-      call next_box(layout%row_shape(), first - 1, int(n_left, i8), box)
+      call next_box(layout%row_shape(), first - 1, int(n_remaining, i8), box)
       n = int(product(box%count))
       call create_space(calls, [int(n, i8)], memory_space)
       call select_box(calls, self%space, box%start, box%count)
@@ -165,13 +154,10 @@ contains
 
    !> Select a profile of a point in the space of the profiles.
    subroutine select_profile(self, calls, layout, row, n, memory_space)
-      !> The open datasets and their spaces.
       class(dataset_handles_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the point in the file, from 1.
+      !> Index of the point in the file, from 1.
       integer(i8), intent(in) :: row
       !> Number of values of a profile.
       integer, intent(in) :: n
@@ -187,27 +173,23 @@ contains
    end subroutine select_profile
 
    !> Select neighbouring blocks in the space of the counts.
-   subroutine select_blocks(self, calls, place, n, memory_space)
-      !> The open datasets and their spaces.
+   subroutine select_blocks(self, calls, index, n, memory_space)
       class(dataset_handles_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block in the file, from 1.
-      integer(i8), intent(in) :: place
+      !> Index of the first block in the file, from 1.
+      integer(i8), intent(in) :: index
       !> Number of blocks.
       integer, intent(in) :: n
       !> Space of as many values, which the caller closes.
       integer(hid_t), intent(out) :: memory_space
 
       call create_space(calls, [int(n, i8)], memory_space)
-      call select_box(calls, self%count_space, [place - 1], [int(n, i8)])
+      call select_box(calls, self%count_space, [index - 1], [int(n, i8)])
    end subroutine select_blocks
 
    !> Where in the file values stand that are written while a run goes on; of size 0 for those that are elsewhere.
    subroutine get_extents(self, calls, extents)
-      !> The open datasets and their spaces.
       class(dataset_handles_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> First byte in the file, from 0, and number of bytes of each dataset; shape `(2, n)`.
       integer(i8), allocatable, intent(out) :: extents(:, :)

@@ -14,7 +14,7 @@ module adfric_output_datasets
    private
    public :: datasets_t
 
-   !> The datasets and what stands in them. Rows are places of points in the file, from 1.
+   !> The datasets and what stands in them. Rows are indices of points in the file, from 1.
    type, extends(dataset_handles_t) :: datasets_t
    contains
       procedure :: write_results
@@ -32,13 +32,10 @@ contains
 
    !> Write results of a row of points, but for their states.
    subroutine write_results(self, calls, layout, first, results, error_estimate)
-      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the first point in the file, from 1.
+      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> Results in the units of the model, shape `(n_points, n_results)`.
       real(dp), intent(in) :: results(:, :)
@@ -71,13 +68,10 @@ contains
 
    !> Write the states of a row of points.
    subroutine write_status(self, calls, layout, first, states)
-      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the first point in the file, from 1.
+      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> Status of each point, one of `status_...`, as it stands in the file.
       integer(int8), intent(in) :: states(:)
@@ -95,13 +89,10 @@ contains
 
    !> Read the results of a row of points.
    subroutine read_results(self, calls, layout, first, results, error_estimate)
-      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the first point in the file, from 1.
+      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> Results in the units of the model, shape `(n_points, n_results)`; NaN in the columns that are not in the file.
       real(dp), intent(out) :: results(:, :)
@@ -136,13 +127,10 @@ contains
 
    !> Read the status of a row of points.
    subroutine read_status(self, calls, layout, first, status)
-      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the first point in the file, from 1.
+      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> Status of each point, one of `status_...`, or `no_state`.
       integer, intent(out) :: status(:)
@@ -151,16 +139,13 @@ contains
    end subroutine read_status
 
    !> Read an enumerated result of a row of points.
-   subroutine read_states(self, calls, layout, place, first, states)
-      !> The open datasets and their spaces.
+   subroutine read_states(self, calls, layout, index, first, states)
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the result in `fields`.
-      integer, intent(in) :: place
-      !> Place of the first point in the file, from 1.
+      !> Index of the result in `fields`.
+      integer, intent(in) :: index
+      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> State of each point, or `no_state`.
       integer, intent(out) :: states(:)
@@ -173,7 +158,7 @@ contains
       do while (done < size(states) .and. calls%is_good())
          call self%select_rows(calls, layout, first + done, size(states) - done, memory_space, n)
          allocate (numbers(n), source=no_state)
-         call read_values(calls, self%fields(place), memory_space, self%space, numbers)
+         call read_values(calls, self%fields(index), memory_space, self%space, numbers)
          states(done + 1:done + n) = numbers
          call calls%close_id(memory_space)
          deallocate (numbers)
@@ -183,15 +168,11 @@ contains
 
    !> Write the profiles of a point.
    subroutine write_profiles(self, calls, layout, row, profiles)
-      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the point in the file, from 1.
+      !> Index of the point in the file, from 1.
       integer(i8), intent(in) :: row
-      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
       integer(hid_t) :: memory_space
       integer :: i, n
@@ -206,15 +187,11 @@ contains
 
    !> Read the profiles of a point.
    subroutine read_profiles(self, calls, layout, row, profiles)
-      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the point in the file, from 1.
+      !> Index of the point in the file, from 1.
       integer(i8), intent(in) :: row
-      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
       real(dp), allocatable :: numbers(:)
       integer(hid_t) :: memory_space
@@ -231,21 +208,18 @@ contains
    end subroutine read_profiles
 
    !> Write what the model counted in neighbouring blocks.
-   subroutine write_counts(self, calls, place, counts)
-      !> The open datasets and their spaces.
+   subroutine write_counts(self, calls, index, counts)
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block in the file, from 1.
-      integer(i8), intent(in) :: place
-      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
+      !> Index of the first block in the file, from 1.
+      integer(i8), intent(in) :: index
       real(dp), intent(in) :: counts(:, :)
       real(dp), allocatable :: numbers(:)
       integer(hid_t) :: memory_space
       integer :: i
 
       if (size(counts) == 0) return
-      call self%select_blocks(calls, place, size(counts, 1), memory_space)
+      call self%select_blocks(calls, index, size(counts, 1), memory_space)
       do i = 1, size(self%counts)
          numbers = counts(:, i)
          call write_values(calls, self%counts(i), memory_space, self%count_space, numbers)
@@ -254,14 +228,11 @@ contains
    end subroutine write_counts
 
    !> Read what the model counted in neighbouring blocks.
-   subroutine read_counts(self, calls, place, counts)
-      !> The open datasets and their spaces.
+   subroutine read_counts(self, calls, index, counts)
       class(datasets_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block in the file, from 1.
-      integer(i8), intent(in) :: place
-      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
+      !> Index of the first block in the file, from 1.
+      integer(i8), intent(in) :: index
       real(dp), intent(out) :: counts(:, :)
       real(dp), allocatable :: numbers(:)
       integer(hid_t) :: memory_space
@@ -269,7 +240,7 @@ contains
 
       if (size(counts) == 0) return
       allocate (numbers(size(counts, 1)), source=0.0_dp)
-      call self%select_blocks(calls, place, size(counts, 1), memory_space)
+      call self%select_blocks(calls, index, size(counts, 1), memory_space)
       do i = 1, size(self%counts)
          call read_values(calls, self%counts(i), memory_space, self%count_space, numbers)
          counts(:, i) = numbers

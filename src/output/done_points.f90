@@ -72,45 +72,41 @@ contains
 
    !> Go through all blocks.
    subroutine scan(calls, datasets, layout, run, list, summary)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> The open datasets of the file.
       type(datasets_t), intent(in) :: datasets
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
-      !> The blocks that are left; those that are solved in the file are removed.
+      !> The blocks that remain; those that are solved in the file are removed.
       type(block_list_t), intent(inout) :: list
       !> Summary of the run; the points that are solved in the file are added, and those of damaged blocks counted.
       type(run_summary_t), intent(inout) :: summary
       integer, allocatable :: status(:), status_of_block(:)
       real(dp), allocatable :: results(:, :), error_estimate(:)
       integer(i8), allocatable :: sums(:)
-      integer(i8) :: place, row, sum
+      integer(i8) :: index, row, sum
       integer :: i, k, n, first
 
       allocate (results(layout%blocks%size, size(run%model%results)), error_estimate(layout%blocks%size))
-      do place = 1, layout%blocks%n_blocks(), blocks_at_once
-         row = (place - 1)*layout%blocks%size + 1
+      do index = 1, layout%blocks%n_blocks(), blocks_at_once
+         row = (index - 1)*layout%blocks%size + 1
          allocate (status(min(int(blocks_at_once, i8)*layout%blocks%size, layout%blocks%n_points() - row + 1)))
          allocate (sums((size(status) - 1)/layout%blocks%size + 1))
          call datasets%read_status(calls, layout, row, status)
-         call datasets%sums%read(calls, place, sums)
+         call datasets%sums%read(calls, index, sums)
          do i = 0, min(blocks_at_once - 1, (size(status) - 1)/layout%blocks%size)
             first = i*layout%blocks%size
             n = min(layout%blocks%size, size(status) - first)
             status_of_block = status(first + 1:first + n)
             ! a block may have been half written: it is solved again as a whole
             if (any(status_of_block < 0) .or. .not. calls%is_good()) cycle
-            call read_block(calls, datasets, layout, place + i, status_of_block, results(:n, :), error_estimate(:n), sum)
+            call read_block(calls, datasets, layout, index + i, status_of_block, results(:n, :), error_estimate(:n), sum)
             if (sum /= sums(i + 1) .or. .not. calls%is_good()) then
                ! a damaged block is solved again, too
                summary%n_damaged = summary%n_damaged + n
                cycle
             end if
-            call list%mark_done(place + i)
-            call add_swept(layout, run, layout%blocks%block_at(place + i), results(:n, :))
+            call list%mark_done(index + i)
+            call add_swept(layout, run, layout%blocks%block_at(index + i), results(:n, :))
             call summary%add_points(transpose(results(:n, :)), [(status_of_block(k), k=1, n)])
          end do
          deallocate (status, sums)
@@ -118,15 +114,12 @@ contains
    end subroutine scan
 
    !> Read a block, and find its checksum.
-   subroutine read_block(calls, datasets, layout, place, status, results, error_estimate, sum)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine read_block(calls, datasets, layout, index, status, results, error_estimate, sum)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> The open datasets of the file.
       type(datasets_t), intent(in) :: datasets
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Place of the block in the file, from 1.
-      integer(i8), intent(in) :: place
+      !> Index of the block in the file, from 1.
+      integer(i8), intent(in) :: index
       !> Status of each point of the block, one of `status_...`.
       integer, intent(in) :: status(:)
       !> Results in the units of the model, shape `(n_points, n_results)`.
@@ -140,10 +133,10 @@ contains
       integer(i8) :: row, block, profile_sum
       integer :: i
 
-      row = (place - 1)*layout%blocks%size + 1
-      block = layout%blocks%block_at(place)
+      row = (index - 1)*layout%blocks%size + 1
+      block = layout%blocks%block_at(index)
       call datasets%read_results(calls, layout, row, results, error_estimate)
-      call datasets%read_counts(calls, place, counts)
+      call datasets%read_counts(calls, index, counts)
       profile_sum = 0
       if (size(layout%profiles) > 0) then
          allocate (profiles(product(layout%profile_shape()), 1, size(layout%profiles)))
@@ -162,9 +155,7 @@ contains
 
    !> Results that are swept stand in the file as variables alone.
    subroutine add_swept(layout, run, block, results)
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
@@ -188,7 +179,6 @@ contains
 
    !> Can a run go on with a file?
    logical function is_readable(path)
-      !> Name of the file.
       character(*), intent(in) :: path
       type(hdf5_calls_t) :: calls
       type(heading_t) :: heading

@@ -21,9 +21,7 @@ contains
 
    !> Create the datasets with their values: the scales first, to which the others are attached.
    subroutine create_extras(calls, file, extras)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> The datasets. A scale has its own name for its dimension; each dimension of the others is one of these.
       type(extra_t), intent(in) :: extras(:)
@@ -40,11 +38,8 @@ contains
 
    !> Create one of them.
    subroutine create_extra(calls, file, extra, is_scale)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> The dataset with its values.
       type(extra_t), intent(in) :: extra
       !> Is it the scale of a dimension?
       logical, intent(in) :: is_scale

@@ -8,7 +8,7 @@ module adfric_output_field_dataset
    use adfric_hdf5_datasets, only: create_space, create_real_dataset, create_state_dataset, &
       write_values, close_dataset, make_scale, attach_scale
    use adfric_output_flags, only: write_flags
-   use adfric_output_layout, only: scale_t, field_t, number_places
+   use adfric_output_layout, only: scale_t, field_t, number_indices
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)
    private
@@ -35,9 +35,7 @@ contains
 
    !> Create a scale with its values.
    subroutine create_scale(calls, file, scale, dataset)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> The scale: its name, its unit and its values.
       type(scale_t), intent(in) :: scale
@@ -54,28 +52,24 @@ contains
       call calls%close_id(space)
    end subroutine create_scale
 
-   !> Create the dataset of a list of numbers, and that of the places of its numbers, which is the scale of its one dimension.
+   !> Create the dataset of a list of numbers, and that of the indices of its numbers, which is the scale of its one dimension.
    subroutine create_list(calls, file, list)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> The list: its name, its unit and its numbers.
       type(scale_t), intent(in) :: list
-      type(scale_t) :: places
+      type(scale_t) :: indices
       integer(hid_t) :: scale
 
-      call number_places(list, places)
-      call create_scale(calls, file, places, scale)
+      call number_indices(list, indices)
+      call create_scale(calls, file, indices, scale)
       call create_row(calls, file, list, scale)
       call close_dataset(calls, scale)
    end subroutine create_list
 
    !> Create a dataset of one dimension along a scale.
    subroutine create_row(calls, file, row, scale)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> The dataset: its name, its unit and its numbers.
       class(scale_t), intent(in) :: row
@@ -95,9 +89,7 @@ contains
 
    !> Create a dataset of a result or a profile.
    subroutine create_field(calls, file, field, form, dataset, parts)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Name, unit and meanings of what stands in the dataset.
       type(field_t), intent(in) :: field
@@ -127,13 +119,10 @@ contains
 
    !> Create the datasets of what the model counts, in the group of what is known of each block.
    subroutine create_counts(calls, file, counts, space, datasets)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> Names of what the model counts.
       type(field_t), intent(in) :: counts(:)
-      !> Space with a place for each block of the file.
+      !> Space with a index for each block of the file.
       integer(hid_t), intent(in) :: space
       !> Ids of the datasets, to be closed by the caller; shape `(n_counts)`.
       integer(hid_t), intent(inout) :: datasets(:)

@@ -24,9 +24,7 @@ contains
    subroutine create_all(results, heading, error, parts)
       !> The file, which has its names and its layout; it is open afterwards, also after an error.
       class(results_writer_t), intent(inout) :: results
-      !> Texts at the root of the file.
       type(heading_t), intent(in) :: heading
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       !> Files in which the values are; if absent the values come into this file.
       type(virtual_parts_t), intent(in), optional :: parts

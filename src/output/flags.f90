@@ -15,9 +15,7 @@ contains
 
    !> Write what the numbers of a dataset mean.
    subroutine write_flags(calls, dataset, first, meanings)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Number of the first meaning; the others follow it.
       integer, intent(in) :: first
@@ -32,9 +30,7 @@ contains
 
    !> Read what the numbers of a dataset mean.
    subroutine read_flags(calls, dataset, first, meanings)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Number of the first meaning; 0 if the dataset has no meanings.
       integer, intent(out) :: first

@@ -82,7 +82,6 @@ contains
    subroutine set_data(self, run)
       !> Receives the names and the checksums of the datasets.
       type(heading_t), intent(inout) :: self
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       integer :: i, n
 
@@ -101,9 +100,7 @@ contains
 
    !> Write the heading of a new file.
    subroutine write_heading(calls, file, heading)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Texts to write at the root of the file; a history that is not empty is that of files that are merged.
       type(heading_t), intent(in) :: heading
@@ -130,9 +127,7 @@ contains
 
    !> Write what the CF conventions ask of a file.
    subroutine write_conventions(calls, file, heading)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Heading of the file; a history that is not empty is that of files that are merged.
       type(heading_t), intent(in) :: heading
@@ -158,9 +153,7 @@ contains
 
    !> Read the heading of a file.
    subroutine read_heading(calls, file, heading)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Receives the texts at the root of the file; `hash` is empty if adfric has not made the file.
       type(heading_t), intent(out) :: heading

@@ -10,13 +10,14 @@ module adfric_output_layout
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
-   public :: layout_t, new_layout, scale_t, companion_t, field_t, set_status_fields, number_places, name_of_swept, name_of_dimension
+   public :: layout_t, new_layout, scale_t, companion_t, field_t, set_status_fields, number_indices, name_of_swept, &
+      & name_of_dimension
 
    !> Meaning of the state `no_state` of a result.
    character(*), parameter :: no_state_meaning = 'no_value'
    !> Bytes of a real number and of a state.
    integer, parameter :: real_bytes = 8, state_bytes = 1
-   !> Room for names, attributes and the file's own tables, for each dataset [bytes].
+   !> Space for names, attributes and the file's own tables, for each dataset [bytes].
    integer, parameter :: bytes_per_dataset = 4096
 
    !> A dataset with a value at every point.
@@ -31,7 +32,7 @@ module adfric_output_layout
       character(:), allocatable :: flag_meanings
       !> The state that the first of these meanings is of.
       integer :: first_flag = 0
-      !> Place in the results of the model; 0 for `error_estimate` and `status`, which every model has.
+      !> Index in the results of the model; 0 for `error_estimate` and `status`, which every model has.
       integer :: column = 0
    end type field_t
 
@@ -101,7 +102,6 @@ contains
 
    !> The variables that are lists of numbers.
    subroutine find_lists(run, lists)
-      !> The run, with its model and its lists.
       class(run_t), intent(in) :: run
       !> Receives each list with its numbers.
       type(scale_t), allocatable, intent(out) :: lists(:)
@@ -123,23 +123,22 @@ contains
       end do
    end subroutine find_lists
 
-   !> The places of the numbers of a list, as values along its dimension.
-   pure subroutine number_places(list, places)
+   !> The indices of the numbers of a list, as values along its dimension.
+   pure subroutine number_indices(list, indices)
       !> The list.
       type(scale_t), intent(in) :: list
-      !> Receives the places from 1 on, with their name.
-      type(scale_t), intent(out) :: places
+      !> Receives the indices from 1 on, with their name.
+      type(scale_t), intent(out) :: indices
       integer :: i
 
-      places%name = list%name//'_place'
-      places%unit = '1'
-      places%long_name = 'place in '//list%name
-      places%values = [(real(i, dp), i=1, size(list%values))]
-   end subroutine number_places
+      indices%name = list%name//'_place'
+      indices%unit = '1'
+      indices%long_name = 'place in '//list%name
+      indices%values = [(real(i, dp), i=1, size(list%values))]
+   end subroutine number_indices
 
    !> Results that are written. One that is swept itself stands in the file as a variable and is left out.
    subroutine find_fields(run, results, fields)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Results of the model with the units of this run.
       type(result_t), intent(in) :: results(:)
@@ -187,7 +186,6 @@ contains
    pure subroutine set_field(field, name, unit, long_name)
       !> Receives its texts, and no meanings of flags.
       type(field_t), intent(inout) :: field
-      !> Name of the dataset.
       character(*), intent(in) :: name
       !> Unit of its values as the model gives it; a hyphen, or nothing, for a pure number.
       character(*), intent(in) :: unit
@@ -202,7 +200,6 @@ contains
 
    !> Axes along which a profile has more than one value.
    subroutine find_profile_axes(run, axes)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Receives the axes, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
@@ -224,7 +221,6 @@ contains
 
    !> Profiles that are written.
    subroutine find_profiles(profiles, fields)
-      !> Profiles that the model describes.
       type(profile_t), intent(in) :: profiles(:)
       !> Receives a field for each profile, in the same order.
       type(field_t), allocatable, intent(out) :: fields(:)
@@ -239,7 +235,6 @@ contains
 
    !> Number of points along each swept variable, the slowest first.
    pure function point_shape(self) result(counts)
-      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
       integer :: k
@@ -249,7 +244,6 @@ contains
 
    !> Shape of the points of the file: that of the sweep, or one row for a part.
    pure function row_shape(self) result(counts)
-      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
 
@@ -260,9 +254,8 @@ contains
       end if
    end function row_shape
 
-   !> Place of a point in the file, from 1.
+   !> Index of a point in the file, from 1.
    pure integer(i8) function row_of(self, point)
-      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       !> Number of the point in the run, from 1.
       integer(i8), intent(in) :: point
@@ -273,7 +266,6 @@ contains
 
    !> Shape of a profile, the slowest axis first.
    pure function profile_shape(self) result(counts)
-      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
       integer :: k
@@ -283,7 +275,6 @@ contains
 
    !> Names of what belongs to all values of results without being a scale, separated by a blank.
    pure function list_coordinates(self) result(names)
-      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       character(:), allocatable :: names
       integer :: i
@@ -301,7 +292,6 @@ contains
    !> Size of the file [bytes]; a real number, since no integer would be large enough for a sweep that is
    !> too large.
    pure real(dp) function n_bytes(self)
-      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       real(dp) :: n_points, per_point, in_lists
       integer :: i

@@ -19,7 +19,6 @@ contains
 
    !> Number of the attributes that are known at the end of a run.
    pure integer function n_placeholders(layout)
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
 
       n_placeholders = 1 + size(layout%counts)
@@ -27,11 +26,8 @@ contains
 
    !> Make the attributes, each with a NaN of its own, so that the file keeps its form from now on.
    subroutine write_placeholders(calls, file, layout)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       integer :: i
 
@@ -43,9 +39,7 @@ contains
 
    !> Write how long the run took.
    subroutine write_seconds(calls, file, seconds)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Time that the run took, with that before it was stopped [s].
       real(dp), intent(in) :: seconds
@@ -55,25 +49,22 @@ contains
 
    !> Write the means over the points of what the model counts. The sums are taken in the order of the blocks.
    subroutine write_means(calls, file, layout, datasets)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       !> The open datasets of the file, whose counts are read.
       type(datasets_t), intent(in) :: datasets
       real(dp), allocatable :: counts(:, :)
       real(dp) :: sums(size(layout%counts))
-      integer(i8) :: place, n_blocks
+      integer(i8) :: index, n_blocks
       integer :: i
 
       sums = 0
       n_blocks = layout%blocks%n_blocks()
       if (size(sums) == 0 .or. n_blocks == 0) return
-      do place = 1, n_blocks, blocks_at_once
-         allocate (counts(min(int(blocks_at_once, i8), n_blocks - place + 1), size(sums)))
-         call datasets%read_counts(calls, place, counts)
+      do index = 1, n_blocks, blocks_at_once
+         allocate (counts(min(int(blocks_at_once, i8), n_blocks - index + 1), size(sums)))
+         call datasets%read_counts(calls, index, counts)
          do i = 1, size(counts, 1)
             sums = sums + counts(i, :)
          end do

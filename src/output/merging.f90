@@ -66,9 +66,7 @@ contains
 
    !> Create a file that refers to the parts.
    subroutine create_virtual(parts, whole, heading, path, overwrite, results, error)
-      !> All parts of the run.
       type(part_file_t), intent(in) :: parts(:)
-      !> Layout of the whole run.
       type(layout_t), intent(in) :: whole
       !> Texts for the root of the file of the whole run.
       type(heading_t), intent(in) :: heading
@@ -78,7 +76,6 @@ contains
       logical, intent(in) :: overwrite
       !> The file of the whole run, which is open afterwards.
       type(results_file_t), intent(inout) :: results
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       type(virtual_parts_t) :: virtual_parts
@@ -100,32 +97,29 @@ contains
 
    !> Copy the results of a part.
    subroutine copy_part(part, layout, refers, results, error)
-      !> The part, whose file is read.
       type(part_file_t), intent(in) :: part
-      !> Layout of any of the parts.
       type(layout_t), intent(in) :: layout
       !> Does the new file refer to the results of the parts? Then only counts and checksums are copied.
       logical, intent(in) :: refers
       !> The open file of the whole run.
       type(results_file_t), intent(inout) :: results
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: own
       type(datasets_t) :: datasets
       type(hdf5_calls_t) :: calls, closing
       integer(hid_t) :: file
-      integer(i8) :: place
+      integer(i8) :: index
       integer :: n
 
       own = layout
       own%blocks = part%blocks
       call open_file(calls, part%path, .false., file)
       call datasets%open(calls, file, own)
-      place = 1
-      do while (place <= own%blocks%n_blocks() .and. calls%is_good() .and. .not. allocated(error))
-         n = int(min(own%blocks%n_neighbours(place), int(blocks_at_once, i8)))
-         call copy_blocks(calls, datasets, own, place, n, refers, results, error)
-         place = place + n
+      index = 1
+      do while (index <= own%blocks%n_blocks() .and. calls%is_good() .and. .not. allocated(error))
+         n = int(min(own%blocks%n_neighbours(index), int(blocks_at_once, i8)))
+         call copy_blocks(calls, datasets, own, index, n, refers, results, error)
+         index = index + n
       end do
       if (.not. allocated(error)) call calls%get_error(part%path//': cannot read', error)
       call datasets%close(closing)
@@ -133,34 +127,30 @@ contains
    end subroutine copy_part
 
    !> Copy neighbouring blocks of a part.
-   subroutine copy_blocks(calls, datasets, layout, place, n_blocks, refers, results, error)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+   subroutine copy_blocks(calls, datasets, layout, index, n_blocks, refers, results, error)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> The open datasets of the part.
       type(datasets_t), intent(in) :: datasets
-      !> Layout of the part.
       type(layout_t), intent(in) :: layout
-      !> Place of the first block in the file of the part, from 1.
-      integer(i8), intent(in) :: place
+      !> Index of the first block in the file of the part, from 1.
+      integer(i8), intent(in) :: index
       !> Number of blocks, neighbours in the run.
       integer, intent(in) :: n_blocks
       !> Does the new file refer to the results of the parts? Then only counts and checksums are copied.
       logical, intent(in) :: refers
       !> The open file of the whole run.
       type(results_file_t), intent(inout) :: results
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: numbers(:, :), error_estimate(:), counts(:, :), profiles(:, :, :)
       integer, allocatable :: status(:)
       integer(i8) :: row, first, sums(n_blocks)
       integer :: i, n
 
-      row = (place - 1)*layout%blocks%size + 1
-      first = layout%blocks%first_point(layout%blocks%block_at(place))
+      row = (index - 1)*layout%blocks%size + 1
+      first = layout%blocks%first_point(layout%blocks%block_at(index))
       n = int(min(int(n_blocks, i8)*layout%blocks%size, layout%blocks%n_points() - row + 1))
       allocate (counts(n_blocks, size(layout%counts)))
-      call datasets%read_counts(calls, place, counts)
-      call datasets%sums%read(calls, place, sums)
+      call datasets%read_counts(calls, index, counts)
+      call datasets%sums%read(calls, index, sums)
       if (refers) then
          if (calls%is_good()) call results%put_counts(first, counts, error)
          if (calls%is_good() .and. .not. allocated(error)) call results%put_known_sums(first, sums, error)

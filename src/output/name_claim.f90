@@ -18,7 +18,6 @@ contains
       character(*), intent(in) :: path
       !> May a file of this name be replaced?
       logical, intent(in) :: overwrite
-      !> Receives the lock.
       type(lock_t), intent(out) :: lock
       !> Allocated if the name cannot be had.
       type(error_t), allocatable, intent(out) :: error
@@ -44,7 +43,6 @@ contains
    subroutine release_name(path, lock)
       !> Final name of the results file; none of its other names is a leftover any more.
       character(*), intent(in) :: path
-      !> The lock, which is released.
       type(lock_t), intent(inout) :: lock
 
       call forget_leftover(new_name(path))

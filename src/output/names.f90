@@ -29,7 +29,6 @@ contains
 
    !> Name of the file until it has all its datasets. Nobody needs what stands there when no run is at work.
    pure function new_name(path) result(name)
-      !> Name of the results file.
       character(*), intent(in) :: path
       character(:), allocatable :: name
 
@@ -38,7 +37,6 @@ contains
 
    !> Name of the lock of a results file.
    pure function lock_name(path) result(name)
-      !> Name of the results file.
       character(*), intent(in) :: path
       character(:), allocatable :: name
 
@@ -107,7 +105,6 @@ contains
 
    !> What is said when two runs want the same file.
    pure function say_in_use(path) result(text)
-      !> Name of the results file.
       character(*), intent(in) :: path
       character(:), allocatable :: text
 

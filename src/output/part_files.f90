@@ -52,12 +52,12 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: other
       type(heading_t) :: other_heading
-      integer, allocatable :: place_of(:)
+      integer, allocatable :: index_of(:)
       integer :: i
 
       by_status = 0
       by_doubt = 0
-      allocate (place_of(0))
+      allocate (index_of(0))
       do i = 1, size(parts)
          if (i == 1) then
             call check_part(parts(i), layout, heading, by_status, by_doubt, error)
@@ -67,17 +67,17 @@ contains
          end if
          if (allocated(error)) return
          associate (part => parts(i)%blocks%part)
-            if (i == 1) place_of = spread(0, 1, part%of)
-            if (place_of(part%number) > 0) then
+            if (i == 1) index_of = spread(0, 1, part%of)
+            if (index_of(part%number) > 0) then
                call set_error(error, input_failure, parts(i)%path//': part '//show_count(part%number)//' of '//show_count(part%of) &
-                  //' is given twice, also as '//parts(place_of(part%number))%path)
+                  //' is given twice, also as '//parts(index_of(part%number))%path)
                return
             end if
-            place_of(part%number) = i
+            index_of(part%number) = i
          end associate
       end do
-      if (any(place_of == 0)) call set_error(error, input_failure, parts(1)%path//': '//show_count(count(place_of == 0)) &
-         //' of '//show_count(size(place_of))//' parts are missing: '//list_missing(place_of))
+      if (any(index_of == 0)) call set_error(error, input_failure, parts(1)%path//': '//show_count(count(index_of == 0)) &
+         //' of '//show_count(size(index_of))//' parts are missing: '//list_missing(index_of))
    end subroutine check_parts
 
    !> Check one file: is it a part, and complete?
@@ -127,11 +127,9 @@ contains
 
    !> Count the points of a part by status and doubt.
    subroutine count_points(calls, file, layout, by_status, by_doubt, n_missing)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       !> Number of points of each status, to which those of the part are added; shape `(0:n_status - 1)`.
       integer(i8), intent(inout) :: by_status(0:)
@@ -168,10 +166,7 @@ contains
 
    !> Do two files belong to one run?
    subroutine compare(part, first, heading, first_heading, error)
-      !> The file that is looked at.
-      type(part_file_t), intent(in) :: part
-      !> The file with which it is compared.
-      type(part_file_t), intent(in) :: first
+      type(part_file_t), intent(in) :: part, first
       !> Heading of `part`.
       type(heading_t), intent(in) :: heading
       !> Heading of `first`.
@@ -189,17 +184,17 @@ contains
    end subroutine compare
 
    !> Numbers of the missing parts, as far as they fit on a line.
-   function list_missing(place_of) result(text)
-      !> Place of each part among the files, from 1; 0 where a part is missing.
-      integer, intent(in) :: place_of(:)
+   function list_missing(index_of) result(text)
+      !> Index of each part among the files, from 1; 0 where a part is missing.
+      integer, intent(in) :: index_of(:)
       character(:), allocatable :: text
       integer, parameter :: most = 100
       integer :: i, n
 
       text = ''
       n = 0
-      do i = 1, size(place_of)
-         if (place_of(i) > 0) cycle
+      do i = 1, size(index_of)
+         if (index_of(i) > 0) cycle
          n = n + 1
          if (n > most) then
             text = text//', ...'

@@ -22,11 +22,9 @@ contains
 
    !> Write which part it is, and the names of its datasets in their order.
    subroutine write_part_layout(calls, file, layout)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
 
       call write_attribute(calls, file, 'part', int(layout%blocks%part%number, i8))
@@ -46,7 +44,6 @@ contains
 
    !> Read the layout of a part; one that is `is_whole` if the file is not that of a part.
    subroutine read_part_layout(calls, file, layout)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
@@ -99,11 +96,10 @@ contains
       end do
    end function list_scales
 
-   !> Names of companions, or places of their axes, separated by a blank.
+   !> Names of companions, or indices of their axes, separated by a blank.
    pure function list_companions(layout, with_axes) result(words)
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Are the places of the axes wanted? Else it is the names.
+      !> Are the indices of the axes wanted? Else it is the names.
       logical, intent(in) :: with_axes
       character(:), allocatable :: words
       integer :: i
@@ -120,7 +116,6 @@ contains
 
    !> Read what changes in step with the scales.
    subroutine read_companions(calls, file, companions)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
@@ -148,7 +143,6 @@ contains
 
    !> Names of fields, separated by a blank.
    pure function list_fields(fields) result(names)
-      !> Results, profiles or counts.
       type(field_t), intent(in) :: fields(:)
       character(:), allocatable :: names
       integer :: i
@@ -161,7 +155,6 @@ contains
 
    !> Read scales with their values.
    subroutine read_scales(calls, file, names, scales)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
@@ -190,7 +183,6 @@ contains
 
    !> Read what describes results, profiles or counts.
    subroutine read_fields(calls, file, folder, names, fields)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Is there room for a run?
+!> Is there space for a run?
 module adfric_output_resources
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, input_failure
@@ -20,7 +20,7 @@ contains
       class(run_t), intent(in) :: run
       !> Number of processes on this machine that need as much memory.
       integer, intent(in) :: n_alike
-      !> Not allocated if there is room for the run.
+      !> Not allocated if there is space for the run.
       type(error_t), allocatable, intent(out) :: error
 
       call check_disk(file_size_of(run), run%output, error)
@@ -33,7 +33,7 @@ contains
       real(dp), intent(in) :: n_bytes
       !> Name of the file.
       character(*), intent(in) :: path
-      !> Not allocated if there is room for the file.
+      !> Not allocated if there is space for the file.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: folder
 
@@ -48,7 +48,7 @@ contains
       class(run_t), intent(in) :: run
       !> Number of processes on this machine that need as much memory.
       integer, intent(in) :: n_alike
-      !> Not allocated if there is room for the run.
+      !> Not allocated if there is space for the run.
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: needed
 

@@ -106,7 +106,6 @@ contains
 
    !> See `sink_t`: create the file of a run that has just begun. If that fails there is none.
    subroutine prepare(self, error)
-      !> The file, which is open afterwards.
       class(results_file_t), intent(inout) :: self
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
@@ -114,7 +113,7 @@ contains
       call check_state(self%state, [is_begun, is_open, is_shared], 'prepare', error)
       if (allocated(error) .or. self%state /= is_begun) return
       call create_all(self, self%heading, error)
-      ! some file systems give room no earlier than this; and where it never came, zeros would look like results
+      ! some file systems give space no earlier than this; and where it never came, zeros would look like results
       if (.not. allocated(error)) call synchronise(self%path_now, error)
       ! nobody can have begun to write results in the meantime, since we have the lock
       if (allocated(error)) return
@@ -185,7 +184,7 @@ contains
       class(run_t), intent(in) :: run
       !> May a file of the final name be replaced?
       logical, intent(in) :: overwrite
-      !> The blocks that are left.
+      !> The blocks that remain.
       type(block_list_t), intent(out) :: list
       !> Summary of the points that are solved.
       type(run_summary_t), intent(out) :: summary
@@ -223,7 +222,6 @@ contains
       character(*), intent(in) :: path
       !> May a file of this name be replaced?
       logical, intent(in) :: overwrite
-      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       !> Allocated if the name cannot be had.
       type(error_t), allocatable, intent(out) :: error
@@ -238,7 +236,6 @@ contains
 
    !> Close the file, for several processes to open it. This one keeps its lock and will complete it.
    subroutine hand_over(self, error)
-      !> The open file, which is closed afterwards.
       class(results_file_t), intent(inout) :: self
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
@@ -267,7 +264,7 @@ contains
       call ignore_file_size_signal()
       self%path = run%output
       self%path_now = partial_name(self%path)
-      ! the other process may have found it, damaged in places
+      ! the other process may have found it, damaged in indices
       self%is_resumed = .true.
       call new_layout(self%layout, run)
       self%state = is_closed
@@ -279,7 +276,7 @@ contains
       class(results_file_t), intent(inout) :: self
       !> Time that the run took since it began or was resumed [s].
       real(dp), intent(in) :: wall_seconds
-      !> Allocated if the file cannot be completed; it says what is left.
+      !> Allocated if the file cannot be completed; it says what remains.
       type(error_t), allocatable, intent(out) :: error
 
       call check_state(self%state, [is_open], 'finish', error)
@@ -302,11 +299,10 @@ contains
 
    !> Leave the file, so that the run can go on another time.
    subroutine stop_writing(self, wall_seconds, error)
-      !> The open file, which keeps the ending `.partial`.
       class(results_file_t), intent(inout) :: self
       !> Time that the run took since it began or was resumed [s].
       real(dp), intent(in) :: wall_seconds
-      !> Allocated if the file cannot be closed; it says what is left.
+      !> Allocated if the file cannot be closed; it says what remains.
       type(error_t), allocatable, intent(out) :: error
 
       call check_state(self%state, [is_open], 'stop', error)
@@ -328,7 +324,6 @@ contains
       real(dp), intent(in) :: wall_seconds
       !> Are all points solved? Then the means over them are written, too.
       logical, intent(in) :: is_complete
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
@@ -340,11 +335,10 @@ contains
       call calls%get_error(self%path//': cannot '//trim(merge('complete', 'write   ', is_complete)), error)
    end subroutine close_with_time
 
-   !> Close the file after an error; the error says what is left of it.
+   !> Close the file after an error; the error says what remains of it.
    subroutine abandon(self, error)
-      !> The file in any state, which is idle afterwards.
       class(results_file_t), intent(inout) :: self
-      !> Why the run ends here; what is left of the file is added to the message.
+      !> Why the run ends here; what remains of the file is added to the message.
       type(error_t), intent(inout) :: error
       type(hdf5_calls_t) :: calls
       type(error_t), allocatable :: another

@@ -77,7 +77,6 @@ contains
    subroutine open_found(self, error)
       !> The closed file of the name `path_now`, which is open afterwards.
       class(results_writer_t), intent(inout) :: self
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       call check_state(self%state, [is_closed], 'open_found', error)
@@ -93,7 +92,6 @@ contains
       class(results_writer_t), intent(inout) :: self
       !> How all processes open the file together: an access list of HDF5.
       integer(hid_t), intent(in) :: access
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       call check_state(self%state, [is_closed], 'open_shared', error)
@@ -109,7 +107,6 @@ contains
    subroutine open_with_datasets(self, error, access)
       !> The file of the name `path_now`, which is open for writing afterwards.
       class(results_writer_t), intent(inout) :: self
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       !> How several processes open the file together, see `open_file`; if absent this one opens it alone.
       integer(hid_t), intent(in), optional :: access
@@ -152,16 +149,14 @@ contains
       real(dp), intent(in) :: error_estimate(:)
       !> Status of each point, one of `status_...`.
       integer, intent(in) :: status(:)
-      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       integer(i8) :: row
       real(dp) :: waiting
 
       call check_state(self%state, [is_open, is_shared], 'put', error)
-      if (.not. (allocated(error) .or. self%log%has_room(size(status)))) call self%make_safe(error)
+      if (.not. (allocated(error) .or. self%log%has_space(size(status)))) call self%make_safe(error)
       if (allocated(error)) return
       call calls%silence()
       row = self%layout%row_of(first)
@@ -179,13 +174,10 @@ contains
 
    !> Write what the model counted in a row of blocks.
    subroutine put_counts(self, first, counts, error)
-      !> The open file.
       class(results_writer_t), intent(inout) :: self
       !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
-      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
@@ -197,11 +189,10 @@ contains
    subroutine clear_profiles(self, row, status, error)
       !> The open file, which this run found when it began.
       class(results_writer_t), intent(inout) :: self
-      !> Place of the first point in the file, from 1.
+      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: row
       !> Status of the points from there on; those that are not solved get NaN.
       integer, intent(in) :: status(:)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       real(dp), allocatable :: nothing(:, :, :)
@@ -227,9 +218,7 @@ contains
       real(dp), intent(in) :: error_estimate(:)
       !> Status of each point, one of `status_...`.
       integer, intent(in) :: status(:)
-      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer(i8) :: sums(size(counts, 1)), block, profile_sum
       integer :: i, start, end
@@ -248,13 +237,11 @@ contains
 
    !> Write checksums of a row of blocks that are known.
    subroutine put_known_sums(self, first, sums, error)
-      !> The open file.
       class(results_writer_t), intent(inout) :: self
       !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
       !> Checksum of each block, from the block of that point on.
       integer(i8), intent(in), contiguous :: sums(:)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
@@ -268,9 +255,7 @@ contains
       class(results_writer_t), intent(inout) :: self
       !> Number of the point in the run, from 1.
       integer(i8), intent(in) :: point
-      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
@@ -300,7 +285,6 @@ contains
    subroutine make_safe(self, error)
       !> The open file; the log of states is empty afterwards.
       class(results_writer_t), intent(inout) :: self
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       real(dp) :: start
@@ -332,7 +316,6 @@ contains
 
    !> From now on there may be states in the file: it is of use, however the program ends.
    subroutine note_states(self)
-      !> The file, which is no leftover any more.
       class(results_writer_t), intent(inout) :: self
 
       if (self%has_states) return
@@ -344,7 +327,6 @@ contains
    !> Hand everything written so far to the operating system. What is written into a shared file is there already: HDF5
    !> keeps back nothing of contiguous datasets that are written by MPI, and to flush them would take all processes.
    subroutine flush_own(calls, self)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> The file; one that several processes share is left alone.
       class(results_writer_t), intent(inout) :: self
@@ -354,7 +336,6 @@ contains
 
    !> Close every id.
    subroutine close_all(self, calls)
-      !> The file; none of its ids is open afterwards.
       class(results_writer_t), intent(inout) :: self
       !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls

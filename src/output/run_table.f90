@@ -73,7 +73,6 @@ contains
 
    !> Lines with the number of points in each state that was met.
    function state_lines(result, counts) result(lines)
-      !> Result that has states.
       type(result_t), intent(in) :: result
       !> Number of points in each state, from 0 on.
       integer(i8), intent(in) :: counts(0:)
@@ -123,7 +122,6 @@ contains
 
    !> Line with the range of a result.
    function range_line(result, lowest, highest) result(line)
-      !> Result with the units of this run.
       type(result_t), intent(in) :: result
       !> Smallest and largest value in the unit of the result; the smallest one is above the largest one if there is no value.
       real(dp), intent(in) :: lowest, highest

@@ -57,11 +57,8 @@ contains
 
    !> Create the dataset of the seal, and the group in which it is; before all other datasets.
    subroutine create(self, calls, file, n_holes)
-      !> Receives the dataset and its size.
       class(seal_t), intent(inout) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Largest number of holes that the seal will have.
       integer, intent(in) :: n_holes
@@ -79,18 +76,15 @@ contains
 
    !> Write the seal into a file that has been handed to the operating system as a whole.
    subroutine write_seal(self, calls, path, extents, n_placeholders)
-      !> The seal, whose dataset is closed afterwards.
       class(seal_t), intent(inout) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Name of the file.
       character(*), intent(in) :: path
       !> Where values stand that are written later, see `get_extents` of the datasets.
       integer(i8), intent(in) :: extents(:, :)
       !> Number of the placeholders, all of which are in the file.
       integer, intent(in) :: n_placeholders
       integer(i8), allocatable :: holes(:, :), words(:)
-      integer(i8) :: own(2), place, sum, n_bytes
+      integer(i8) :: own(2), index, sum, n_bytes
       integer(hid_t) :: space
       integer :: i, n_found, number
 
@@ -100,10 +94,10 @@ contains
       sum = 0
       holes = in_order(reshape([flags, own, extents], [2, 2 + size(extents, 2)]))
       do i = 1, n_placeholders
-         call find_word(path, n_bytes, holes, transfer(placeholder(i), 0_i8), place, n_found, number)
+         call find_word(path, n_bytes, holes, transfer(placeholder(i), 0_i8), index, n_found, number)
          if (number == 0 .and. n_found /= 1) call calls%fail('the attributes cannot be found in the file')
          if (number /= 0) exit
-         holes = in_order(reshape([holes, [place, 8_i8]], [2, 1 + size(holes, 2)]))
+         holes = in_order(reshape([holes, [index, 8_i8]], [2, 1 + size(holes, 2)]))
       end do
       if (number == 0) call sum_of_file(path, n_bytes, holes, sum, number)
       if (number > 0) call calls%fail(error_text(int(number, c_int)))
@@ -137,7 +131,6 @@ contains
 
    !> Is a file a results file that has not been damaged? Asked before HDF5 opens it.
    subroutine check_seal(path, error)
-      !> Name of the file.
       character(*), intent(in) :: path
       !> Allocated if the file cannot be read, is damaged, or is no results file.
       type(error_t), allocatable, intent(out) :: error
@@ -162,26 +155,25 @@ contains
 
    !> Read the seal of a file.
    subroutine read_seal(path, words, number)
-      !> Name of the file.
       character(*), intent(in) :: path
       !> Receives the words of the seal; not to be used if `number` is not 0.
       integer(i8), allocatable, intent(out) :: words(:)
       !> 0; `is_short` if there is no seal, or a damaged one; or an error number of the system.
       integer, intent(out) :: number
       integer(i8), allocatable :: empty(:, :)
-      integer(i8) :: place, head(2)
+      integer(i8) :: index, head(2)
       integer :: n_found
 
       allocate (empty(2, 0))
-      call find_word(path, min(latest, max(size_of_file(path), 0_i8)), empty, mark, place, n_found, number)
+      call find_word(path, min(latest, max(size_of_file(path), 0_i8)), empty, mark, index, n_found, number)
       if (number == 0 .and. n_found == 0) number = is_short
-      if (number == 0) call read_words(path, place, head, number)
+      if (number == 0) call read_words(path, index, head, number)
       if (number == 0) then
          if (head(2) <= n_words_before .or. head(2) > most_words) number = is_short
       end if
       if (number /= 0) return
       allocate (words(head(2)), source=0_i8)
-      call read_words(path, place, words, number)
+      call read_words(path, index, words, number)
       if (number /= 0) return
       associate (n => size(words))
          if (words(n) /= mix_integers(0_i8, n - 1, words)) number = is_short

@@ -9,42 +9,41 @@ module adfric_output_status_log
    private
    public :: status_log_t
 
-   !> Room for so many points, and rows of points; there may be more of them in one row.
+   !> Space for so many points, and rows of points; there may be more of them in one row.
    integer, parameter :: max_points = 2**20, max_rows = 2**12
 
    !> States in the order in which they came.
    type :: status_log_t
       !> Number of points that wait, and number of rows of them.
       integer :: n_points = 0, n_rows = 0
-      !> States of the points, with room for more.
+      !> States of the points, with space for more.
       integer(int8), allocatable :: states(:)
-      !> First place in the file of each row, from 1.
+      !> First index in the file of each row, from 1.
       integer(i8), allocatable :: first(:)
       !> Number of points of each row.
       integer, allocatable :: count(:)
    contains
-      procedure :: has_room
+      procedure :: has_space
       procedure :: add
       procedure :: clear
    end type status_log_t
 
 contains
 
-   !> Is there room for a row of points?
-   pure logical function has_room(self, n)
-      !> The states so far.
+   !> Is there space for a row of points?
+   pure logical function has_space(self, n)
       class(status_log_t), intent(in) :: self
       !> Number of points of the row.
       integer, intent(in) :: n
 
-      has_room = self%n_points == 0 .or. (self%n_points + n <= max_points .and. self%n_rows < max_rows)
-   end function has_room
+      has_space = self%n_points == 0 .or. (self%n_points + n <= max_points .and. self%n_rows < max_rows)
+   end function has_space
 
    !> Add a row of points.
    subroutine add(self, first, status)
       !> The states so far, to which the row is added.
       class(status_log_t), intent(inout) :: self
-      !> Place of the first point in the file, from 1.
+      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> Status of each point of the row, one of `status_...`.
       integer, intent(in) :: status(:)
@@ -63,7 +62,6 @@ contains
 
    !> Forget everything.
    pure subroutine clear(self)
-      !> The log, which keeps its room.
       class(status_log_t), intent(inout) :: self
 
       self%n_points = 0

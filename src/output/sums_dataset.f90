@@ -15,7 +15,7 @@ module adfric_output_sums_dataset
    !> Path of the dataset in the file.
    character(*), parameter :: name = count_group//'/checksum'
 
-   !> The dataset, open. Places are those of blocks in the file, from 1.
+   !> The dataset, open. Indices are those of blocks in the file, from 1.
    type :: sums_dataset_t
       !> Id of the dataset.
       integer(hid_t) :: id = no_id
@@ -33,11 +33,8 @@ contains
 
    !> Create the dataset.
    subroutine create(self, calls, file, n_blocks)
-      !> Receives the ids; nothing is open in it before.
       class(sums_dataset_t), intent(inout) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Number of blocks of the file.
       integer(i8), intent(in) :: n_blocks
@@ -50,11 +47,8 @@ contains
 
    !> Open the dataset of a file that has one.
    subroutine open_sums(self, calls, file, n_blocks)
-      !> Receives the ids; nothing is open in it before.
       class(sums_dataset_t), intent(inout) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Number of blocks of the file.
       integer(i8), intent(in) :: n_blocks
@@ -64,62 +58,56 @@ contains
    end subroutine open_sums
 
    !> Write the checksums of neighbouring blocks.
-   subroutine write_sums(self, calls, place, sums)
-      !> The open dataset.
+   subroutine write_sums(self, calls, index, sums)
       class(sums_dataset_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block in the file, from 1.
-      integer(i8), intent(in) :: place
-      !> Checksum of each block, from that place on.
+      !> Index of the first block in the file, from 1.
+      integer(i8), intent(in) :: index
+      !> Checksum of each block, from that index on.
       integer(i8), intent(in), contiguous :: sums(:)
       integer(hid_t) :: memory_space
 
       if (size(sums) == 0) return
-      call select_blocks(self, calls, place, size(sums, kind=i8), memory_space)
+      call select_blocks(self, calls, index, size(sums, kind=i8), memory_space)
       call write_values(calls, self%id, memory_space, self%space, sums)
       call calls%close_id(memory_space)
    end subroutine write_sums
 
    !> Read the checksums of neighbouring blocks.
-   subroutine read_sums(self, calls, place, sums)
-      !> The open dataset.
+   subroutine read_sums(self, calls, index, sums)
       class(sums_dataset_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block in the file, from 1.
-      integer(i8), intent(in) :: place
-      !> Receives the checksum of each block, from that place on; 0 if a call has failed.
+      !> Index of the first block in the file, from 1.
+      integer(i8), intent(in) :: index
+      !> Receives the checksum of each block, from that index on; 0 if a call has failed.
       integer(i8), intent(out), contiguous :: sums(:)
       integer(hid_t) :: memory_space
 
       sums = 0
       if (size(sums) == 0) return
-      call select_blocks(self, calls, place, size(sums, kind=i8), memory_space)
+      call select_blocks(self, calls, index, size(sums, kind=i8), memory_space)
       call read_values(calls, self%id, memory_space, self%space, sums)
       call calls%close_id(memory_space)
    end subroutine read_sums
 
    !> Select neighbouring blocks.
-   subroutine select_blocks(self, calls, place, n, memory_space)
+   subroutine select_blocks(self, calls, index, n, memory_space)
       !> The open dataset, in whose space the blocks are selected.
       class(sums_dataset_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block in the file, from 1.
-      integer(i8), intent(in) :: place
+      !> Index of the first block in the file, from 1.
+      integer(i8), intent(in) :: index
       !> Number of blocks.
       integer(i8), intent(in) :: n
       !> Space of as many values as there are blocks; the caller closes it.
       integer(hid_t), intent(out) :: memory_space
 
       call create_space(calls, [n], memory_space)
-      call select_box(calls, self%space, [place - 1], [n])
+      call select_box(calls, self%space, [index - 1], [n])
    end subroutine select_blocks
 
    !> Close the dataset and its space.
    subroutine close_sums(self, calls)
-      !> The dataset, which is not open afterwards.
       class(sums_dataset_t), intent(inout) :: self
       !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls

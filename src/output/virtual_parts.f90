@@ -27,7 +27,7 @@ module adfric_output_virtual_parts
       private
       !> Number of parts that have been added.
       integer :: n = 0
-      !> The parts that have points, with room for all.
+      !> The parts that have points, with space for all.
       type(virtual_part_t), allocatable :: parts(:)
    contains
       procedure :: add
@@ -37,9 +37,9 @@ module adfric_output_virtual_parts
 
 contains
 
-   !> Make room for parts.
+   !> Make space for parts.
    subroutine new_virtual_parts(self, n)
-      !> Receives the room, and no parts.
+      !> Receives the space, and no parts.
       type(virtual_parts_t), intent(out) :: self
       !> Largest number of parts.
       integer, intent(in) :: n
@@ -51,11 +51,8 @@ contains
    subroutine add(self, calls, layout, blocks, path)
       !> The parts so far; a part without points is not added.
       class(virtual_parts_t), intent(inout) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the whole run.
       type(layout_t), intent(in) :: layout
-      !> Blocks of the part.
       type(blocks_t), intent(in) :: blocks
       !> Name of the part's file, relative to the folder of the file of the whole run, or absolute.
       character(*), intent(in) :: path
@@ -75,39 +72,34 @@ contains
 
    !> Select the points of a part.
    subroutine select_points(calls, layout, blocks, shape, space)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Layout of the whole run.
       type(layout_t), intent(in) :: layout
-      !> Blocks of the part.
       type(blocks_t), intent(in) :: blocks
       !> Shape of what each point has: of size 0 for a result, the shape of a profile for a profile.
       integer(i8), intent(in) :: shape(:)
       !> Space of all points, each with what it has; the points of the part are selected afterwards.
       integer(hid_t), intent(in) :: space
       type(box_t) :: box
-      integer(i8) :: place, n, point, last
+      integer(i8) :: index, n, point, last
 
       call select_nothing(calls, space)
-      place = 1
-      do while (place <= blocks%n_blocks())
-         n = blocks%n_neighbours(place)
-         point = blocks%first_point(blocks%block_at(place))
+      index = 1
+      do while (index <= blocks%n_blocks())
+         n = blocks%n_neighbours(index)
+         point = blocks%first_point(blocks%block_at(index))
          last = min(point + n*blocks%size - 1, blocks%n_points_of_run)
          do while (point <= last)
             call next_box(layout%row_shape(), point - 1, last - point + 1, box)
             call add_box(calls, space, [box%start, 0*shape], [box%count, shape])
             point = point + product(box%count)
          end do
-         place = place + n
+         index = index + n
       end do
    end subroutine select_points
 
    !> Create a virtual dataset of the whole run.
    subroutine create_dataset(self, calls, file, field, is_profile, space, dataset)
-      !> All parts that have points.
       class(virtual_parts_t), intent(in) :: self
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open results file of the whole run.
       integer(hid_t), intent(in) :: file
@@ -140,7 +132,6 @@ contains
 
    !> Close every space.
    subroutine close_all(self, calls)
-      !> The parts, none of which is left afterwards.
       class(virtual_parts_t), intent(inout) :: self
       !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls

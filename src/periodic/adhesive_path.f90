@@ -6,7 +6,8 @@
 !>
 !> - On a path without a jump dE = q d delta, E the energy of solid and adhesion, q the load, delta the penetration. A step whose energy is
 !>   not that by the trapezium has passed something, or is too long, and is halved.
-!> - Where the smallest step fails, the state is lost. Shares are held then and found anew in turns, each of which lowers the energy, to a
+!> - Where the smallest step fails, the state is lost. Shares are prescribed then and found anew in turns, each of which lowers the
+!> energy, to a
 !>   state. Near it Newton's method ends that.
 !> - Surfaces without a cell in range are free; they stay so when they part.
 module adfric_periodic_adhesive_path
@@ -47,7 +48,6 @@ contains
       real(dp), intent(in) :: mean_gap
       !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Workspace for the cells of this grid.
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Largest residual of the last state [-].
       real(dp), intent(in) :: tolerance
@@ -112,7 +112,6 @@ contains
    pure subroutine note_load(loads, gaps, state, least_load, largest_load)
       !> Loads [E*] and mean gaps of the last three states, the last one first; equal where there were fewer.
       real(dp), intent(inout) :: loads(3), gaps(3)
-      !> The state.
       type(contact_state_t), intent(in) :: state
       !> Smallest and largest load [E*].
       real(dp), intent(inout) :: least_load, largest_load
@@ -147,7 +146,6 @@ contains
    subroutine part(state, mean_gap)
       !> In: a state without a cell in range. Out: another one.
       type(contact_state_t), intent(inout) :: state
-      !> The mean gap.
       real(dp), intent(in) :: mean_gap
 
       state%gap(:, :) = state%shape + (mean_gap - sum_of(state%shape)/size(state%shape))
@@ -158,7 +156,6 @@ contains
 
    !> Is the energy of a step that of a path without a jump?
    logical function is_smooth(state, next)
-      !> States at the ends of the step.
       type(contact_state_t), intent(in) :: state, next
       real(dp) :: change, loss, carried
 
@@ -181,13 +178,9 @@ contains
 
    !> Go to the state to which a lost one falls.
    subroutine jump(state, operator, gap_solver, tolerance, rounds_at_most, next, has_found)
-      !> The last state before it is lost.
       type(contact_state_t), intent(in) :: state
-      !> Operator of this grid.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Workspace for the cells of this grid.
       type(gap_solver_t), intent(inout) :: gap_solver
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> Turns that are made at most.
       integer, intent(in) :: rounds_at_most
@@ -228,7 +221,6 @@ contains
 
    !> Is no cell within the range?
    pure logical function is_free(state)
-      !> A state with its shares.
       type(contact_state_t), intent(in) :: state
 
       is_free = .not. any(state%cohesion%share > 0)
@@ -236,7 +228,6 @@ contains
 
    !> How far the surfaces have approached since first touch, in the unit of the gap.
    real(dp) function penetration_of(state)
-      !> A state.
       type(contact_state_t), intent(in) :: state
 
       penetration_of = (sum_of(state%shape) - sum_of(state%gap))/size(state%gap)

@@ -2,7 +2,8 @@
 !> Adhesive contact of a periodic surface at a given penetration, on either branch.
 !>
 !> Under a load q each branch has one state (`adfric_periodic_adhesive_contact`), whose penetration D(q) rises with q: it is known where a
-!> penetration is held under a load, and where a jump of the load passes it. At the penetration delta the states of the branches are
+!> penetration is prescribed under a load, and where a jump of the load passes it. At the penetration delta the states of the
+!> branches are
 !>
 !> - **adhered**: the surfaces part slowly under a load that falls to the least one whose state is not yet farther apart than delta. If
 !>   that is not the state at delta, the next load would pass it; from there on the mean gap is opened slowly
@@ -70,19 +71,15 @@ contains
 
    !> Solve at a penetration with adhesion; elastic solids alone.
    subroutine solve_adhesive_penetration(self, shape, penetration, adhesion, tolerance, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> Penetration from first touch at the mean of the deformed surface, in the unit of `shape`; below 0 before it.
       real(dp), intent(in) :: penetration
-      !> The law, and which state is wanted.
       type(periodic_adhesion_t), intent(in) :: adhesion
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> The solution; `status` tells how it ended. Out of range: no pressure brings the surfaces so near.
       type(periodic_solution_t), intent(out) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(periodic_adhesion_t) :: branch
       type(window_t) :: window
@@ -111,17 +108,12 @@ contains
 
    !> Find the load without adhesion at the penetration.
    subroutine solve_bare(self, shape, tolerance, window, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells.
       real(dp), intent(in) :: shape(:, :)
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
-      !> Receives the load.
       type(window_t), intent(inout) :: window
-      !> Receives pairs of transforms.
       type(periodic_solution_t), intent(inout) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(periodic_solution_t) :: bare
 
@@ -133,19 +125,15 @@ contains
 
    !> After a turn the state is that of approach for penetrations that the turn did not reach, and comes from that of the turn else.
    subroutine choose_side(self, shape, tolerance, branch, window, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells.
       real(dp), intent(in) :: shape(:, :)
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> In: the branch. Out: that of approach, if it is that.
       type(periodic_adhesion_t), intent(inout) :: branch
       !> Receives the side, and the state of the turn.
       type(window_t), intent(inout) :: window
-      !> Receives pairs of transforms.
       type(periodic_solution_t), intent(inout) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       window%is_adhered = branch%is_adhered
@@ -160,19 +148,14 @@ contains
 
    !> Find a state that has not passed the penetration, and a load that has.
    subroutine open_window(self, shape, branch, tolerance, window, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells.
       real(dp), intent(in) :: shape(:, :)
-      !> The branch.
       type(periodic_adhesion_t), intent(in) :: branch
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> In: with the state of a turn. Out: both ends are known.
       type(window_t), intent(inout) :: window
-      !> Receives pairs of transforms.
       type(periodic_solution_t), intent(inout) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: near_end, far_end
       integer :: k
@@ -202,13 +185,10 @@ contains
 
    !> Begin with the first cell about to come into range.
    subroutine start_apart(self, shape, branch, window)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(in) :: self
       !> Gap of the undeformed surfaces in the middles of the cells.
       real(dp), intent(in) :: shape(:, :)
-      !> The branch.
       type(periodic_adhesion_t), intent(in) :: branch
-      !> Receives the state.
       type(window_t), intent(inout) :: window
 
       window%state = contact_state_t()
@@ -226,7 +206,6 @@ contains
 
    !> A load between the ends of the window: on the line through both, or in the middle.
    pure real(dp) function next_load(window) result(load)
-      !> What is known.
       type(window_t), intent(in) :: window
       real(dp) :: part
 
@@ -237,21 +216,16 @@ contains
 
    !> Solve under a load, and take note on which side of the penetration its state is.
    subroutine look(self, shape, load, branch, tolerance, window, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells.
       real(dp), intent(in) :: shape(:, :)
       !> Mean pressure [E*].
       real(dp), intent(in) :: load
-      !> The branch.
       type(periodic_adhesion_t), intent(in) :: branch
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> What is known; receives one more state or load.
       type(window_t), intent(inout) :: window
-      !> Receives pairs of transforms.
       type(periodic_solution_t), intent(inout) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t) :: state
       type(periodic_solution_t) :: found
@@ -284,19 +258,15 @@ contains
 
    !> Follow the state of the window to the penetration, until no other load is in question.
    subroutine search(self, shape, branch, tolerance, window, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells.
       real(dp), intent(in) :: shape(:, :)
-      !> The branch.
       type(periodic_adhesion_t), intent(in) :: branch
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> In: both ends. Out: the state at the penetration, if it has converged.
       type(window_t), intent(inout) :: window
       !> Receives pairs of transforms and how it ended.
       type(periodic_solution_t), intent(inout) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t) :: state
       real(dp) :: ends(2), load, reach
@@ -336,7 +306,6 @@ contains
 
    !> The mean tension of adhesion [E*].
    real(dp) function tension_of(state) result(tension)
-      !> A state.
       type(contact_state_t), intent(in) :: state
 
       tension = state%cohesion%stress*(sum_of(state%cohesion%share)/size(state%gap))
@@ -344,11 +313,8 @@ contains
 
    !> Collect the solution, with the area of coarser grids at the same mean gap, as far as they have the state.
    subroutine collect(self, state, tolerance, solution)
-      !> Solver of the state.
       type(periodic_solver_t), intent(inout) :: self
-      !> The state.
       type(contact_state_t), intent(in) :: state
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> In: with pairs of transforms. Out: the solution.
       type(periodic_solution_t), intent(inout) :: solution
@@ -374,9 +340,7 @@ contains
 
    !> Begin on a coarser grid from the gap of a finer one.
    subroutine set_coarse(coarse, fine, is_quarter)
-      !> Receives where to begin.
       type(contact_state_t), intent(out) :: coarse
-      !> State on the finer grid.
       type(contact_state_t), intent(in) :: fine
       !> Is only a quarter of an even surface given?
       logical, intent(in) :: is_quarter

@@ -34,19 +34,15 @@ contains
 
    !> Solve under a mean pressure with adhesion; elastic solids alone.
    subroutine solve_adhesive_load(self, shape, mean_pressure, adhesion, tolerance, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> Mean pressure [E*], negative where the surface is pulled.
       real(dp), intent(in) :: mean_pressure
-      !> The law, and which state is wanted.
       type(periodic_adhesion_t), intent(in) :: adhesion
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> The solution; `status` tells how it ended. Out of range: no state with contact carries the load.
       type(periodic_solution_t), intent(out) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t), allocatable :: states(:), turned(:)
 
@@ -62,15 +58,12 @@ contains
 
    !> Solve as `solve_adhesive_load`, for the state on the finest grid.
    subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, turned, state, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> Mean pressure [E*], negative where the surface is pulled.
       real(dp), intent(in) :: mean_pressure
-      !> The law, and which state is wanted.
       type(periodic_adhesion_t), intent(in) :: adhesion
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> States of the turn on all grids, which belong to the surface, its law and the tolerance; not allocated: not known yet. Receives
       !> them, so that other loads need not find them again.
@@ -79,7 +72,6 @@ contains
       type(contact_state_t), intent(out) :: state
       !> Receives pairs of transforms and how it ended.
       type(periodic_solution_t), intent(out) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t), allocatable :: states(:)
 
@@ -89,15 +81,12 @@ contains
 
    !> Solve on all grids; after a turn the state of the turn first.
    subroutine solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, turned, solution, error)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> Mean pressure [E*].
       real(dp), intent(in) :: mean_pressure
-      !> The law, and which state is wanted.
       type(periodic_adhesion_t), intent(in) :: adhesion
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> Receives the states, from the coarsest grid to the finest.
       type(contact_state_t), allocatable, intent(out) :: states(:)
@@ -105,7 +94,6 @@ contains
       type(contact_state_t), allocatable, intent(inout) :: turned(:)
       !> Receives pairs of transforms and how it ended.
       type(periodic_solution_t), intent(out) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer :: k, n
 
@@ -138,13 +126,10 @@ contains
 
    !> Solve with adhesion on each grid, from the coarsest to the finest.
    subroutine pass_grids(self, states, is_adhered, tolerance, solution, turned)
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> In: shape, load and law on each grid. Out: the states; without a gap where there is no contact.
       type(contact_state_t), intent(inout) :: states(:)
-      !> Is the most adhered state wanted?
       logical, intent(in) :: is_adhered
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> Receives pairs of transforms and how it ended.
       type(periodic_solution_t), intent(inout) :: solution
@@ -195,9 +180,7 @@ contains
 
    !> Shares that bound those of the wanted state whatever it is. Under no load they are those of first touch.
    subroutine get_first_bound(state, is_adhered, bound)
-      !> Shape, load and law.
       type(contact_state_t), intent(in) :: state
-      !> Is the most adhered state wanted?
       logical, intent(in) :: is_adhered
       !> Receives the shares; shape of the cells.
       real(dp), intent(out), contiguous :: bound(:, :)

@@ -4,10 +4,10 @@
 !> Cells at the perimeter S_d are counted as a whole and so the area is too large by ((pi - 1 + ln 2)/24) S_d dx on average
 !> (V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114, 2017, 161). In one dimension there is nothing to correct.
 !>
-!> What is left scatters with the places of the perimeter between the cells. The number of lattice points in a disc of radius R >> 1
-!> at a random place has the variance (R/2 pi^2) sum |k|^-3 over all points k of the lattice but 0 (D. G. Kendall, Q. J. Math. 19,
-!> 1948, 1), that is 0.24^2 for each of its 8 R sides. Those of many contacts add up; where symmetry places all parts alike it is
-!> four times as large.
+!> What remains scatters with the positions of the perimeter between the cells. The number of lattice points in a disc of radius R
+!> >> 1 at a random position has the variance (R/2 pi^2) sum |k|^-3 over all points k of the lattice but 0 (D. G. Kendall, Q. J.
+!> Math. 19, 1948, 1), that is 0.24^2 for each of its 8 R sides. Those of many contacts add up; where symmetry positions all parts
+!> alike it is four times as large.
 module adfric_periodic_area
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -16,7 +16,7 @@ module adfric_periodic_area
    public :: area_t, area_of_cells, refine_area, relative_error_of
 
    real(dp), parameter :: excess_of_perimeter = (pi - 1 + log(2.0_dp))/24
-   !> Least scatter of the corrected area, as a part of S_d dx: what is left when two grids agree by accident.
+   !> Least scatter of the corrected area, as a part of S_d dx: what remains when two grids agree by accident.
    real(dp), parameter :: scatter = 0.03_dp
    !> Scatter of the number of cells over the root of that of sides: four times Kendall's, twice that of symmetric contacts.
    real(dp), parameter :: scatter_of_sides = 1.0_dp
@@ -79,7 +79,6 @@ contains
 
    !> Error of the area relative to it, 1 at most; 0 without contact.
    pure real(dp) function relative_error_of(area) result(error)
-      !> The area and its error.
       type(area_t), intent(in) :: area
 
       error = 0

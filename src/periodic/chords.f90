@@ -80,7 +80,7 @@ contains
 
       !> Part in contact between two neighbours.
       pure real(dp) function part_of(i, k)
-         !> Places of the neighbours.
+         !> Positions of the neighbours.
          integer, intent(in) :: i, k
 
          if (gap(i) > 0 .and. gap(k) > 0) then

@@ -22,7 +22,7 @@ module adfric_periodic_cohesion
 
    !> A square between the middles of four cells.
    type :: square_t
-      !> Places of the middles along x and y; the same one twice on both sides of a mirror.
+      !> Positions of the middles along x and y; the same one twice on both sides of a mirror.
       integer :: x(2) = 1, y(2) = 1
       !> Weight: a mirror halves it.
       real(dp) :: weight = 1
@@ -67,7 +67,6 @@ contains
 
    !> Set the law, without shares.
    subroutine new_cohesion(self, stress, range, is_quarter)
-      !> The new law.
       type(cohesion_t), intent(out) :: self
       !> Tension sigma0 [E*], > 0.
       real(dp), intent(in) :: stress
@@ -83,7 +82,6 @@ contains
 
    !> Find the shares of a gap, and hold them.
    subroutine set_share(self, gap)
-      !> The law; receives the shares.
       class(cohesion_t), intent(inout) :: self
       !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
@@ -104,7 +102,6 @@ contains
 
    !> Find the shares of a gap, and let them change with it in a straight line from there.
    subroutine follow(self, gap)
-      !> The law; receives shares and slopes.
       class(cohesion_t), intent(inout) :: self
       !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
@@ -121,7 +118,6 @@ contains
 
    !> Find the squares in which shares change on the way from a gap to another one that is nowhere smaller.
    subroutine set_band(self, low, high)
-      !> The law; receives the squares.
       class(cohesion_t), intent(inout) :: self
       !> The two gaps, in the middles of the cells.
       real(dp), intent(in), contiguous :: low(:, :), high(:, :)
@@ -152,7 +148,6 @@ contains
 
    !> What the squares of the band add to the shares.
    pure subroutine get_band_share(self, gap, share)
-      !> The law with its band.
       class(cohesion_t), intent(in) :: self
       !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
@@ -168,7 +163,6 @@ contains
 
    !> Hold the shares as they are.
    pure subroutine hold(self)
-      !> The law with its shares.
       class(cohesion_t), intent(inout) :: self
 
       self%n_triangles = 0
@@ -199,7 +193,6 @@ contains
       real(dp), intent(in) :: range
       !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
-      !> The square.
       type(square_t), intent(in) :: square
       !> Receives the shares; shape of the cells.
       real(dp), intent(inout), contiguous :: share(:, :)
@@ -229,7 +222,6 @@ contains
    pure function corners_of(gap, square) result(corner)
       !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
-      !> The square.
       type(square_t), intent(in) :: square
       real(dp) :: corner(4)
 
@@ -279,11 +271,9 @@ contains
 
    !> Keep the triangles of a square that the edge of the zone passes.
    subroutine add_slopes(self, gap, square)
-      !> The law; receives triangles.
       type(cohesion_t), intent(inout) :: self
       !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
-      !> The square.
       type(square_t), intent(in) :: square
       real(dp) :: corner(4)
       integer :: cells(4), k
@@ -293,7 +283,7 @@ contains
       do k = 1, 4
          associate (of => triangles(:, k))
             if (minval(corner(of)) > self%range .or. maxval(corner(of)) <= self%range) cycle
-            if (self%n_triangles == size(self%corners, 2)) call make_room(self)
+            if (self%n_triangles == size(self%corners, 2)) call make_space(self)
             self%n_triangles = self%n_triangles + 1
             self%corners(:, self%n_triangles) = cells(of)
             self%slopes(:, self%n_triangles) = square%weight*weight_of_triangle*self%stress*slopes_of(corner(of), self%range)
@@ -301,9 +291,8 @@ contains
       end do
    end subroutine add_slopes
 
-   !> Make room for twice as many triangles.
-   pure subroutine make_room(self)
-      !> The law with its triangles.
+   !> Make space for twice as many triangles.
+   pure subroutine make_space(self)
       type(cohesion_t), intent(inout) :: self
       integer, allocatable :: corners(:, :)
       real(dp), allocatable :: slopes(:, :)
@@ -315,7 +304,7 @@ contains
       slopes(:, :n) = self%slopes(:, :n)
       call move_alloc(corners, self%corners)
       call move_alloc(slopes, self%slopes)
-   end subroutine make_room
+   end subroutine make_space
 
    !> Integrals of products of hat functions along the line, over the gradient of the gap, in units of the triangle's area; pairs
    !> 11, 22, 33, 12, 23, 31. They are quadratic along the line, so that Simpson's rule is exact.
@@ -357,7 +346,6 @@ contains
 
    !> Subtract what the tension loses along a direction from its pressure, where shares follow the gap.
    pure subroutine subtract_slope(self, direction, pressure, product)
-      !> The law with its triangles.
       class(cohesion_t), intent(in) :: self
       !> Change of the gap, in columns; shape `(n_cells)`.
       real(dp), intent(in) :: direction(*)
@@ -383,7 +371,6 @@ contains
 
    !> Energy of adhesion per area, less than 0 where there is any: the mean of Phi [E* times the unit of the gap].
    pure real(dp) function energy_of(self, gap) result(energy)
-      !> The law.
       class(cohesion_t), intent(in) :: self
       !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)

@@ -8,15 +8,16 @@
 !>
 !> A the stiffness, |k|/2 of an elastic half-space (`adfric_periodic_operator`), q the mean pressure; delta = mean(g0) - mean(g). Given the load
 !> this is a linear complementarity problem without a constraint, and close to full contact nothing cancels: the few gaps are what
-!> is solved for. Off its diagonal A is negative (1-D) or nearly so (2-D), a discrete fractional Laplacian. For such matrices the
+!> is solved for. Off its diagonal A is negative (1-D) or mostly so (2-D), a discrete fractional Laplacian. For such matrices the
 !> primal-dual active-set method, which is Newton's, converges from any start (M. Hintermueller, K. Ito, K. Kunisch, SIAM J.
 !> Optim. 13, 2002, 865): solve for the gap over the open region (`adfric_periodic_gap_solver`), close the cells whose gap is
 !> negative, open those that pull, each time as soon as it is clear which these are (`adfric_periodic_region_search`, which sees to it
 !> that this ends). Pressure and gap are carried along; what counts in the end is the pressure that is found from the gap anew.
 !>
 !> With adhesion p is pressure plus the tension sigma0 t of the shares t of the cells within its range (`adfric_periodic_cohesion`), p >= 0
-!> as before. Shares that are held leave the problem as it is. Shares that follow the gap in a straight line make A - sigma0 dt/dg of A;
-!> they are found anew where the pressure is, which is Newton's method, and it may fail: `adfric_periodic_adhesive_contact`.
+!> as before. Shares that are prescribed leave the problem as it is. Shares that follow the gap in a straight line make A - sigma0
+!> dt/dg of A; they are found anew where the pressure is, which is Newton's method, and it may fail:
+!> `adfric_periodic_adhesive_contact`.
 !>
 !> The pressure cannot be more accurate than the round-off of A g0. Surfaces with steps under very light load, where that is more
 !> than the tolerance, are reported as not converged, with the residual that was reached.
@@ -108,7 +109,6 @@ contains
       type(contact_state_t), intent(inout) :: state
       !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Workspace for the cells of this grid.
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Largest residual that is allowed [-], see `residual_of`.
       real(dp), intent(in) :: tolerance
@@ -137,7 +137,7 @@ contains
          if (operator%is_stopped()) exit
          call judge(state, extremes, goal, verdict)
          call search%note_step(verdict)
-         has_ended = verdict%left <= goal*state%pressure_scale/2 .or. is_stuck .or. search%is_stalled()
+         has_ended = verdict%remaining <= goal*state%pressure_scale/2 .or. is_stuck .or. search%is_stalled()
          if (verdict%violation > 0 .and. (has_ended .or. search%is_due(verdict, goal*state%pressure_scale/2))) then
             call change_region(state, goal, search)
             call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, .true.)
@@ -162,8 +162,8 @@ contains
          state%n_iterations = state%n_iterations + 1
          ! a tension that follows the gap may make the solid give way without end
          if (follows_gap(state)) then
-            if (is_stuck .and. extremes%left > goal*state%pressure_scale) exit
-            if (.not. extremes%left <= far_pressure*(state%cohesion%stress + state%pressure_scale)) exit
+            if (is_stuck .and. extremes%remaining > goal*state%pressure_scale) exit
+            if (.not. extremes%remaining <= far_pressure*(state%cohesion%stress + state%pressure_scale)) exit
          end if
       end do
       if (.not. state%has_fixed_mean) state%mean_gap = sum(state%gap)/size(state%gap)
@@ -171,7 +171,6 @@ contains
 
    !> Do shares of adhesion follow the gap?
    pure logical function follows_gap(state)
-      !> Contact with its adhesion, if it has any.
       type(contact_state_t), intent(in) :: state
 
       follows_gap = .false.
@@ -244,17 +243,15 @@ contains
    pure subroutine judge(state, extremes, tolerance, verdict)
       !> Contact whose gap and pressure are judged; its scale of pressure is set.
       type(contact_state_t), intent(inout) :: state
-      !> Largest values of its gap and pressure.
       type(extremes_t), intent(in) :: extremes
       !> Violation that is allowed, in the contact's scales of gap and pressure [-].
       real(dp), intent(in) :: tolerance
-      !> Receives what is wrong.
       type(verdict_t), intent(out) :: verdict
 
       if (extremes%peak > 0) state%pressure_scale = extremes%peak
       ! surfaces that do not touch have no pressure but that of adhesion, which the tension takes away
       if (allocated(state%cohesion) .and. state%has_fixed_mean) state%pressure_scale = max(extremes%peak, state%cohesion%stress)
-      verdict%left = extremes%left
+      verdict%remaining = extremes%remaining
       if (extremes%overlap > tolerance*state%gap_scale) verdict%violation = state%cell_stiffness*extremes%overlap
       if (extremes%pull > tolerance*state%pressure_scale) verdict%violation = max(verdict%violation, extremes%pull)
    end subroutine judge
@@ -289,7 +286,6 @@ contains
    !> Largest violation of p >= 0, g >= 0, p g = 0 in any cell, |min(p, g)|, and of a given mean of g, with p in units of the largest
    !> pressure and g in units of the range of the undeformed gap.
    pure real(dp) function residual_of(state) result(residual)
-      !> Contact whose gap and pressure are judged.
       type(contact_state_t), intent(in) :: state
 
       residual = maxval(abs(min(state%pressure/state%pressure_scale, state%gap/state%gap_scale)))

@@ -61,12 +61,12 @@ contains
 
    contains
 
-      !> exp(i phase) of a place.
-      pure complex(dp) function turn(place)
-         !> The place [cells].
-         real(dp), intent(in) :: place
+      !> exp(i phase) of a position.
+      pure complex(dp) function turn(position)
+         !> The position [cells].
+         real(dp), intent(in) :: position
 
-         turn = cmplx(cos(two_pi*place/n), sin(two_pi*place/n), dp)
+         turn = cmplx(cos(two_pi*position/n), sin(two_pi*position/n), dp)
       end function turn
 
    end subroutine add_row

@@ -19,7 +19,6 @@ contains
 
    !> See `kernel_t`: |k|/2 with the wave number k = 2 pi n.
    pure subroutine get_stiffness(self, n_x, n_y, cell_size, stiffness)
-      !> The half-space; it has no parameter of its own.
       class(elastic_kernel_t), intent(in) :: self
       !> Numbers of waves per length along x and along y.
       real(dp), intent(in) :: n_x(:), n_y(:)

@@ -25,7 +25,9 @@ module adfric_periodic_elastic_model
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_chords, only: chord_fraction
-   use adfric_periodic_variables
+   use adfric_periodic_variables, only: get_elastic_results, n_elastic_solid, pull_off_row, regime_adhesion_only, &
+      & regime_adhesion_zones, regime_full, regime_none, regime_partial, regime_saturated_adhesion, in => periodic_input, &
+      & out => periodic_output
    implicit none (type, external)
    private
    public :: elastic_model_t
@@ -78,13 +80,11 @@ contains
 
    !> Set the tables of the model.
    subroutine set_elastic_tables(self, name, summary, surface)
-      !> The model, which receives the tables.
       class(elastic_model_t), intent(inout) :: self
       !> Name of the model in `&job model = ...`.
       character(*), intent(in) :: name
       !> What the model is, in one line for `adfric help`.
       character(*), intent(in) :: summary
-      !> Variables of the surface.
       type(variable_t), intent(in) :: surface(:)
       type(variable_t) :: solid(n_elastic_solid)
 
@@ -100,9 +100,8 @@ contains
       allocate (self%profiles, source=shear_profiles())
    end subroutine set_elastic_tables
 
-   !> Make room for the pull-offs that points share.
+   !> Make space for the pull-offs that points share.
    subroutine prepare(self)
-      !> The model; all threads use what it keeps.
       class(elastic_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
@@ -110,7 +109,6 @@ contains
 
    !> Give back the pull-offs that points have shared.
    subroutine release(self)
-      !> The model, which keeps nothing at the end.
       class(elastic_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) return
@@ -120,22 +118,19 @@ contains
 
    !> See `periodic_model_t`.
    subroutine check_solid(self, values, is_swept, problems)
-      !> The model; its tables give the variables their names.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Is the variable swept? Not asked here; shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call check_friction(self, values, problems)
-      associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, held => self%before_held)
+      associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, prescribed => self%before_prescribed)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, &
             & has_coulomb(coulomb_values(self, values)))
          call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
          if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
-            if (values(held + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
+            if (values(prescribed + in%mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
             if (wants_pull_off(values(self%last_of_solid))) &
                & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
@@ -152,11 +147,8 @@ contains
 
    !> Add to `problems` what is wrong with the friction, of either kind.
    subroutine check_friction(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_adhesive
 
@@ -171,9 +163,7 @@ contains
 
    !> Values of the rows of Coulomb's friction.
    pure function coulomb_values(self, values) result(friction)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       real(dp) :: friction(n_coulomb_rows)
 
@@ -184,9 +174,7 @@ contains
 
    !> Coulomb's friction of a point, whose values have been checked.
    type(coulomb_t) function friction_of(self, values) result(friction)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t) :: surface
 
@@ -197,9 +185,7 @@ contains
 
    !> Does the tangential displacement lack Poisson's ratio, beside a contact modulus?
    logical function lacks_poisson_ratio(self, values) result(lacks)
-      !> The model, for its surface.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t) :: surface
 
@@ -212,9 +198,7 @@ contains
 
    !> Have stress and range sizes with which the surface can be solved?
    logical function is_possible(self, values)
-      !> The model, for its surface.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t) :: surface
       type(adhesion_law_t) :: law
@@ -232,11 +216,9 @@ contains
 
    !> See `periodic_model_t`.
    subroutine set_solid(self, values, surface)
-      !> The model, for the places of the rows of the solid.
+      !> The model, for the indices of the rows of the solid.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives the contact modulus.
       type(periodic_surface_t), intent(inout) :: surface
 
       if (.not. allocated(surface%solid)) allocate (periodic_solid_t :: surface%solid)
@@ -245,9 +227,7 @@ contains
 
    !> Adhesion of a point, whose values have been checked.
    type(adhesion_law_t) function adhesion_of(self, values) result(law)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       associate (before => self%first_of_solid + n_two_bodies - 1)
@@ -257,13 +237,11 @@ contains
 
    !> See `periodic_model_t`.
    subroutine set_interface(self, values, modulus, goal)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
-      !> What is held at the point; receives adhesion or friction.
+      !> What is prescribed at the point; receives adhesion or friction.
       type(periodic_goal_t), intent(inout) :: goal
       type(adhesion_law_t) :: law
 
@@ -295,9 +273,7 @@ contains
 
    !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -313,34 +289,32 @@ contains
       law = self%adhesion_of(values)
       error_estimate = relative_error_of(solution%area)
       associate (modulus => surface%solid%modulus, cells => real(size(solution%gap), dp))
-         results(r_elastic_energy) = modulus*solution%elastic_energy
-         results(r_adhesion_energy) = modulus*solution%adhesion_energy
-         results(r_adhesion_fraction) = 0
+         results(out%elastic_energy) = modulus*solution%elastic_energy
+         results(out%adhesion_energy) = modulus*solution%adhesion_energy
+         results(out%adhesion_fraction) = 0
          if (allocated(solution%share)) &
-            & results(r_adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
-         results(r_regime) = regime_of(solution)
-         results(r_smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
+            & results(out%adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
+         results(out%regime) = regime_of(solution)
+         results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
          associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
-            call get_friction_of_area(values(first:last), results(r_contact_fraction), results(r_mean_pressure), &
-               & law%stress*results(r_adhesion_fraction), results(r_friction_stress), results(r_friction_coefficient))
-            call get_friction_of_area(values(first:last), results(r_smooth_fraction), results(r_mean_pressure), &
-               & law%stress*results(r_adhesion_fraction), results(r_smooth_friction), unused)
+            call get_friction_of_area(values(first:last), results(out%contact_fraction), results(out%mean_pressure), &
+               & law%stress*results(out%adhesion_fraction), results(out%friction_stress), results(out%friction_coefficient))
+            call get_friction_of_area(values(first:last), results(out%smooth_fraction), results(out%mean_pressure), &
+               & law%stress*results(out%adhesion_fraction), results(out%smooth_friction), unused)
          end associate
-         if (surface%n_cells(2) > 1) results(r_friction_force) = results(r_friction_stress)*product(surface%period)
+         if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)
          if (.not. law%stress > 0) return
-         results(r_cells_per_zone) = cells_per_zone(law, surface)
-         if (solution%pull_off < huge(1.0_dp) .and. results(r_cells_per_zone) >= least_cells) &
-            & results(r_pull_off_pressure) = modulus*solution%pull_off
+         results(out%cells_per_zone) = cells_per_zone(law, surface)
+         if (solution%pull_off < huge(1.0_dp) .and. results(out%cells_per_zone) >= least_cells) &
+            & results(out%pull_off_pressure) = modulus*solution%pull_off
          if (any(solution%share > 0) .and. any(solution%share < 1)) &
-            & error_estimate = max(error_estimate, error_of_edge(results(r_cells_per_zone)))
+            & error_estimate = max(error_estimate, error_of_edge(results(out%cells_per_zone)))
       end associate
    end subroutine finish_point
 
    !> See `periodic_model_t`.
    subroutine store_slip(self, values, surface, slip, results)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -349,22 +323,21 @@ contains
       !> In: with the results of the contact. Out: with all; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
-      results(r_stick_fraction) = 0
-      if (results(r_contact_fraction) > 0) results(r_stick_fraction) = min(slip%stick%corrected/results(r_contact_fraction), 1.0_dp)
-      results(r_tangential_displacement) = slip%displacement
-      results(r_cycle_energy) = surface%solid%modulus*slip%cycle_energy
-      if (slip%compliance < 0) results(r_tangential_stiffness) = 0
-      if (slip%compliance > 0) results(r_tangential_stiffness) = surface%solid%modulus/slip%compliance
-      if (.not. slip%poisson_defect < 0) results(r_poisson_defect) = slip%poisson_defect
+      results(out%stick_fraction) = 0
+      if (results(out%contact_fraction) > 0) results(out%stick_fraction) = &
+         & min(slip%stick%corrected/results(out%contact_fraction), 1.0_dp)
+      results(out%tangential_displacement) = slip%displacement
+      results(out%cycle_energy) = surface%solid%modulus*slip%cycle_energy
+      if (slip%compliance < 0) results(out%tangential_stiffness) = 0
+      if (slip%compliance > 0) results(out%tangential_stiffness) = surface%solid%modulus/slip%compliance
+      if (.not. slip%poisson_defect < 0) results(out%poisson_defect) = slip%poisson_defect
       associate (unused => self, unused_values => values)
       end associate
    end subroutine store_slip
 
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       count_profiles = p_shear_stress - 1
@@ -374,15 +347,11 @@ contains
 
    !> See `pointwise_model_t`: the maps of pressure and gap, and with friction that of the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
-      !> The solution of the point.
       class(point_state_t), allocatable, intent(in) :: state
-      !> Axes of the maps.
       type(profile_axis_t), intent(in) :: axes(:)
       !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
@@ -407,9 +376,7 @@ contains
 
    !> See `model_t`: zones of adhesion that the cells do not see.
    function describe_doubts(self, values) result(text)
-      !> The model, for its surface.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -418,9 +385,7 @@ contains
 
    !> Zones of adhesion that the cells do not see, in a line; empty if there is nothing to say.
    function doubt_adhesion(self, values) result(text)
-      !> The model, for its surface.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
       type(periodic_surface_t) :: surface
@@ -442,7 +407,6 @@ contains
 
    !> The regime of a solution.
    pure integer function regime_of(solution) result(regime)
-      !> The solution, which is one.
       type(periodic_solution_t), intent(in) :: solution
 
       regime = merge(regime_partial, regime_none, solution%area%cells > 0)
@@ -458,7 +422,6 @@ contains
 
    !> Length of a short zone of adhesion over that of a cell.
    pure real(dp) function cells_per_zone(law, surface)
-      !> The adhesion.
       type(adhesion_law_t), intent(in) :: law
       !> Periods and cells of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -470,11 +433,8 @@ contains
 
    !> See `periodic_model_t`: the contact modulus, and lengths of adhesion.
    function derive_solid(self, values, surface) result(derived)
-      !> The model, for the rows of the solid.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The surface, with its solid.
       type(periodic_surface_t), intent(in) :: surface
       type(derived_t), allocatable :: derived(:)
       type(adhesion_law_t) :: law

@@ -33,7 +33,6 @@ contains
       real(dp), intent(in), contiguous :: pressure(:, :)
       !> Gap of the undeformed surfaces, which is a constant less h, and that of the deformed ones; shape of `pressure`.
       real(dp), intent(in), contiguous :: shape(:, :), gap(:, :)
-      !> Receives the stresses.
       type(friction_t), intent(out) :: friction
       real(dp), allocatable :: slope(:, :)
       integer :: along

@@ -6,13 +6,13 @@
 !> `adfric_periodic_levels` is the preconditioner, so a step takes one application of A, a pair of transforms.
 !>
 !> An elastic solid has a symmetric and positive definite A_OO: steps are those of conjugate gradients. Under a sliding body A_OO is not
-!> symmetric, but its symmetric part is positive definite. Steps then make the pressure p that is left in O as small as can be,
+!> symmetric, but its symmetric part is positive definite. Steps then make the pressure p that remains in O as small as can be,
 !> measured by p M p, along a direction whose pressure is orthogonal to those of the last few directions (Orthomin: S. C. Eisenstat,
 !> H. C. Elman, M. H. Schultz, SIAM J. Numer. Anal. 20, 1983, 345). It falls in every step, however few are kept: with d = M p the step
 !> alone takes away (p M A d)^2/(A d M A d), and p M A d = d A d > 0.
 !>
 !> Gap and pressure go on
-!> together, in all cells, so nothing has to be computed anew where the region changes; gaps that are left in closed cells are taken
+!> together, in all cells, so nothing has to be computed anew where the region changes; gaps that remain in closed cells are taken
 !> away by the first step in the new region, which has the length of the last one.
 !>
 !> Under given load q is known. Under given penetration the mean of g is, and q is the multiplier of this constraint; the
@@ -35,7 +35,7 @@ module adfric_periodic_gap_solver
    !> Largest values over the cells, 0 where there is none above 0.
    type :: extremes_t
       !> Pressure or tension of open cells [E*].
-      real(dp) :: left = 0
+      real(dp) :: remaining = 0
       !> Overlap of the surfaces.
       real(dp) :: overlap = 0
       !> Tension of closed cells [E*].
@@ -93,7 +93,6 @@ contains
 
    !> Make the workspace for a number of cells.
    pure subroutine new_gap_solver(self, n_cells)
-      !> Workspace, allocated for these cells.
       type(gap_solver_t), intent(out) :: self
       !> Number of cells in each direction.
       integer, intent(in) :: n_cells(2)
@@ -104,7 +103,6 @@ contains
 
    !> Forget the contact that was solved before, so that the next one does not depend on it.
    pure subroutine forget(self)
-      !> Workspace.
       class(gap_solver_t), intent(inout) :: self
 
       self%length = first_length
@@ -115,15 +113,12 @@ contains
 
    !> Begin with another region.
    subroutine set_region(self, operator, is_open, has_fixed_mean, resists_mean, has_remains)
-      !> Workspace for the cells of the operator.
       class(gap_solver_t), intent(inout) :: self
-      !> Operator of the same cells.
       type(periodic_operator_t), intent(in) :: operator
       !> Is the cell in the open region? Shape of the cells.
       logical, intent(in), contiguous :: is_open(:, :)
       !> Is the mean gap given, and the mean pressure not?
       logical, intent(in) :: has_fixed_mean
-      !> Does the operator resist a constant?
       logical, intent(in) :: resists_mean
       !> Are there gaps left in closed cells, or is the mean gap not as given?
       logical, intent(in) :: has_remains
@@ -152,7 +147,6 @@ contains
 
    !> Improve the gap in the open region by one step, so that the pressure there becomes small.
    subroutine improve(self, operator, is_open, mean_gap, gap, pressure, mean_pressure, extremes, is_stuck, cohesion)
-      !> Workspace for the cells of the operator.
       class(gap_solver_t), intent(inout) :: self
       !> Operator of the same cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
@@ -212,7 +206,6 @@ contains
 
    !> Go along the direction, and find the largest values there.
    subroutine advance(self, length, gap, pressure, extremes)
-      !> Workspace with direction and `stiff`.
       class(gap_solver_t), intent(in), target :: self
       !> Length of the step; 0 to find the largest values alone.
       real(dp), intent(in) :: length
@@ -220,7 +213,6 @@ contains
       real(dp), intent(inout), contiguous :: gap(:, :)
       !> Pressure in all cells [E*].
       real(dp), intent(inout), contiguous :: pressure(:, :)
-      !> Receives the largest values.
       type(extremes_t), intent(out) :: extremes
       type(extremes_t) :: rows(size(gap, 2))
       real(dp), pointer, contiguous :: open(:, :)
@@ -232,7 +224,7 @@ contains
          call advance_row(length, self%direction(:, j), self%stiff(:, j), open(:, j), gap(:, j), pressure(:, j), rows(j))
       end do
       !$omp end parallel do
-      extremes = extremes_t(maxval(rows%left), maxval(rows%overlap), maxval(rows%pull), maxval(rows%peak))
+      extremes = extremes_t(maxval(rows%remaining), maxval(rows%overlap), maxval(rows%pull), maxval(rows%peak))
    end subroutine advance
 
    !> Go along the direction in a row of cells.
@@ -243,17 +235,16 @@ contains
       real(dp), intent(in), contiguous :: direction(:), stiff(:)
       !> 1 in open cells, 0 in closed ones.
       real(dp), intent(in), contiguous :: open(:)
-      !> Gap.
       real(dp), intent(inout), contiguous :: gap(:)
       !> Pressure [E*].
       real(dp), intent(inout), contiguous :: pressure(:)
       !> Receives the largest values of the row.
       type(extremes_t), intent(out) :: extremes
       integer, parameter :: lanes = 4
-      real(dp), dimension(lanes) :: left, overlap, pull, peak
+      real(dp), dimension(lanes) :: remaining, overlap, pull, peak
       integer :: first, i, k
 
-      left = 0
+      remaining = 0
       overlap = 0
       pull = 0
       peak = 0
@@ -262,18 +253,17 @@ contains
             i = first + k - 1
             gap(i) = gap(i) + length*direction(i)
             pressure(i) = pressure(i) + length*stiff(i)
-            left(k) = larger(open(i)*abs(pressure(i)), left(k))
+            remaining(k) = larger(open(i)*abs(pressure(i)), remaining(k))
             overlap(k) = larger(-gap(i), overlap(k))
             pull(k) = larger((open(i) - 1)*pressure(i), pull(k))
             peak(k) = larger(pressure(i), peak(k))
          end do
       end do
-      extremes = extremes_t(maxval(left), maxval(overlap), maxval(pull), maxval(peak))
+      extremes = extremes_t(maxval(remaining), maxval(overlap), maxval(pull), maxval(peak))
    end subroutine advance_row
 
    !> The larger of two numbers, neither of them NaN; that is a single instruction, other than `max`.
    pure real(dp) function larger(a, b)
-      !> The numbers.
       real(dp), intent(in) :: a, b
 
       larger = merge(a, b, a > b)
@@ -282,7 +272,6 @@ contains
    !> Apply the preconditioner to the pressure; under a fixed mean gap find the mean pressure that leaves it. The stiffness of a
    !> constant is added to what the grids of the preconditioner know by the formula of Sherman and Morrison, whose limit is that.
    subroutine precondition(self, pressure, mean_pressure, sums)
-      !> Workspace; receives the preconditioned pressure of the open cells.
       class(gap_solver_t), intent(inout) :: self
       !> Pressure in all cells [E*]; it changes with `mean_pressure`.
       real(dp), intent(inout), contiguous :: pressure(:, :)
@@ -309,7 +298,6 @@ contains
 
    !> The next direction under a sliding body, and how far to go.
    subroutine set_sliding_step(self, operator, pressure, length)
-      !> Workspace with the preconditioned pressure; receives direction and `stiff`.
       class(gap_solver_t), intent(inout) :: self
       !> Operator of the same cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
@@ -329,7 +317,6 @@ contains
 
    !> Apply the preconditioner to a pressure; as in `precondition`, without a change of the mean pressure.
    subroutine precondition_freely(self, pressure, correction)
-      !> Workspace.
       class(gap_solver_t), intent(inout) :: self
       !> Pressure in all cells [E*].
       real(dp), intent(in), contiguous :: pressure(:, :)
@@ -344,7 +331,6 @@ contains
 
    !> The next direction, conjugate to the last one of the region.
    subroutine set_direction(self, product)
-      !> Workspace with the preconditioned pressure; receives the direction.
       class(gap_solver_t), intent(inout) :: self
       !> Preconditioned pressure times stiffness times the last direction.
       real(dp), intent(in) :: product

@@ -19,7 +19,7 @@ module adfric_periodic_given_heights
 
    !> Number of rows.
    integer, parameter :: n_heights_rows = 4
-   !> Places among the rows.
+   !> Positions among the rows.
    integer, parameter :: heights = 1, length_x = 2, length_y = 3, rms_height = 4
    !> Fewest cells in each direction, so that they can hold a wave.
    integer, parameter :: fewest_cells = 4
@@ -65,13 +65,11 @@ contains
 
    !> Keep the depths below the highest summit.
    subroutine take(self, row, values, problems)
-      !> Receives the depths.
       class(given_heights_t), intent(inout) :: self
       !> Row of the heights; its name is part of the messages.
       type(variable_t), intent(in) :: row
       !> Heights of the rough body [m]; shape `(nx, ny)`, ny = 1 if they do not vary along y.
       real(dp), intent(in) :: values(:, :)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (maxval(values) > minval(values)) then
@@ -88,7 +86,6 @@ contains
 
    !> Mean square about the mean.
    pure real(dp) function variance_of(values) result(variance)
-      !> The values.
       real(dp), intent(in) :: values(:, :)
 
       variance = sum((values - sum(values)/size(values))**2)/size(values)
@@ -96,7 +93,6 @@ contains
 
    !> Mean square of the differences of neighbours, round the period.
    pure real(dp) function mean_square_step(values, axis) result(square)
-      !> The values.
       real(dp), intent(in) :: values(:, :)
       !> 1 along x, 2 along y.
       integer, intent(in) :: axis
@@ -106,7 +102,6 @@ contains
 
    !> Root of the mean square of the slope [-].
    pure real(dp) function slope(self, values)
-      !> The heights.
       class(given_heights_t), intent(in) :: self
       !> Values of the rows; shape `(n_heights_rows)`.
       real(dp), intent(in) :: values(:)
@@ -118,7 +113,6 @@ contains
 
    !> By what the heights of the input are multiplied [-].
    pure real(dp) function factor_of(self, values) result(factor)
-      !> The heights.
       class(given_heights_t), intent(in) :: self
       !> Values of the rows; shape `(n_heights_rows)`.
       real(dp), intent(in) :: values(:)
@@ -129,7 +123,6 @@ contains
 
    !> Does the surface not vary along y?
    pure logical function is_line(self)
-      !> The heights.
       class(given_heights_t), intent(in) :: self
 
       is_line = size(self%depths, 2) == 1
@@ -137,13 +130,11 @@ contains
 
    !> Add to `problems` what is missing or impossible.
    subroutine check(self, rows, values, problems)
-      !> The heights.
       class(given_heights_t), intent(in) :: self
       !> The rows of `set_heights_rows`; their names are part of the messages.
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_heights_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call require(rows, values, [heights, length_x], problems)
@@ -161,7 +152,6 @@ contains
 
    !> Periods and cells of the heights.
    subroutine get_cells(self, values, surface)
-      !> The heights.
       class(given_heights_t), intent(in) :: self
       !> Values of the rows, which have been checked; shape `(n_heights_rows)`.
       real(dp), intent(in) :: values(:)
@@ -175,7 +165,6 @@ contains
 
    !> The undeformed gap of a point.
    pure subroutine get_shape(self, values, shape)
-      !> The heights.
       class(given_heights_t), intent(in) :: self
       !> Values of the rows, which have been checked; shape `(n_heights_rows)`.
       real(dp), intent(in) :: values(:)
@@ -197,7 +186,6 @@ contains
 
    !> A line where the error is not estimated; else nothing.
    function describe(self, has_friction) result(text)
-      !> The heights.
       class(given_heights_t), intent(in) :: self
       !> Does the body rub, so that `error_estimate` is that of the friction?
       logical, intent(in) :: has_friction
@@ -212,7 +200,6 @@ contains
 
    !> A line for edges that do not meet.
    function doubt(self) result(text)
-      !> The heights.
       class(given_heights_t), intent(in) :: self
       character(:), allocatable :: text
       character(*), parameter :: axes = 'xy'

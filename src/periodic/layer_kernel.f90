@@ -33,7 +33,6 @@ contains
 
    !> See `kernel_t`: |k|/(2 F).
    pure subroutine get_stiffness(self, n_x, n_y, cell_size, stiffness)
-      !> The layer.
       class(layer_kernel_t), intent(in) :: self
       !> Numbers of waves per length along x and along y.
       real(dp), intent(in) :: n_x(:), n_y(:)
@@ -57,7 +56,6 @@ contains
 
    !> Mean displacement over mean pressure: H under a frictionless base, H (1 - 2 nu)/(1 - nu)^2 of a bonded layer [length/E*].
    pure real(dp) function mean_compliance(self)
-      !> The layer.
       class(layer_kernel_t), intent(in) :: self
 
       mean_compliance = self%thickness
@@ -66,7 +64,6 @@ contains
 
    !> F(Q): the compliance over that of a half-space.
    pure real(dp) function compliance_factor(self, q) result(factor)
-      !> The layer.
       class(layer_kernel_t), intent(in) :: self
       !> Wave number times thickness [-], > 0.
       real(dp), intent(in) :: q

@@ -91,13 +91,11 @@ contains
 
    !> Add a grid.
    pure subroutine add_grid(grids, n, finer, is_halved)
-      !> Grids; receives one more.
       type(level_t), intent(inout) :: grids(:)
       !> Number of grids.
       integer, intent(inout) :: n
       !> Number of the grid that it is made from.
       integer, intent(in) :: finer
-      !> Is the direction halved?
       logical, intent(in) :: is_halved(2)
 
       n = n + 1
@@ -107,21 +105,19 @@ contains
    end subroutine add_grid
 
    !> Gap over residual of a grid of the main row.
-   pure real(dp) function main_weight(grids, place, operator) result(weight)
-      !> Grids of the main row.
+   pure real(dp) function main_weight(grids, index, operator) result(weight)
       type(level_t), intent(in) :: grids(:)
       !> Number of the grid.
-      integer, intent(in) :: place
-      !> Operator of the finest grid, for its stiffness.
+      integer, intent(in) :: index
       type(periodic_operator_t), intent(in) :: operator
       real(dp) :: before, factor
 
-      weight = compliance_of(operator, grids(place)%n_cells)
-      if (place == 1 .or. .not. operator%mean_compliance > 0) return
-      associate (n => grids(place)%n_cells, finer => grids(place - 1)%n_cells)
+      weight = compliance_of(operator, grids(index)%n_cells)
+      if (index == 1 .or. .not. operator%mean_compliance > 0) return
+      associate (n => grids(index)%n_cells, finer => grids(index - 1)%n_cells)
          before = compliance_of(operator, finer)
          factor = gain
-         if (.not. operator%is_symmetric .and. all(grids(place)%is_halved)) then
+         if (.not. operator%is_symmetric .and. all(grids(index)%is_halved)) then
             before = max(before, compliance_of(operator, [n(1), finer(2)]), compliance_of(operator, [finer(1), n(2)]))
             factor = gain_of_both
          end if
@@ -130,29 +126,27 @@ contains
    end function main_weight
 
    !> Add the grids beside a grid: its cells are doubled along the direction in which that softens waves more.
-   pure subroutine add_grids_beside(grids, n, place, operator)
-      !> Grids; receives more.
+   pure subroutine add_grids_beside(grids, n, index, operator)
       type(level_t), intent(inout) :: grids(:)
       !> Number of grids.
       integer, intent(inout) :: n
       !> Number of the grid beside which they stand.
-      integer, intent(in) :: place
-      !> Operator of the finest grid, for its stiffness.
+      integer, intent(in) :: index
       type(periodic_operator_t), intent(in) :: operator
       logical :: is_halved(2)
       real(dp) :: before, softer
       integer :: last
 
-      associate (cells => grids(place)%n_cells)
+      associate (cells => grids(index)%n_cells)
          if (any(cells <= fewest_cells)) return
          is_halved = compliance_of(operator, [cells(1)/2, cells(2)]) > compliance_of(operator, [cells(1), cells(2)/2])
       end associate
       is_halved(2) = .not. is_halved(1)
-      last = place
+      last = index
       before = softness()
       do while (all(grids(last)%n_cells > fewest_cells) .and. n < size(grids))
          call add_grid(grids, n, last, is_halved)
-         if (last /= place) grids(last)%coarser = n
+         if (last /= index) grids(last)%coarser = n
          last = n
          softer = softness()
          grids(n)%weight = max(softer - before, 0.0_dp)
@@ -167,8 +161,8 @@ contains
          integer :: cells(2)
 
          softness = compliance_of(operator, grids(last)%n_cells)
-         if (place == 1 .or. .not. operator%mean_compliance > 0) return
-         cells = merge(grids(last)%n_cells, grids(place - 1)%n_cells, is_halved)
+         if (index == 1 .or. .not. operator%mean_compliance > 0) return
+         cells = merge(grids(last)%n_cells, grids(index - 1)%n_cells, is_halved)
          softness = softness - compliance_of(operator, cells)
       end function softness
 
@@ -176,7 +170,6 @@ contains
 
    !> Gap over residual of the waves that a grid has.
    pure real(dp) function compliance_of(operator, n_cells) result(compliance)
-      !> Operator of the finest grid.
       type(periodic_operator_t), intent(in) :: operator
       !> Number of cells of the grid.
       integer, intent(in) :: n_cells(2)

@@ -56,7 +56,6 @@ contains
 
    !> Say which cells are open.
    subroutine set_open(self, is_open)
-      !> The grids, whose open shares are set.
       class(levels_t), intent(inout) :: self
       !> Is the cell open? Shape of the cells of the finest grid.
       logical, intent(in), contiguous :: is_open(:, :)
@@ -74,7 +73,6 @@ contains
 
    !> 1 in open cells, 0 in closed ones.
    function open_share(self) result(open)
-      !> The grids, whose cells have been opened.
       class(levels_t), intent(in), target :: self
       real(dp), pointer, contiguous :: open(:, :)
 
@@ -85,7 +83,6 @@ contains
    subroutine average(fine, is_halved, coarse)
       !> Values on the finer grid.
       real(dp), intent(in), contiguous :: fine(:, :)
-      !> Was the direction halved?
       logical, intent(in) :: is_halved(2)
       !> Receives the means.
       real(dp), intent(out), contiguous :: coarse(:, :)
@@ -109,7 +106,6 @@ contains
 
    !> Apply the approximate inverse on the open cells.
    subroutine apply(self, residual, other, correction, sums)
-      !> The grids, whose fields are overwritten.
       class(levels_t), intent(inout) :: self
       !> What stands in closed cells does not matter; shape of the cells of the finest grid.
       real(dp), intent(in), contiguous :: residual(:, :)
@@ -144,7 +140,6 @@ contains
 
    !> Sum the residuals of the open shares of a grid for the next coarser one: the transpose of the interpolation.
    subroutine gather(grid, residual, is_quarter, coarse)
-      !> The finer grid, for its open shares.
       type(level_t), intent(in) :: grid
       !> Its residuals.
       real(dp), intent(in), contiguous :: residual(:, :)
@@ -194,7 +189,6 @@ contains
 
    !> What a grid makes of its residuals, and what the coarser ones made of theirs.
    subroutine correct(grid, residual, other, coarse, beside, is_quarter, correction, sums)
-      !> The grid, for its open shares and weight.
       type(level_t), intent(in) :: grid
       !> Its residuals.
       real(dp), intent(in), contiguous :: residual(:, :)
@@ -271,13 +265,11 @@ contains
 
    !> The correction of a grid on a row of the next finer one.
    pure subroutine interpolate(coarse, j, is_quarter, values, line)
-      !> The grid with its correction.
       type(level_t), intent(in) :: coarse
       !> Number of the row of the finer grid.
       integer, intent(in) :: j
       !> Does the surface go on by reflection (else periodically)?
       logical, intent(in) :: is_quarter
-      !> Workspace.
       real(dp), intent(inout), contiguous :: values(0:)
       !> Receives the interpolated values.
       real(dp), intent(out), contiguous :: line(:)

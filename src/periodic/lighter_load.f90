@@ -7,7 +7,7 @@
 !>
 !> (`adfric_periodic_contact`), so where the lighter load leaves the surfaces apart A_OO h = D - p, and elsewhere h = -g. Unknown are h
 !> and r alone: no digits are lost where D is small, since nothing is the difference of two contacts, and round-off of A g0 is in neither.
-!> What is left of the pressure is measured by the largest r, or the largest p - r where that is less.
+!> What remains of the pressure is measured by the largest r, or the largest p - r where that is less.
 !>
 !> Where A has no positive entries off its diagonal, as on lines, it follows that h >= 0 and r >= 0, that no cell comes into contact, and
 !> that all cells of p < D leave it. For the gap of a load is the least of all g >= 0 with p >= 0 (R. W. Cottle, A. F. Veinott, Math.
@@ -57,7 +57,7 @@ module adfric_periodic_lighter_load
    end type lighter_load_t
 
    !> The search for it; arrays have the shape of the cells.
-   type :: search_t
+   type :: lighter_search_t
       !> h in open cells, g + h in closed ones, where it comes to be 0.
       real(dp), allocatable :: gap(:, :)
       !> p - r in open cells, where it comes to be 0, -r in closed ones [E*].
@@ -70,12 +70,12 @@ module adfric_periodic_lighter_load
       type(verdict_t) :: verdict
       !> Does the last change of the region leave gaps in closed cells?
       logical :: has_remains = .false.
-   end type search_t
+   end type lighter_search_t
 
    !> Largest values over the cells, 0 where there is none above 0.
    type :: largest_t
       !> Pressure or tension p - r of open cells, tension of closed ones, and pressure of these [E*].
-      real(dp) :: left = 0, pull = 0, peak = 0
+      real(dp) :: remaining = 0, pull = 0, peak = 0
       !> r of closed cells [E*].
       real(dp) :: fall = 0
       !> Overlap of the surfaces in open cells, and |h| there.
@@ -90,15 +90,13 @@ contains
       type(lighter_load_t), intent(out) :: self
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Workspace for its cells.
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Pressure p [E*] and gap g of the contact under the heavier load: one of both is 0 in every cell, none is below.
       real(dp), intent(in), contiguous :: pressure(:, :), gap(:, :)
       !> By how much the mean pressure is less, D [E*]: above 0, and less than the mean of `pressure`.
       real(dp), intent(in) :: relief
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
-      type(search_t) :: search
+      type(lighter_search_t) :: search
 
       call begin(self, search, operator, pressure, relief)
       if (.not. any(self%is_open)) then
@@ -114,11 +112,8 @@ contains
 
    !> Begin with the cells open that are so under the heavier load, or bear less than the relief.
    subroutine begin(self, search, operator, pressure, relief)
-      !> Receives the open cells.
       type(lighter_load_t), intent(inout) :: self
-      !> Receives gap and pressure.
-      type(search_t), intent(inout) :: search
-      !> Operator of the cells.
+      type(lighter_search_t), intent(inout) :: search
       type(periodic_operator_t), intent(in) :: operator
       !> Pressure under the heavier load [E*].
       real(dp), intent(in), contiguous :: pressure(:, :)
@@ -138,16 +133,14 @@ contains
       !> In: open cells to begin from. Out: those that were found, and how well.
       type(lighter_load_t), intent(inout) :: self
       !> In: gap and pressure to begin from. Out: those that were found.
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Workspace for its cells.
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Pressure [E*] and gap under the heavier load.
       real(dp), intent(in), contiguous :: pressure(:, :), gap(:, :)
       !> By how much the mean pressure is less [E*].
       real(dp), intent(in) :: relief
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       type(region_search_t) :: region
       type(cohesion_t), allocatable :: none
@@ -167,7 +160,7 @@ contains
          if (operator%is_stopped()) exit
          call judge(search, self%is_open, pressure, gap, tolerance)
          call region%note_step(search%verdict)
-         has_ended = search%verdict%left <= aim() .or. is_stuck .or. region%is_stalled()
+         has_ended = search%verdict%remaining <= aim() .or. is_stuck .or. region%is_stalled()
          if (search%verdict%violation > 0 .and. (has_ended .or. region%is_due(search%verdict, aim()))) then
             call change_region(search, self%is_open, pressure, gap, tolerance, region)
             call gap_solver%set_region(operator, self%is_open, .false., .false., search%has_remains)
@@ -175,7 +168,7 @@ contains
          else if (has_ended) then
             call update_pressure(search, operator, self%is_open, pressure, gap, relief)
             call judge(search, self%is_open, pressure, gap, tolerance)
-            self%residual = max(search%verdict%left/search%pressure_scale, tolerance*merge(2, 0, search%verdict%violation > 0))
+            self%residual = max(search%verdict%remaining/search%pressure_scale, tolerance*merge(2, 0, search%verdict%violation > 0))
             self%is_converged = self%residual <= tolerance
             n_checks = n_checks + 1
             if (self%is_converged .or. n_checks > most_checks) exit
@@ -197,9 +190,7 @@ contains
 
    !> Find what is wrong by more than the tolerance, and the scales.
    subroutine judge(search, is_open, pressure, gap, tolerance)
-      !> Receives scales and verdict.
-      type(search_t), intent(inout) :: search
-      !> Is the cell open?
+      type(lighter_search_t), intent(inout) :: search
       logical, intent(in), contiguous :: is_open(:, :)
       !> Pressure [E*] and gap under the heavier load.
       real(dp), intent(in), contiguous :: pressure(:, :), gap(:, :)
@@ -218,7 +209,7 @@ contains
       search%gap_scale = maxval(rows%rise)
       overlap = maxval(rows%overlap)
       pull = maxval(rows%pull)
-      search%verdict%left = maxval(rows%left)
+      search%verdict%remaining = maxval(rows%remaining)
       search%verdict%violation = 0
       if (overlap > tolerance*search%gap_scale) search%verdict%violation = search%cell_stiffness*overlap
       if (pull > tolerance*search%pressure_scale) search%verdict%violation = max(search%verdict%violation, pull)
@@ -228,17 +219,15 @@ contains
    pure subroutine judge_row(rise, rest, is_open, pressure, gap, largest)
       !> Gap and pressure of the search.
       real(dp), intent(in), contiguous :: rise(:), rest(:)
-      !> Is the cell open?
       logical, intent(in), contiguous :: is_open(:)
       !> Pressure [E*] and gap under the heavier load.
       real(dp), intent(in), contiguous :: pressure(:), gap(:)
-      !> Receives the largest values.
       type(largest_t), intent(out) :: largest
       integer :: i
 
       do i = 1, size(rise)
          if (is_open(i)) then
-            largest%left = max(largest%left, abs(rest(i)))
+            largest%remaining = max(largest%remaining, abs(rest(i)))
             largest%overlap = max(largest%overlap, -(gap(i) + rise(i)))
             largest%rise = max(largest%rise, abs(rise(i)))
          else
@@ -252,7 +241,7 @@ contains
    !> Close open cells that overlap, and open closed ones that pull.
    subroutine change_region(search, is_open, pressure, gap, tolerance, region)
       !> In: gap and pressure of the old region. Out: of the new one.
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       !> Is the cell open? It is changed.
       logical, intent(inout), contiguous :: is_open(:, :)
       !> Pressure [E*] and gap under the heavier load.
@@ -286,10 +275,9 @@ contains
    !> Find the pressure of the present gap anew.
    subroutine update_pressure(search, operator, is_open, pressure, gap, relief)
       !> The search, whose pressure is set from its gap.
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Is the cell open?
       logical, intent(in), contiguous :: is_open(:, :)
       !> Pressure [E*] and gap under the heavier load.
       real(dp), intent(in), contiguous :: pressure(:, :), gap(:, :)
@@ -306,10 +294,9 @@ contains
       !> In: with the open cells. Out: with the compliance; not converged if that was not found.
       type(lighter_load_t), intent(inout) :: self
       !> The search at its end; its gap and pressure are kept.
-      type(search_t), intent(in) :: search
+      type(lighter_search_t), intent(in) :: search
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Workspace for its cells.
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Pressure under the heavier load [E*].
       real(dp), intent(in), contiguous :: pressure(:, :)
@@ -340,8 +327,7 @@ contains
    subroutine set_changes(self, search, pressure, gap, relief)
       !> In: with the open cells. Out: with `rise` and `fall`.
       type(lighter_load_t), intent(inout) :: self
-      !> The search at its end.
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       !> Pressure [E*] and gap under the heavier load.
       real(dp), intent(in), contiguous :: pressure(:, :), gap(:, :)
       !> By how much the mean pressure is less [E*].

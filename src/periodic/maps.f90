@@ -22,7 +22,6 @@ contains
 
    !> Sum over all cells.
    real(dp) function sum_of(map) result(total)
-      !> The map.
       real(dp), intent(in), contiguous :: map(:, :)
       real(dp) :: rows(size(map, 2)), row
       integer :: i, j

@@ -17,15 +17,16 @@ module adfric_periodic_model
       & solve_periodic, find_full_pressure
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
-   use adfric_periodic_variables
+   use adfric_periodic_variables, only: get_periodic_results, n_prescribed, set_prescribed_rows, tolerance_row, &
+      & in => periodic_input, out => periodic_output
    implicit none (type, external)
    private
    public :: periodic_model_t
 
    !> What the models of periodic surfaces share: how a point is solved, its results and its maps.
    type, abstract, extends(pointwise_model_t) :: periodic_model_t
-      !> Places of the tolerance, of the first and last row of the solid, and of the row before those of what is held.
-      integer :: v_tolerance = 0, first_of_solid = 0, last_of_solid = 0, before_held = 0
+      !> Indices of the tolerance, of the first and last row of the solid, and of the row before those of what is prescribed.
+      integer :: v_tolerance = 0, first_of_solid = 0, last_of_solid = 0, before_prescribed = 0
       !> Is the pressure of full contact known in closed form, so that nothing is computed on the cells?
       logical :: knows_full_pressure = .false.
    contains
@@ -167,7 +168,6 @@ contains
 
    !> Set the tables of the model.
    subroutine set_tables(self, name, summary, surface, solid, may_pull)
-      !> The model, which receives the tables.
       class(periodic_model_t), intent(inout) :: self
       !> Name of the model in `&job model = ...`.
       character(*), intent(in) :: name
@@ -184,12 +184,12 @@ contains
       self%v_tolerance = size(surface) + 1
       self%first_of_solid = self%v_tolerance + 1
       self%last_of_solid = self%v_tolerance + size(solid)
-      self%before_held = self%last_of_solid
-      allocate (self%variables(self%before_held + n_held))
+      self%before_prescribed = self%last_of_solid
+      allocate (self%variables(self%before_prescribed + n_prescribed))
       self%variables(:size(surface)) = surface
       self%variables(self%v_tolerance) = tolerance_row()
       self%variables(self%first_of_solid:self%last_of_solid) = solid
-      call set_held_rows(self%variables(self%before_held + 1:), may_pull)
+      call set_prescribed_rows(self%variables(self%before_prescribed + 1:), may_pull)
       self%results = get_periodic_results()
       self%profiles = contact_profiles()
       allocate (self%counts(1))
@@ -201,37 +201,29 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model; its tables give the variables their names.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call self%check_surface(values, is_swept, problems)
       call self%check_solid(values, is_swept, problems)
-      call require_one(self%variables, values, self%before_held + [v_mean_pressure, v_penetration], .true., problems)
+      call require_one(self%variables, values, self%before_prescribed + [in%mean_pressure, in%penetration], .true., problems)
    end subroutine check_values
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
-      !> The model, for the place of its switch of the profiles.
+      !> The model, for the index of its switch of the profiles.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = values(self%before_held + v_profiles) > 0
+      wants_profiles = values(self%before_prescribed + in%profiles) > 0
    end function wants_profiles
 
    !> See `model_t`: the middles of the cells.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for its surface.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives y and x.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
       type(periodic_surface_t) :: surface
       integer :: i, n, along
@@ -245,20 +237,18 @@ contains
       end do
    end subroutine get_profile_axes
 
-   !> What is held at a point.
+   !> What is prescribed at a point.
    type(periodic_goal_t) function get_goal(self, values, modulus) result(goal)
-      !> The model, for the places of the shared variables.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
 
       goal%tolerance = values(self%v_tolerance)
-      associate (v => values(self%before_held + 1:))
-         goal%is_pressure = is_set(v(v_mean_pressure))
-         if (goal%is_pressure) goal%value = v(v_mean_pressure)/modulus
-         if (.not. goal%is_pressure) goal%value = v(v_penetration)
+      associate (v => values(self%before_prescribed + 1:))
+         goal%is_pressure = is_set(v(in%mean_pressure))
+         if (goal%is_pressure) goal%value = v(in%mean_pressure)/modulus
+         if (.not. goal%is_pressure) goal%value = v(in%penetration)
       end associate
    end function get_goal
 
@@ -266,7 +256,6 @@ contains
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       !> The model, which says what the surface of the point is.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Solver and solution of the point before; receives those of this point.
       class(point_state_t), allocatable, intent(inout) :: state
@@ -319,13 +308,11 @@ contains
 
    !> See `pointwise_model_t`: the maps of pressure and gap, and of the shear stress in partial slip.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       !> Results of the point, not used here.
       real(dp), intent(in) :: results(:)
-      !> The solution of the point.
       class(point_state_t), allocatable, intent(in) :: state
       !> Axes of the maps, not used here: a map has a value in each cell.
       type(profile_axis_t), intent(in) :: axes(:)
@@ -346,43 +333,37 @@ contains
    subroutine store(self, values, solid, solution, results)
       !> The model, which finds peak pressure and pressure of full contact.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The solid of the point.
       class(periodic_solid_t), intent(in) :: solid
       !> Solution of the point; lengths in m, pressures in E*.
       type(periodic_solution_t), intent(in) :: solution
       !> In: all NaN. Out: with those that all these models have; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
-      associate (s => solution, v => values(self%before_held + 1:))
-         results(r_mean_pressure) = s%mean_pressure*solid%modulus
-         results(r_penetration) = s%penetration
+      associate (s => solution, v => values(self%before_prescribed + 1:))
+         results(out%mean_pressure) = s%mean_pressure*solid%modulus
+         results(out%penetration) = s%penetration
          ! what was given comes back to the last digit
-         if (is_set(v(v_mean_pressure))) results(r_mean_pressure) = v(v_mean_pressure)
-         if (is_set(v(v_penetration))) results(r_penetration) = v(v_penetration)
-         results(r_contact_fraction) = s%area%corrected
-         results(r_contact_fraction_error) = s%area%error
-         results(r_peak_pressure) = solid%modulus*self%get_peak_pressure(values, s%pressure)
-         results(r_mean_gap) = sum(s%gap)/size(s%gap)
-         results(r_full_contact_pressure) = self%get_full_pressure(values, solid, s%full_pressure)
-         results(r_contact_violation) = s%residual
+         if (is_set(v(in%mean_pressure))) results(out%mean_pressure) = v(in%mean_pressure)
+         if (is_set(v(in%penetration))) results(out%penetration) = v(in%penetration)
+         results(out%contact_fraction) = s%area%corrected
+         results(out%contact_fraction_error) = s%area%error
+         results(out%peak_pressure) = solid%modulus*self%get_peak_pressure(values, s%pressure)
+         results(out%mean_gap) = sum(s%gap)/size(s%gap)
+         results(out%full_contact_pressure) = self%get_full_pressure(values, solid, s%full_pressure)
+         results(out%contact_violation) = s%residual
       end associate
    end subroutine store
 
    !> Solve a point whose solution is known in closed form: none. A model may override it.
    subroutine solve_in_closed_form(self, values, surface, goal, solution, is_known)
-      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
-      !> What is held at the point.
       type(periodic_goal_t), intent(in) :: goal
       !> Receives the solution if it is known; lengths in m, pressures in E*.
       type(periodic_solution_t), intent(inout) :: solution
-      !> Is the solution known?
       logical, intent(out) :: is_known
 
       is_known = .false.
@@ -393,13 +374,12 @@ contains
 
    !> Adhesion and friction of a point: none. A model may override it.
    subroutine set_interface(self, values, modulus, goal)
-      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       !> Contact modulus E* [Pa], not used here.
       real(dp), intent(in) :: modulus
-      !> What is held at the point; may receive adhesion or friction.
+      !> What is prescribed at the point; may receive adhesion or friction.
       type(periodic_goal_t), intent(inout) :: goal
 
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
@@ -410,9 +390,7 @@ contains
 
    !> Store the results of partial slip: none. A model may override it.
    subroutine store_slip(self, values, surface, slip, results)
-      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -428,9 +406,7 @@ contains
 
    !> The error of a solved point: that of the area of contact. A model may override it, and add results of its own.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
-      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -448,9 +424,7 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
-      !> The model, for its surface and its solid.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       type(periodic_surface_t) :: surface
@@ -473,7 +447,6 @@ contains
 
    !> Mean compression of a layer over the mean pressure [m/Pa]; 0 for a half-space, which has none.
    pure real(dp) function mean_compliance_of(surface) result(compliance)
-      !> The surface with its solid.
       type(periodic_surface_t), intent(in) :: surface
 
       compliance = 0
@@ -484,7 +457,6 @@ contains
 
    !> Quantities that follow from the rows of the solid: none. A model may override it.
    function derive_solid(self, values, surface) result(derived)
-      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
@@ -499,7 +471,6 @@ contains
 
    !> See `model_t`.
    function describe_case(self, values) result(text)
-      !> The model that describes its surface.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
@@ -512,7 +483,6 @@ contains
 
    !> What else there is to say of the surface, a line each: nothing. A model may override it.
    function describe_surface(self) result(text)
-      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
       character(:), allocatable :: text
 

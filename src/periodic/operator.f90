@@ -71,9 +71,7 @@ contains
       real(dp), intent(in) :: period(2)
       !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
       logical, intent(in) :: is_quarter
-      !> Shall trials tell the fastest transform?
       logical, intent(in) :: is_measured
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (.not. all(period > 0)) then
@@ -100,11 +98,9 @@ contains
    subroutine set_stiffness(self, kernel, period, error)
       !> The operator, with its cells and transforms; receives the stiffness.
       type(periodic_operator_t), intent(inout) :: self
-      !> The surface of the solid.
       class(kernel_t), intent(in) :: kernel
       !> Periods in x and y, in any unit of length, > 0.
       real(dp), intent(in) :: period(2)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       complex(dp), allocatable :: stiffness(:, :)
       integer :: i, j
@@ -124,7 +120,6 @@ contains
 
    !> Shall iterations end before their time? What they have found is of no use then.
    logical function is_stopped(self)
-      !> The operator.
       class(periodic_operator_t), intent(in) :: self
 
       is_stopped = .false.
@@ -135,7 +130,6 @@ contains
    pure subroutine resist_mean(self, resists)
       !> The operator, which must have a mean compliance if a constant is to have a stiffness.
       class(periodic_operator_t), intent(inout) :: self
-      !> Has a constant a stiffness?
       logical, intent(in) :: resists
 
       self%stiffness(1, 1) = 0
@@ -144,7 +138,6 @@ contains
 
    !> Mean stiffness of the waves that a coarser grid of cells has, but for the factors of its own.
    pure real(dp) function mean_stiffness(self, n_cells) result(mean)
-      !> The operator of the finest grid.
       class(periodic_operator_t), intent(in) :: self
       !> Number of cells of the coarser grid in each direction, not more than here.
       integer, intent(in) :: n_cells(2)
@@ -190,7 +183,6 @@ contains
 
    !> Pressures that make given displacements, up to their mean.
    subroutine apply_stiffness(self, displacement, pressure, product)
-      !> The operator, which counts how often it is applied.
       class(periodic_operator_t), intent(inout) :: self
       !> Displacement of the surface in the middles of the cells; shape `n_cells`.
       real(dp), intent(in), contiguous :: displacement(:, :)
@@ -212,7 +204,6 @@ contains
    !> Displacements under given pressures; a positive multiple of the mean pressure in place of their mean, so that
    !> the operator is positive definite.
    subroutine apply_compliance(self, pressure, displacement)
-      !> The operator, which counts how often it is applied.
       class(periodic_operator_t), intent(inout) :: self
       !> Pressure in the middles of the cells [E*]; shape `n_cells`.
       real(dp), intent(in), contiguous :: pressure(:, :)
@@ -279,7 +270,6 @@ contains
    !> Displacement along x or y that shear in this direction makes on an elastic half-space through nu, less its mean over all
    !> directions of waves: (2/|k|) (1/2 - k_x^2/k^2), in units of (nu/G) times that unit of displacement.
    subroutine apply_anisotropy(self, along, shear, displacement)
-      !> The operator, for its cells and transforms.
       class(periodic_operator_t), intent(inout) :: self
       !> Direction of the shear: 1 along x, 2 along y.
       integer, intent(in) :: along
@@ -307,7 +297,6 @@ contains
 
    !> Wave numbers 2 pi n of all modes along x or y, 0 for waves of two cells, whose direction cannot be told.
    pure subroutine set_wave_numbers(self, along, numbers)
-      !> The operator, for its cells.
       class(periodic_operator_t), intent(in) :: self
       !> 1: along x, 2: along y.
       integer, intent(in) :: along

@@ -42,7 +42,6 @@ contains
 
    !> Forget all directions.
    pure subroutine clear(self)
-      !> The directions; their memory is kept.
       class(past_directions_t), intent(inout) :: self
 
       self%n_taken = 0
@@ -50,19 +49,18 @@ contains
 
    !> Make a direction orthogonal to those that are kept, and keep it instead of the oldest one.
    subroutine take(self, gap, pressure, preconditioned, product)
-      !> The directions.
       class(past_directions_t), intent(inout) :: self
       !> The direction, its pressure in all cells, and this preconditioned; shape of the cells.
       real(dp), intent(inout), contiguous, dimension(:, :) :: gap, pressure, preconditioned
       !> Receives the sum of `pressure` times `preconditioned`; 0 if only round-off is left of the direction, which is not kept then.
       real(dp), intent(out) :: product
       real(dp) :: factors(most_directions), rows(size(gap, 2)), product_before
-      integer :: i, j, n, place
+      integer :: i, j, n, index
 
       if (.not. allocated(self%directions)) &
          & allocate (self%directions(min(most_directions, max(fewest_directions, cells_kept/size(gap)))))
       n = min(self%n_taken, size(self%directions))
-      place = mod(self%n_taken, size(self%directions)) + 1
+      index = mod(self%n_taken, size(self%directions)) + 1
       product_before = dot_of(pressure, preconditioned)
       do i = 1, n
          factors(i) = -dot_of(pressure, self%directions(i)%preconditioned)/self%directions(i)%product
@@ -83,14 +81,13 @@ contains
       product = sum(rows)
       if (.not. product > round_off**2*product_before) product = 0
       if (.not. product > 0) return
-      call keep(self%directions(place), gap, pressure, preconditioned)
-      self%directions(place)%product = product
+      call keep(self%directions(index), gap, pressure, preconditioned)
+      self%directions(index)%product = product
       self%n_taken = self%n_taken + 1
    end subroutine take
 
    !> Keep a direction.
    subroutine keep(self, gap, pressure, preconditioned)
-      !> Receives the direction.
       type(direction_t), intent(inout) :: self
       !> The direction, its pressure in all cells, and this preconditioned; shape of the cells.
       real(dp), intent(in), contiguous, dimension(:, :) :: gap, pressure, preconditioned

@@ -8,7 +8,7 @@ module adfric_periodic_point
    use adfric_interface_coulomb_rows, only: coulomb_t
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
-   use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
@@ -46,7 +46,7 @@ module adfric_periodic_point
       procedure :: cell_sizes
    end type periodic_surface_t
 
-   !> What is held at a point.
+   !> What is prescribed at a point.
    type :: periodic_goal_t
       !> Is it the mean pressure [E*], or else the penetration [m]?
       logical :: is_pressure = .true.
@@ -85,7 +85,6 @@ contains
 
    !> Sizes of a cell along x and y [m].
    pure function cell_sizes(self) result(sizes)
-      !> The surface.
       class(periodic_surface_t), intent(in) :: self
       real(dp) :: sizes(2)
 
@@ -96,7 +95,7 @@ contains
    subroutine solve_periodic(surface, goal, memory, solution, slip, error)
       !> Periods and undeformed gap of the surface [m].
       type(periodic_surface_t), intent(in) :: surface
-      !> What is held at the point, and the largest residual.
+      !> What is prescribed at the point, and the largest residual.
       type(periodic_goal_t), intent(in) :: goal
       !> Solver of the last point; made anew where cells, ratio of the periods or symmetry are others.
       type(periodic_memory_t), intent(inout) :: memory
@@ -141,16 +140,13 @@ contains
    subroutine solve_adhesive(surface, goal, memory, solution, error)
       !> Periods and undeformed gap of the surface [m].
       type(periodic_surface_t), intent(in) :: surface
-      !> What is held at the point.
       type(periodic_goal_t), intent(in) :: goal
-      !> Solver of the surface.
       type(periodic_memory_t), intent(inout) :: memory
       !> The solution; lengths in periods along x, pressures in E*.
       type(periodic_solution_t), intent(out) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(periodic_adhesion_t) :: adhesion
-      type(pull_off_t) :: pull_off
+      type(periodic_pull_off_t) :: pull_off
       real(dp), allocatable :: shape_in_periods(:, :)
 
       adhesion = goal%adhesion
@@ -196,7 +192,6 @@ contains
       type(periodic_surface_t), intent(in) :: surface
       !> Solver of the last point; made anew where cells, ratio of the periods, symmetry or solid are others.
       type(periodic_memory_t), intent(inout) :: memory
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (is_kept(surface, memory)) return
@@ -215,7 +210,6 @@ contains
    pure logical function is_kept(surface, memory)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
-      !> Solver of the last point.
       type(periodic_memory_t), intent(in) :: memory
 
       is_kept = .not. any(memory%n_cells /= shape(surface%shape))
@@ -231,7 +225,6 @@ contains
 
    !> Numbers from which the kernel of a surface is made.
    pure function numbers_of(surface) result(numbers)
-      !> The surface with its solid.
       type(periodic_surface_t), intent(in) :: surface
       real(dp), allocatable :: numbers(:)
 
@@ -248,7 +241,6 @@ contains
       type(periodic_solver_t), intent(out), optional :: solver
       !> Receives the operator, where it is wanted.
       type(periodic_operator_t), intent(out), optional :: operator
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (allocated(surface%solid)) then
@@ -263,7 +255,6 @@ contains
 
       !> Make it for a kernel.
       subroutine make_from(kernel)
-         !> The surface of the solid.
          class(kernel_t), intent(in) :: kernel
 
          associate (n => shape(surface%shape), period => surface%period/surface%period(1))

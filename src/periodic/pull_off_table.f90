@@ -6,7 +6,7 @@ module adfric_periodic_pull_off_table
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
    use adfric_numerics_found_once, only: found_once_t, search_t
-   use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
    use adfric_periodic_solver, only: periodic_solver_t
    implicit none (type, external)
@@ -22,19 +22,14 @@ contains
    subroutine get_pull_off(table, solver, shape, period, adhesion, tolerance, pull_off, error)
       !> The table, which receives what had to be found.
       type(found_once_t), intent(inout) :: table
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: solver
       !> Gap of the undeformed surfaces in the middles of the cells [periods along x].
       real(dp), intent(in) :: shape(:, :)
       !> Periods, that along x 1.
       real(dp), intent(in) :: period(2)
-      !> The law; lengths in periods along x.
       type(periodic_adhesion_t), intent(in) :: adhesion
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
-      !> The pull-off.
-      type(pull_off_t), intent(out) :: pull_off
-      !> Not allocated if all went well.
+      type(periodic_pull_off_t), intent(out) :: pull_off
       type(error_t), allocatable, intent(out) :: error
       type(search_t) :: search
       real(dp) :: numbers(n_numbers), found(4)
@@ -45,7 +40,7 @@ contains
       found = 0
       call look_up(table, numbers, shape, found, is_known, search)
       if (is_known) then
-         pull_off = pull_off_t(found(1), found(2), found(3), found(4) > 0)
+         pull_off = periodic_pull_off_t(found(1), found(2), found(3), found(4) > 0)
          return
       end if
       call find_pull_off(solver, shape, adhesion, tolerance, pull_off, error)
@@ -59,7 +54,6 @@ contains
 
    !> Look up the numbers of a pull-off.
    subroutine look_up(table, numbers, shape, found, is_known, search)
-      !> The table.
       type(found_once_t), intent(inout) :: table
       !> Numbers that it depends on beside the gaps.
       real(dp), intent(in) :: numbers(n_numbers)

@@ -26,15 +26,12 @@ contains
    subroutine find_punch_compliance(operator, gap_solver, is_open, tolerance, compliance, is_found)
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Workspace for its cells.
       type(gap_solver_t), intent(inout) :: gap_solver
-      !> Is the cell open?
       logical, intent(in), contiguous :: is_open(:, :)
       !> Relative error that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> Receives the compliance [unit of the gap over E*]; 0 in full contact, below 0 without contact.
       real(dp), intent(out) :: compliance
-      !> Was it found?
       logical, intent(out) :: is_found
       real(dp), allocatable :: gap(:, :), pressure(:, :)
 
@@ -54,9 +51,7 @@ contains
    subroutine finish_punch(operator, gap_solver, is_open, tolerance, gap, pressure, compliance, is_found)
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Workspace for its cells.
       type(gap_solver_t), intent(inout) :: gap_solver
-      !> Is the cell open?
       logical, intent(in), contiguous :: is_open(:, :)
       !> Relative error that is allowed [-].
       real(dp), intent(in) :: tolerance
@@ -64,7 +59,6 @@ contains
       real(dp), intent(inout), contiguous :: gap(:, :), pressure(:, :)
       !> Receives the compliance [unit of the gap over E*].
       real(dp), intent(out) :: compliance
-      !> Was it found?
       logical, intent(out) :: is_found
       type(cohesion_t), allocatable :: none
       type(extremes_t) :: extremes
@@ -76,14 +70,14 @@ contains
       call gap_solver%set_region(operator, is_open, .false., .false., .false.)
       call gap_solver%advance(0.0_dp, gap, pressure, extremes)
       total = sum_of(gap) - dot_of(gap, pressure)
-      is_found = extremes%left <= sqrt(tolerance)
+      is_found = extremes%remaining <= sqrt(tolerance)
       do k = 1, max_iterations
          if (is_found) exit
          call gap_solver%improve(operator, is_open, 0.0_dp, gap, pressure, mean_pressure, extremes, is_stuck, none)
          if (is_stuck) exit
          before = total
          total = sum_of(gap) - dot_of(gap, pressure)
-         is_found = extremes%left <= sqrt(tolerance) .or. slowest*(total - before) <= (1 - slowest)*tolerance*total
+         is_found = extremes%remaining <= sqrt(tolerance) .or. slowest*(total - before) <= (1 - slowest)*tolerance*total
       end do
       compliance = total/size(gap)
    end subroutine finish_punch

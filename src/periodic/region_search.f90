@@ -2,11 +2,11 @@
 !> When the open region is changed, and how: all wrong cells at once while that helps, and one by one when it does not.
 !>
 !> A change of all wrong cells is a step of Newton's method, and it need not wait until the gap of the present region is exact. How far
-!> the pressure that is left must lie below what the wrong cells violate is the strictness. Whenever a number of changes has not brought
-!> fewer wrong cells, more is asked for: a tenth of what may be left, then an exact gap, then one cell at a time, the last wrong one,
-!> until there are fewer wrong cells than ever. With exact gaps that ends for every matrix whose principal minors are positive,
-!> since no region comes twice (J. J. Judice, F. M. Pires, Comput. Oper. Res. 21, 1994, 587); stages before it are left but a finite
-!> number of times.
+!> the pressure that remains must lie below what the wrong cells violate is the strictness. Whenever a number of changes has not
+!> brought fewer wrong cells, more is asked for: a tenth of what may be left, then an exact gap, then one cell at a time, the last
+!> wrong one, until there are fewer wrong cells than ever. With exact gaps that ends for every matrix whose principal minors are
+!> positive, since no region comes twice (J. J. Judice, F. M. Pires, Comput. Oper. Res. 21, 1994, 587); stages before it are left
+!> but a finite number of times.
 module adfric_periodic_region_search
    use adfric_base_kinds, only: dp
    implicit none (type, external)
@@ -15,13 +15,13 @@ module adfric_periodic_region_search
 
    !> Pressure left over violation at which the region is changed, at first and at last before gaps are exact.
    real(dp), parameter :: loose = 0.3_dp, strict = 1.0e-3_dp
-   !> Steps that have to halve the pressure that is left; it takes one or two, but for round-off.
+   !> Steps that have to halve the pressure that remains; it takes one or two, but for round-off.
    integer, parameter :: longest_stall = 50
 
    !> What is wrong with a gap and its pressure. Wrong are open cells that overlap and closed ones that pull, by more than the tolerance.
    type :: verdict_t
       !> Largest pressure or tension of an open cell, wherein there should be none [E*].
-      real(dp) :: left = 0
+      real(dp) :: remaining = 0
       !> Largest tension of a wrong cell, or what it takes to part it [E*]; 0 if no cell is wrong.
       real(dp) :: violation = 0
    end type verdict_t
@@ -39,7 +39,7 @@ module adfric_periodic_region_search
       !> Least number of wrong cells so far.
       integer, private :: fewest = huge(1)
       !> Pressure left in this region when it last had been halved [E*].
-      real(dp), private :: least_left = huge(1.0_dp)
+      real(dp), private :: least_remaining = huge(1.0_dp)
       !> Steps since then.
       integer, private :: n_stalled = 0
    contains
@@ -55,7 +55,6 @@ contains
 
    !> Begin a search.
    pure subroutine new_region_search(self, patience)
-      !> The search.
       type(region_search_t), intent(out) :: self
       !> Changes without fewer wrong cells that are borne; below 0 cells are changed one by one from the beginning.
       integer, intent(in) :: patience
@@ -68,29 +67,25 @@ contains
 
    !> Take note of what a step has left.
    pure subroutine note_step(self, verdict)
-      !> The search.
       class(region_search_t), intent(inout) :: self
-      !> What is wrong after the step.
       type(verdict_t), intent(in) :: verdict
 
       self%n_stalled = self%n_stalled + 1
-      if (verdict%left > self%least_left/2) return
-      self%least_left = verdict%left
+      if (verdict%remaining > self%least_remaining/2) return
+      self%least_remaining = verdict%remaining
       self%n_stalled = 0
    end subroutine note_step
 
    !> Take note that steps begin anew.
    pure subroutine note_region(self)
-      !> The search.
       class(region_search_t), intent(inout) :: self
 
-      self%least_left = huge(1.0_dp)
+      self%least_remaining = huge(1.0_dp)
       self%n_stalled = 0
    end subroutine note_region
 
    !> Have the last steps been of no use?
    pure logical function is_stalled(self)
-      !> The search.
       class(region_search_t), intent(in) :: self
 
       is_stalled = self%n_stalled > longest_stall
@@ -98,19 +93,16 @@ contains
 
    !> Is it time to change the wrong cells?
    pure logical function is_due(self, verdict, aim)
-      !> The search.
       class(region_search_t), intent(in) :: self
-      !> What is wrong.
       type(verdict_t), intent(in) :: verdict
       !> Pressure left in open cells of an exact gap [E*].
       real(dp), intent(in) :: aim
 
-      is_due = verdict%left <= max(aim, merge(0.0_dp, self%strictness*verdict%violation, self%is_exact))
+      is_due = verdict%remaining <= max(aim, merge(0.0_dp, self%strictness*verdict%violation, self%is_exact))
    end function is_due
 
    !> Choose the cells that are changed: all that are wrong, or the last one of them. Steps begin anew.
    pure subroutine choose_wrong(self, n_wrong, is_wrong)
-      !> The search.
       class(region_search_t), intent(inout) :: self
       !> Number of wrong cells.
       integer, intent(in) :: n_wrong
@@ -128,7 +120,6 @@ contains
 
    !> Take note of the wrong cells that are to be changed; become stricter where they have not become fewer for a while.
    pure subroutine get_stricter(self, n_wrong)
-      !> The search.
       class(region_search_t), intent(inout) :: self
       !> Number of wrong cells.
       integer, intent(in) :: n_wrong

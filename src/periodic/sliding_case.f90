@@ -26,7 +26,6 @@ contains
       real(dp), intent(in) :: values(:)
       !> Direction of the motion [degrees], a multiple of 45, of 90 for heights.
       real(dp), intent(in) :: direction
-      !> Lists and master curve of the input.
       type(given_spectrum_t), intent(in) :: spectrum
       !> In: with periods and cells. Out: also with `solid`.
       type(periodic_surface_t), intent(inout) :: surface
@@ -54,14 +53,13 @@ contains
    pure real(dp) function speed_of(values, spectrum) result(speed)
       !> Values of the rows of the solid, which have been checked; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and master curve of the input.
       type(given_spectrum_t), intent(in) :: spectrum
 
       speed = values(s_velocity)*shift_factor_of(values(:n_spectrum_rows), spectrum)
    end function speed_of
 
-   !> Can the body slide to there? Along diagonals of cells the history of a place has less samples than the surface, and waves shorter
-   !> than two of them would be taken for others: that is for waves alone, which have none.
+   !> Can the body slide to there? Along diagonals of cells the history of a position has less samples than the surface, and waves
+   !> shorter than two of them would be taken for others: that is for waves alone, which have none.
    pure logical function is_direction(direction, has_heights)
       !> Direction of the motion [degrees].
       real(dp), intent(in) :: direction
@@ -94,7 +92,6 @@ contains
       real(dp), intent(in) :: direction
       !> Is the surface one of heights, and no wave?
       logical, intent(in) :: has_heights
-      !> Its periods and cells.
       type(periodic_surface_t), intent(in) :: surface
       real(dp) :: frequencies(2), passed(2)
       integer :: steps(2)

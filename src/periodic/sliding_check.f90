@@ -10,7 +10,8 @@ module adfric_periodic_sliding_check
    use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_sliding_case, only: is_direction, speed_of
-   use adfric_periodic_sliding_variables
+   use adfric_periodic_sliding_variables, only: base_frictionless, cells_of, kind_heights, kind_wave_2d, s_base, &
+      & s_poisson_ratio, s_thickness, s_velocity, in => sliding_input
    implicit none (type, external)
    private
    public :: check_sliding_surface, check_sliding_solid
@@ -30,39 +31,35 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Heights of the input.
       type(given_heights_t), intent(in) :: heights
-      !> Is the variable swept? Shape `(n_variables)`.
-      logical, intent(in) :: is_swept(:)
-      !> Are maps wanted?
-      logical, intent(in) :: has_profiles
-      !> Receives what is wrong with the input; nothing is removed.
+      logical, intent(in) :: is_swept(:), has_profiles
       type(problems_t), intent(inout) :: problems
 
-      call require(variables, values, [v_kind], problems)
-      if (.not. is_set(values(v_kind))) return
-      if (nint(values(v_kind)) == kind_heights) then
-         call heights%check(variables(v_heights:v_rms_height), values(v_heights:v_rms_height), problems)
-         call refuse_given(variables, values, is_swept, [v_period, v_amplitude, v_cells], 'has no meaning beside heights', problems)
+      call require(variables, values, [in%kind], problems)
+      if (.not. is_set(values(in%kind))) return
+      if (nint(values(in%kind)) == kind_heights) then
+         call heights%check(variables(in%heights:in%rms_height), values(in%heights:in%rms_height), problems)
+         call refuse_given(variables, values, is_swept, [in%period, in%amplitude, in%cells], 'has no meaning beside heights', &
+            & problems)
       else
-         call require(variables, values, [v_period, v_amplitude], problems)
-         call refuse_given(variables, values, is_swept, [v_heights, v_length_x, v_length_y, v_rms_height], &
+         call require(variables, values, [in%period, in%amplitude], problems)
+         call refuse_given(variables, values, is_swept, [in%heights, in%length_x, in%length_y, in%rms_height], &
             & 'has no meaning for waves', problems)
-         if (nint(values(v_kind)) == kind_wave_2d .and. cells_of(values) > most_cells_2d) &
-            & call add(v_cells, 'is more than 8192, the most for wave_2d')
+         if (nint(values(in%kind)) == kind_wave_2d .and. cells_of(values) > most_cells_2d) &
+            & call add(in%cells, 'is more than 8192, the most for wave_2d')
       end if
-      if (nint(values(v_kind)) == kind_heights .and. .not. is_direction(values(v_direction), .true.)) &
-         & call add(v_direction, 'is no multiple of 90 degrees')
-      if (.not. is_direction(values(v_direction), .false.) .and. nint(values(v_kind)) /= kind_heights) &
-         & call add(v_direction, 'is no multiple of 45 degrees')
-      if (is_swept(v_direction)) call add(v_direction, 'is swept; a run has one direction')
-      if (has_profiles) call refuse_swept(variables, is_swept, [v_period, v_cells, v_length_x, v_length_y], problems)
+      if (nint(values(in%kind)) == kind_heights .and. .not. is_direction(values(in%direction), .true.)) &
+         & call add(in%direction, 'is no multiple of 90 degrees')
+      if (.not. is_direction(values(in%direction), .false.) .and. nint(values(in%kind)) /= kind_heights) &
+         & call add(in%direction, 'is no multiple of 45 degrees')
+      if (is_swept(in%direction)) call add(in%direction, 'is swept; a run has one direction')
+      if (has_profiles) call refuse_swept(variables, is_swept, [in%period, in%cells, in%length_x, in%length_y], problems)
 
    contains
 
       !> Add a problem of one variable to the list.
       subroutine add(v, text)
-         !> Place of the variable in the table, one of `v_...`.
+         !> Index of the variable in the table, one of `v_...`.
          integer, intent(in) :: v
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
@@ -80,11 +77,9 @@ contains
       real(dp), intent(in) :: values(:)
       !> Period along x [m], or unset.
       real(dp), intent(in) :: length
-      !> Lists and master curve of the input.
       type(given_spectrum_t), intent(in) :: spectrum
       !> Is the variable swept? Shape `(n_solid_rows)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -108,7 +103,6 @@ contains
       real(dp), intent(in) :: length
       !> Is the variable swept? Shape `(n_solid_rows)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (.not. any(is_set(values([s_thickness, s_base, s_poisson_ratio])))) return
@@ -132,13 +126,13 @@ contains
    contains
 
       !> Add a problem of one row to the list.
-      subroutine add(place, text)
-         !> Place of the variable among the rows, one of `s_...`.
-         integer, intent(in) :: place
+      subroutine add(index, text)
+         !> Index of the variable among the rows, one of `s_...`.
+         integer, intent(in) :: index
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
 
-         call problems%add(rows(place)%group, rows(place)%name, text)
+         call problems%add(rows(index)%group, rows(index)%name, text)
       end subroutine add
 
    end subroutine check_layer

@@ -2,9 +2,9 @@
 !> The surface of a viscoelastic solid over which a rough body slides steadily, in the frame of the body.
 !>
 !> The stiffness of a wave is that of the elastic solid of unit modulus times the complex modulus at the frequency with which the wave
-!> passes a place of the solid. On cells the history of a place is known cell by cell, and between cells it is taken to be linear
-!> (`adfric_solid_sampled_modulus`). The modulus of the wave itself would jump where waves are two cells long, whose direction
-!> cannot be told, and such kernels ring: with them the sets of open and closed cells do not settle.
+!> passes a position of the solid. On cells the history of a position is known cell by cell, and between cells it is taken to be
+!> linear (`adfric_solid_sampled_modulus`). The modulus of the wave itself would jump where waves are two cells long, whose
+!> direction cannot be told, and such kernels ring: with them the sets of open and closed cells do not settle.
 module adfric_periodic_sliding_kernel
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
@@ -35,11 +35,8 @@ contains
 
    !> Set up a kernel.
    pure subroutine new_sliding_kernel(self, solid, prony, velocity, steps)
-      !> The kernel.
       type(sliding_kernel_t), intent(out) :: self
-      !> The elastic solid of unit modulus.
       class(kernel_t), intent(in) :: solid
-      !> Relaxation spectrum; pressures are in its unit.
       type(prony_t), intent(in) :: prony
       !> Velocity of the body in the unit of lengths per second, >= 0; with the shift of times by temperature.
       real(dp), intent(in) :: velocity
@@ -54,7 +51,6 @@ contains
 
    !> See `kernel_t`.
    pure subroutine get_stiffness(self, n_x, n_y, cell_size, stiffness)
-      !> The solid and the motion.
       class(sliding_kernel_t), intent(in) :: self
       !> Numbers of waves per length along x and along y.
       real(dp), intent(in) :: n_x(:), n_y(:)
@@ -82,7 +78,6 @@ contains
 
    !> See `kernel_t`: that of the relaxed solid, at any velocity.
    pure real(dp) function mean_compliance(self)
-      !> The solid and the motion.
       class(sliding_kernel_t), intent(in) :: self
 
       mean_compliance = self%solid%mean_compliance()/self%prony%relaxed
@@ -90,7 +85,6 @@ contains
 
    !> Modulus that a wave meets.
    pure complex(dp) function modulus_of(self, n, step) result(modulus)
-      !> The solid and the motion.
       class(sliding_kernel_t), intent(in) :: self
       !> Number of waves on the way from cell to cell.
       real(dp), intent(in) :: n

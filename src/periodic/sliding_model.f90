@@ -22,7 +22,9 @@ module adfric_periodic_sliding_model
    use adfric_periodic_sliding_check, only: check_sliding_surface, check_sliding_solid
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
-   use adfric_periodic_sliding_variables
+   use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
+      & kind_wave_2d, n_solid_rows, n_surface_rows, s_velocity, set_solid_rows, set_surface_rows, in => sliding_input, &
+      & out => sliding_output
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
@@ -74,29 +76,28 @@ contains
    end subroutine new_sliding_model
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which keeps heights and spectrum.
+   subroutine take_dataset(self, index, values, problems)
       class(sliding_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Its values; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (place == v_heights) then
-         call self%heights%take(self%variables(place), values, problems)
+      if (index == in%heights) then
+         call self%heights%take(self%variables(index), values, problems)
       else
-         call take_spectrum(self%spectrum, place - self%first_of_solid + 1, values)
+         call take_spectrum(self%spectrum, index - self%first_of_solid + 1, values)
       end if
    end subroutine take_dataset
 
    !> See `model_t`.
-   subroutine take_attribute(self, place, name, value, problems)
+   subroutine take_attribute(self, index, name, value, problems)
       !> The model, which keeps the temperature of the master curve.
       class(sliding_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Name of the attribute.
       character(*), intent(in) :: name
       !> Its value in SI units.
@@ -104,7 +105,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call take_spectrum_attribute(self%spectrum, self%variables(place), place - self%first_of_solid + 1, name, value, problems)
+      call take_spectrum_attribute(self%spectrum, self%variables(index), index - self%first_of_solid + 1, name, value, problems)
    end subroutine take_attribute
 
    !> See `periodic_model_t`.
@@ -134,49 +135,46 @@ contains
 
       associate (first => self%first_of_solid, last => self%last_of_solid)
          call check_sliding_solid(self%variables(first:last), values(first:last), &
-            & values(merge(v_length_x, v_period, is_set(values(v_length_x)))), self%spectrum, is_swept(first:last), problems)
+            & values(merge(in%length_x, in%period, is_set(values(in%length_x)))), self%spectrum, is_swept(first:last), problems)
       end associate
    end subroutine check_solid
 
    !> See `periodic_model_t`.
    subroutine get_cells(self, values, surface)
-      !> The model with its heights.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the periods and the cells.
       type(periodic_surface_t), intent(inout) :: surface
 
-      if (nint(values(v_kind)) == kind_heights) then
-         call self%heights%get_cells(values(v_heights:v_rms_height), surface)
+      if (nint(values(in%kind)) == kind_heights) then
+         call self%heights%get_cells(values(in%heights:in%rms_height), surface)
       else
-         surface%period = values(v_period)
+         surface%period = values(in%period)
          surface%n_cells = cells_of(values)
-         if (nint(values(v_kind)) == kind_wave_1d) surface%n_cells(2) = 1
+         if (nint(values(in%kind)) == kind_wave_1d) surface%n_cells(2) = 1
       end if
    end subroutine get_cells
 
    !> See `periodic_model_t`.
    subroutine get_shape(self, values, shape)
-      !> The model with its heights.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the gap of the undeformed surfaces; that of heights is not copied again [m].
       real(dp), allocatable, intent(inout) :: shape(:, :)
 
-      if (nint(values(v_kind)) == kind_heights) then
-         call self%heights%get_shape(values(v_heights:v_rms_height), shape)
+      if (nint(values(in%kind)) == kind_heights) then
+         call self%heights%get_shape(values(in%heights:in%rms_height), shape)
       else
          associate (n => cells_of(values))
-            call set_wave(values(v_amplitude), n, [n, merge(1, n, nint(values(v_kind)) == kind_wave_1d)], shape)
+            call set_wave(values(in%amplitude), n, [n, merge(1, n, nint(values(in%kind)) == kind_wave_1d)], shape)
          end associate
       end if
    end subroutine get_shape
 
    !> See `periodic_model_t`.
    subroutine set_solid(self, values, surface)
-      !> The model with its spectrum.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -184,13 +182,12 @@ contains
       type(periodic_surface_t), intent(inout) :: surface
 
       associate (first => self%first_of_solid, last => self%last_of_solid)
-         call set_sliding_solid(values(first:last), values(v_direction), self%spectrum, surface)
+         call set_sliding_solid(values(first:last), values(in%direction), self%spectrum, surface)
       end associate
    end subroutine set_solid
 
    !> See `periodic_model_t`: of a wave in closed form, of heights that of the cells as they are.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)
-      !> The model; nothing is read from it here.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -200,7 +197,7 @@ contains
       real(dp), intent(in) :: on_cells
 
       get_full_pressure = solid%modulus*on_cells
-      if (nint(values(v_kind)) == kind_heights) return
+      if (nint(values(in%kind)) == kind_heights) return
       select type (solid)
       type is (viscoelastic_solid_t)
          get_full_pressure = solid%modulus*pressure_of_wave(values, solid)
@@ -211,24 +208,21 @@ contains
 
    !> Pressure of full contact of a wave [E0].
    pure real(dp) function pressure_of_wave(values, solid) result(pressure)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
 
-      pressure = wave_pressure_of_full_contact(solid, values(v_amplitude)/values(v_period), nint(values(v_kind)) == kind_wave_2d)
+      pressure = wave_pressure_of_full_contact(solid, values(in%amplitude)/values(in%period), nint(values(in%kind)) == kind_wave_2d)
    end function pressure_of_wave
 
    !> See `periodic_model_t`: that of the cells, of a wave with a parabola between them.
    real(dp) function get_peak_pressure(self, values, pressure)
-      !> The model; nothing is read from it here.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Pressure in the middles of the cells; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
 
-      if (nint(values(v_kind)) == kind_heights) then
+      if (nint(values(in%kind)) == kind_heights) then
          get_peak_pressure = maxval(pressure)
       else
          get_peak_pressure = peak_of_wave(pressure)
@@ -239,13 +233,12 @@ contains
 
    !> See `periodic_model_t`: a wave in full contact.
    subroutine solve_in_closed_form(self, values, surface, goal, solution, is_known)
-      !> The model; nothing is read from it here.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
-      !> What is held at the point.
+      !> What is prescribed at the point.
       type(periodic_goal_t), intent(in) :: goal
       !> Receives the solution if it is known; lengths in m, pressures in E0.
       type(periodic_solution_t), intent(inout) :: solution
@@ -254,14 +247,14 @@ contains
       real(dp) :: pressure
 
       is_known = .false.
-      if (nint(values(v_kind)) == kind_heights) return
+      if (nint(values(in%kind)) == kind_heights) return
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
          pressure = goal%value
-         if (.not. goal%is_pressure) pressure = mean_pressure_at(goal%value, solid, values(v_amplitude), values(v_period), &
-            & nint(values(v_kind)) == kind_wave_2d)
+         if (.not. goal%is_pressure) pressure = mean_pressure_at(goal%value, solid, values(in%amplitude), values(in%period), &
+            & nint(values(in%kind)) == kind_wave_2d)
          is_known = pressure >= pressure_of_wave(values, solid)
-         if (is_known) call set_full_contact(solid, surface%shape, values(v_amplitude), values(v_period), pressure, solution)
+         if (is_known) call set_full_contact(solid, surface%shape, values(in%amplitude), values(in%period), pressure, solution)
       end select
       associate (unused => self)
       end associate
@@ -269,7 +262,6 @@ contains
 
    !> See `periodic_model_t`: friction, and its error.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
-      !> The model; nothing is read from it here.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -286,7 +278,7 @@ contains
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
          call set_sliding_results(values, solid, solution, results, error_estimate)
-         results(r_smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
+         results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
       end select
       associate (unused => self)
       end associate
@@ -294,7 +286,6 @@ contains
 
    !> See `periodic_model_t`: moduli and shift factor, the frequencies of the surface, and the cells of a wave.
    function derive_solid(self, values, surface) result(derived)
-      !> The model with its spectrum.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -306,31 +297,29 @@ contains
 
       allocate (derived(0))
       call derive_spectrum(derived, values(self%first_of_solid:self%first_of_solid + n_spectrum_rows - 1), self%spectrum)
-      frequencies = frequencies_of(velocity_of(self, values), values(v_direction), nint(values(v_kind)) == kind_heights, &
+      frequencies = frequencies_of(velocity_of(self, values), values(in%direction), nint(values(in%kind)) == kind_heights, &
          & surface)
       call add_derived(derived, 'lowest_frequency', 'rad/s', 'lowest angular frequency that the surface excites', &
          & frequencies(1), sources)
       call add_derived(derived, 'highest_frequency', 'rad/s', 'highest angular frequency that the surface excites', &
          & frequencies(2), sources)
-      if (nint(values(v_kind)) /= kind_heights) call add_derived(derived, 'cells', '-', 'cells along a period of a wave', &
+      if (nint(values(in%kind)) /= kind_heights) call add_derived(derived, 'cells', '-', 'cells along a period of a wave', &
          & real(cells_of(values), dp), 'cells')
    end function derive_solid
 
    !> See `model_t`: the arms, and what is not estimated.
    function describe_case(self, values) result(text)
-      !> The model with its heights and spectrum.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
       text = describe_spectrum(values(self%first_of_solid:self%first_of_solid + n_spectrum_rows - 1), self%spectrum)
-      if (nint(values(v_kind)) == kind_heights) text = text//self%heights%describe(.true.)
+      if (nint(values(in%kind)) == kind_heights) text = text//self%heights%describe(.true.)
    end function describe_case
 
    !> See `model_t`: edges that do not meet, a solid that loses nothing, frequencies beyond the master curve.
    function describe_doubts(self, values) result(text)
-      !> The model with its heights and spectrum.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -340,16 +329,14 @@ contains
       call self%get_cells(values, surface)
       text = ''
       if (velocity_of(self, values) > 0) text = doubt_spectrum(values(self%first_of_solid:self%first_of_solid + n_spectrum_rows &
-         & - 1), self%spectrum, frequencies_of(velocity_of(self, values), values(v_direction), &
-         & nint(values(v_kind)) == kind_heights, surface))
-      if (nint(values(v_kind)) == kind_heights) text = text//self%heights%doubt()
+         & - 1), self%spectrum, frequencies_of(velocity_of(self, values), values(in%direction), &
+         & nint(values(in%kind)) == kind_heights, surface))
+      if (nint(values(in%kind)) == kind_heights) text = text//self%heights%doubt()
    end function describe_doubts
 
    !> Sliding velocity [m/s].
    pure real(dp) function velocity_of(self, values) result(velocity)
-      !> The model, for the place of the velocity.
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       velocity = values(self%first_of_solid + s_velocity - 1)
@@ -357,7 +344,6 @@ contains
 
    !> See `model_t`: the steepest slope of waves, the mean one of heights.
    subroutine measure(self, values, results, measures)
-      !> The model with its heights.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -366,11 +352,11 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      if (nint(values(v_kind)) == kind_heights) then
-         measures(doubt_slope_too_steep) = self%heights%slope(values(v_heights:v_rms_height))
+      if (nint(values(in%kind)) == kind_heights) then
+         measures(doubt_slope_too_steep) = self%heights%slope(values(in%heights:in%rms_height))
       else
-         measures(doubt_slope_too_steep) = two_pi*values(v_amplitude)/values(v_period)
-         if (nint(values(v_kind)) == kind_wave_2d) measures(doubt_slope_too_steep) = sqrt(2.0_dp)*measures(doubt_slope_too_steep)
+         measures(doubt_slope_too_steep) = two_pi*values(in%amplitude)/values(in%period)
+         if (nint(values(in%kind)) == kind_wave_2d) measures(doubt_slope_too_steep) = sqrt(2.0_dp)*measures(doubt_slope_too_steep)
       end if
       associate (unused => results)
       end associate

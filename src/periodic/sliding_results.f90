@@ -5,9 +5,10 @@ module adfric_periodic_sliding_results
    use adfric_base_not_a_number, only: not_a_number
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_contact_centre, only: contact_centre
-   use adfric_periodic_sliding_variables
+   use adfric_periodic_sliding_variables, only: kind_heights, kind_wave_2d, regime_full, regime_none, &
+      & regime_partial, in => sliding_input, sliding_output
    use adfric_periodic_solver, only: periodic_solution_t
-   use adfric_periodic_variables, only: r_mean_pressure, r_full_contact_pressure
+   use adfric_periodic_variables, only: periodic_output
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_contact, only: wave_friction_of_full_contact
    implicit none (type, external)
@@ -18,9 +19,7 @@ contains
 
    !> Set friction and what goes with it.
    subroutine set_sliding_results(values, solid, solution, results, error_estimate)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Solution of the point; lengths in m, pressures in E0.
       type(periodic_solution_t), intent(in) :: solution
@@ -31,29 +30,30 @@ contains
       real(dp) :: loss, direct
       logical :: is_wave
 
-      is_wave = nint(values(v_kind)) /= kind_heights
+      is_wave = nint(values(in%kind)) /= kind_heights
       loss = solid%forward(solution%friction%loss)
       direct = solid%forward(solution%friction%direct)
-      results([r_friction_stress, r_dissipation]) = loss*solid%modulus
-      results(r_friction_coefficient) = not_a_number()
-      if (results(r_mean_pressure) > 0) results(r_friction_coefficient) = results(r_friction_stress)/results(r_mean_pressure)
-      results(r_lateral_stress) = solid%leftward(solution%friction%loss)*solid%modulus
-      results(r_full_contact_friction) = solid%forward(solution%full_friction)*solid%modulus
-      if (is_wave) results(r_full_contact_friction) = solid%modulus*wave_friction_of_full_contact(solid, &
-         & values(v_amplitude)/values(v_period), nint(values(v_kind)) == kind_wave_2d)
-      results(r_contact_shift) = not_a_number()
-      if (is_wave) results(r_contact_shift) = values(v_period)*shift_of(solution%pressure, solid)
-      results(r_energy_imbalance) = 0
-      if (max(abs(direct), abs(loss)) > 0) results(r_energy_imbalance) = (direct - loss)/max(abs(direct), abs(loss))
-      results(r_regime) = regime_of(solution)
+      results([sliding_output%friction_stress, sliding_output%dissipation]) = loss*solid%modulus
+      results(sliding_output%friction_coefficient) = not_a_number()
+      if (results(periodic_output%mean_pressure) > 0) results(sliding_output%friction_coefficient) = &
+         & results(sliding_output%friction_stress)/results(periodic_output%mean_pressure)
+      results(sliding_output%lateral_stress) = solid%leftward(solution%friction%loss)*solid%modulus
+      results(sliding_output%full_contact_friction) = solid%forward(solution%full_friction)*solid%modulus
+      if (is_wave) results(sliding_output%full_contact_friction) = solid%modulus*wave_friction_of_full_contact(solid, &
+         & values(in%amplitude)/values(in%period), nint(values(in%kind)) == kind_wave_2d)
+      results(sliding_output%contact_shift) = not_a_number()
+      if (is_wave) results(sliding_output%contact_shift) = values(in%period)*shift_of(solution%pressure, solid)
+      results(sliding_output%energy_imbalance) = 0
+      if (max(abs(direct), abs(loss)) > 0) results(sliding_output%energy_imbalance) = (direct - loss)/max(abs(direct), abs(loss))
+      results(sliding_output%regime) = regime_of(solution)
       error_estimate = error_of(solid, solution)
       ! in closed form
-      if (is_wave .and. results(r_mean_pressure) >= results(r_full_contact_pressure)) error_estimate = 4*epsilon(1.0_dp)
+      if (is_wave .and. results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) error_estimate &
+         & = 4*epsilon(1.0_dp)
    end subroutine set_sliding_results
 
    !> Which regime is it?
    pure integer function regime_of(solution) result(regime)
-      !> Solution of the point.
       type(periodic_solution_t), intent(in) :: solution
 
       regime = regime_partial
@@ -64,9 +64,7 @@ contains
    !> Relative error of the friction: the largest of what its two forms differ by, of what the last grid has changed, and of half of what
    !> the one before it has changed; 1 at most, and where the loss is no number above round-off. Where nothing rubs, that of the area.
    pure real(dp) function error_of(solid, solution) result(error)
-      !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
-      !> Solution of the point.
       type(periodic_solution_t), intent(in) :: solution
       real(dp) :: loss, coarse(size(solution%coarse_losses, 2))
       integer :: k
@@ -90,7 +88,6 @@ contains
    pure real(dp) function shift_of(pressure, solid) result(shift)
       !> Pressure in the middles of the cells of one period.
       real(dp), intent(in) :: pressure(:, :)
-      !> The solid with the motion.
       type(viscoelastic_solid_t), intent(in) :: solid
 
       shift = not_a_number()
@@ -104,12 +101,12 @@ contains
    pure real(dp) function peak_of_wave(map) result(peak)
       !> The map in the middles of cells; goes on periodically.
       real(dp), intent(in) :: map(:, :)
-      integer :: place(2), n(2)
+      integer :: index(2), n(2)
 
-      place = maxloc(map)
+      index = maxloc(map)
       n = shape(map)
-      peak = map(place(1), place(2))
-      associate (i => place(1), j => place(2))
+      peak = map(index(1), index(2))
+      associate (i => index(1), j => index(2))
          peak = peak + rise(map(modulo(i - 2, n(1)) + 1, j), map(i, j), map(modulo(i, n(1)) + 1, j)) &
             & + rise(map(i, modulo(j - 2, n(2)) + 1), map(i, j), map(i, modulo(j, n(2)) + 1))
       end associate

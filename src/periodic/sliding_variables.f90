@@ -2,37 +2,44 @@
 !> The namelist variables and results of the model `surface_sliding`, beside those that all models of a periodic surface share.
 module adfric_periodic_sliding_variables
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_unset, only: unset
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
    use adfric_describe_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
    use adfric_describe_table, only: variable_t, result_t
    use adfric_periodic_given_heights, only: set_heights_rows, n_heights_rows
-   use adfric_periodic_variables, only: get_periodic_results, n_periodic_results, r_penetration, smooth_fraction_row
+   use adfric_periodic_variables, only: get_periodic_results, n_periodic_results, smooth_fraction_row, &
+      & periodic_output
    implicit none (type, external)
    private
    public :: set_surface_rows, set_solid_rows, get_sliding_results, cells_of
 
-   !> Places of the rows of the surface.
-   integer, parameter, public :: v_kind = 1, v_period = 2, v_amplitude = 3, v_heights = 4, v_length_x = 5, v_length_y = 6, &
-      & v_rms_height = 7, v_direction = 8, v_cells = 9
-   integer, parameter, public :: n_surface_rows = 9
+   !> Variables in the order of their rows; a component is the index of its row.
+   type :: sliding_input_t
+      !> Indices, which `sliding_input` has.
+      integer :: kind = 0, period = 0, amplitude = 0, heights = 0, length_x = 0, length_y = 0, rms_height = 0, direction = &
+         & 0, cells = 0
+   end type sliding_input_t
+   type(sliding_input_t), parameter, public :: sliding_input = transfer(counting, sliding_input_t())
+   integer, parameter, public :: n_surface_rows = storage_size(sliding_input)/storage_size(1)
    !> Kinds of surfaces, in the order of the choice.
    integer, parameter, public :: kind_wave_1d = 1, kind_wave_2d = 2, kind_heights = 3
 
-   !> Places among the rows of the solid: those of the spectrum, the last of which is the temperature, then those of the layer.
+   !> Indices among the rows of the solid: those of the spectrum, the last of which is the temperature, then those of the layer.
    integer, parameter, public :: s_thickness = n_spectrum_rows + 1, s_base = n_spectrum_rows + 2, &
       & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4
    integer, parameter, public :: n_solid_rows = n_spectrum_rows + 4
    !> Bases of the layer, in the order of the choice.
    integer, parameter, public :: base_frictionless = 1, base_bonded = 2
 
-   !> Places of the results behind those of all models of a periodic surface.
-   integer, parameter, public :: r_friction_stress = n_periodic_results + 1, r_friction_coefficient = n_periodic_results + 2, &
-      & r_lateral_stress = n_periodic_results + 3, r_full_contact_friction = n_periodic_results + 4, &
-      & r_contact_shift = n_periodic_results + 5, r_dissipation = n_periodic_results + 6, &
-      & r_energy_imbalance = n_periodic_results + 7, r_regime = n_periodic_results + 8, &
-      & r_smooth_fraction = n_periodic_results + 9
-   integer, parameter, public :: n_sliding_results = n_periodic_results + 9
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: sliding_output_t
+      !> Indices, which `sliding_output` has.
+      integer :: friction_stress = 0, friction_coefficient = 0, lateral_stress = 0, full_contact_friction = 0, contact_shift &
+         & = 0, dissipation = 0, energy_imbalance = 0, regime = 0, smooth_fraction = 0
+   end type sliding_output_t
+   type(sliding_output_t), parameter, public :: sliding_output = transfer(counting(n_periodic_results + 1:), sliding_output_t())
+   integer, parameter, public :: n_sliding_results = n_periodic_results + storage_size(sliding_output)/storage_size(1)
    !> Regimes, in the order of their meanings.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
 
@@ -48,19 +55,19 @@ contains
       !> Receives the rows; shape `(n_surface_rows)`.
       type(variable_t), intent(inout) :: v(:)
 
-      v(v_kind) = choice(group='surface', name='kind', &
+      v(sliding_input%kind) = choice(group='surface', name='kind', &
          & meaning='a wave along x (wave_1d), waves along x and y (wave_2d), or given heights', choices='wave_1d wave_2d heights')
-      v(v_period) = positive(group='surface', name='period', unit='m', meaning='period l of waves')
-      v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', &
+      v(sliding_input%period) = positive(group='surface', name='period', unit='m', meaning='period l of waves')
+      v(sliding_input%amplitude) = positive(group='surface', name='amplitude', unit='m', &
          & meaning='D of the wave z = D (1 - cos 2 pi x/l), or z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
-      call set_heights_rows(v(v_heights:v_heights + n_heights_rows - 1))
-      v(v_direction) = any_number(group='surface', name='direction', unit='degrees', &
+      call set_heights_rows(v(sliding_input%heights:sliding_input%heights + n_heights_rows - 1))
+      v(sliding_input%direction) = any_number(group='surface', name='direction', unit='degrees', &
          & meaning='direction to which the body slides, 0 along +x, 90 along +y; a multiple of 90, of 45 for waves', &
          & default=0.0_dp, lower=0.0_dp, upper=315.0_dp)
-      v(v_cells) = whole_number(group='numerics', name='cells', &
+      v(sliding_input%cells) = whole_number(group='numerics', name='cells', &
          & meaning='cells along a period of a wave; 1024 for wave_1d and 256 for wave_2d if not given', &
          & default=default_cells_1d, lower=32, upper=65536, multiple_of=multiple_of_cells)
-      v(v_cells)%default = unset
+      v(sliding_input%cells)%default = unset
    end subroutine set_surface_rows
 
    !> Rows of the material, the layer and the velocity.
@@ -84,8 +91,8 @@ contains
       !> Values of the rows of the surface; shape `(n_surface_rows)` or longer.
       real(dp), intent(in) :: values(:)
 
-      n = merge(default_cells_1d, default_cells_2d, nint(values(v_kind)) == kind_wave_1d)
-      if (values(v_cells) < unset) n = nint(values(v_cells))
+      n = merge(default_cells_1d, default_cells_2d, nint(values(sliding_input%kind)) == kind_wave_1d)
+      if (values(sliding_input%cells) < unset) n = nint(values(sliding_input%cells))
    end function cells_of
 
    !> The table of results.
@@ -94,21 +101,24 @@ contains
 
       allocate (r(n_sliding_results))
       r(:n_periodic_results) = get_periodic_results()
-      r(r_penetration)%long_name = 'approach from first touch, at the mean of the deformed surface, or at the base of a layer'
-      r(r_friction_stress) = result_row(name='friction_stress', unit='Pa', long_name='friction over nominal area', is_main=.true.)
-      r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', long_name='friction over load', is_main=.true.)
-      r(r_lateral_stress) = result_row(name='lateral_stress', unit='Pa', &
+      r(periodic_output%penetration)%long_name = &
+         & 'approach from first touch, at the mean of the deformed surface, or at the base of a layer'
+      r(sliding_output%friction_stress) = result_row(name='friction_stress', unit='Pa', long_name='friction over nominal area', &
+         & is_main=.true.)
+      r(sliding_output%friction_coefficient) = result_row(name='friction_coefficient', unit='-', long_name='friction over load', &
+         & is_main=.true.)
+      r(sliding_output%lateral_stress) = result_row(name='lateral_stress', unit='Pa', &
          & long_name='stress across the motion that keeps the body on its way, positive to the left')
-      r(r_full_contact_friction) = result_row(name='full_contact_friction', unit='Pa', &
+      r(sliding_output%full_contact_friction) = result_row(name='full_contact_friction', unit='Pa', &
          & long_name='friction over nominal area in full contact at this velocity, of heights on their cells')
-      r(r_contact_shift) = result_row(name='contact_shift', unit='m', &
+      r(sliding_output%contact_shift) = result_row(name='contact_shift', unit='m', &
          & long_name='shift of the contact of a wave from the crest towards the leading side; none along diagonals')
-      r(r_dissipation) = result_row(name='dissipation', unit='Pa', &
+      r(sliding_output%dissipation) = result_row(name='dissipation', unit='Pa', &
          & long_name='energy lost in the solid per nominal area and distance slid')
-      r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
+      r(sliding_output%energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
          & long_name='friction from the pressure on the slopes less the energy lost, over the larger of them')
-      r(r_regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
-      r(r_smooth_fraction) = smooth_fraction_row()
+      r(sliding_output%regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
+      r(sliding_output%smooth_fraction) = smooth_fraction_row()
    end function get_sliding_results
 
 end module adfric_periodic_sliding_variables

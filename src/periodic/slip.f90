@@ -6,8 +6,9 @@
 !>
 !> $$ W = 4 \mu^2 m\, \overline{p(P)\, g(P^*)}, $$
 !> a sum without a term below 0. In three dimensions m is the mean of all directions; with Poisson's ratio above 0 the displacement
-!> that q makes then differs from one place of the sticking contact to the other, and `poisson_defect` tells by how much: the force at
-!> this displacement is wrong by about its square (`tests/reference/slip_rough.csv`, where the true direction of slip was solved for).
+!> that q makes then differs from one position of the sticking contact to the other, and `poisson_defect` tells by how much: the
+!> force at this displacement is wrong by about its square (`tests/reference/slip_rough.csv`, where the true direction of slip was
+!> solved for).
 module adfric_periodic_slip
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -51,30 +52,26 @@ contains
 
    !> Find the slip of a solved contact. Without contact there is none.
    subroutine solve_slip(solver, shape, friction, tolerance, solution, slip, error)
-      !> Solver of the surface.
       type(periodic_solver_t), intent(inout) :: solver
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
-      !> Friction and force, with the stress in E*.
       type(coulomb_t), intent(in) :: friction
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> In: the contact, solved. Out: the worse of the states of both contacts, and the steps and transforms of all; out of range where
       !> friction does not hold the force.
       type(periodic_solution_t), intent(inout) :: solution
       !> Receives the slip, in the units of `solution`; not allocated where there is none.
       type(periodic_slip_t), allocatable, intent(out) :: slip
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(lighter_load_t) :: stick
       real(dp) :: tau
       integer :: n, n_before
-      logical :: is_held
+      logical :: is_sustained
 
       if (solution%status /= contact_solved) return
-      call friction%get_share(solution%mean_pressure, tau, is_held)
-      if (.not. is_held) solution%status = contact_out_of_range
-      if (.not. (is_held .and. solution%mean_pressure > 0)) return
+      call friction%get_share(solution%mean_pressure, tau, is_sustained)
+      if (.not. is_sustained) solution%status = contact_out_of_range
+      if (.not. (is_sustained .and. solution%mean_pressure > 0)) return
       n = size(solver%grids)
       n_before = solver%grids(n)%operator%n_applied
       if (tau > 0 .and. tau <= most_relief) call find_lighter_load(stick, solver%grids(n)%operator, solver%grids(n)%gap_solver, &
@@ -106,19 +103,15 @@ contains
 
    !> Find what the lighter load changes from two contacts, each from nothing: where hardly any load is left, or none was taken.
    subroutine compare_contacts(solver, shape, tau, tolerance, solution, stick, error)
-      !> Solver of the surface.
       type(periodic_solver_t), intent(inout) :: solver
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> 1 - P*/P [-].
       real(dp), intent(in) :: tau
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> In: the contact of P. Out: with the steps and transforms of that of P*.
       type(periodic_solution_t), intent(inout) :: solution
-      !> Receives what changes.
       type(lighter_load_t), intent(out) :: stick
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(periodic_solution_t) :: lighter
       integer :: n_before
@@ -145,15 +138,11 @@ contains
 
    !> From what the lighter load changes to the slip.
    subroutine set_slip(operator, friction, pressure, stick, slip)
-      !> Operator of the finest grid.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Friction and force.
       type(coulomb_t), intent(in) :: friction
       !> Pressure under P [E*].
       real(dp), intent(in), contiguous :: pressure(:, :)
-      !> What changes under P*.
       type(lighter_load_t), intent(in) :: stick
-      !> Receives the slip.
       type(periodic_slip_t), intent(inout) :: slip
       logical :: is_line
       real(dp) :: sliding
@@ -174,11 +163,8 @@ contains
 
    !> Find how much the displacement along the force differs among the cells that stick.
    subroutine find_defect(operator, friction, sticks, slip)
-      !> Operator of the finest grid.
       type(periodic_operator_t), intent(inout) :: operator
-      !> Friction and force.
       type(coulomb_t), intent(in) :: friction
-      !> Does the cell stick?
       logical, intent(in) :: sticks(:, :)
       !> In: with traction and displacement. Out: with the defect.
       type(periodic_slip_t), intent(inout) :: slip

@@ -105,7 +105,6 @@ contains
       real(dp), intent(in) :: period(2)
       !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
       logical, intent(in) :: is_quarter
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       !> Shall trials tell the fastest transforms? Worth it for hundreds of solutions.
       logical, intent(in), optional :: is_measured
@@ -127,17 +126,14 @@ contains
 
    !> Solve under a mean pressure.
    subroutine solve_load(self, shape, mean_pressure, tolerance, solution, error)
-      !> Solver for surfaces of these cells and periods.
       class(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> Mean pressure [E*]; a negative one is out of range.
       real(dp), intent(in) :: mean_pressure
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> The solution; `status` tells how it ended.
       type(periodic_solution_t), intent(out) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t) :: goal
 
@@ -155,17 +151,14 @@ contains
 
    !> Solve at a penetration.
    subroutine solve_penetration(self, shape, penetration, tolerance, solution, error)
-      !> Solver for surfaces of these cells and periods.
       class(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> Penetration from first touch, at the mean of the deformed surface, or at the base of a layer; in the unit of `shape`.
       real(dp), intent(in) :: penetration
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> The solution; `status` tells how it ended.
       type(periodic_solution_t), intent(out) :: solution
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t) :: goal
 
@@ -192,7 +185,6 @@ contains
       class(periodic_solver_t), intent(in) :: self
       !> Gap of the undeformed surfaces, whose number of cells is checked.
       real(dp), intent(in) :: shape(:, :)
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (any(ubound(shape) /= self%grids(size(self%grids))%operator%n_cells)) &
@@ -207,7 +199,6 @@ contains
       real(dp), intent(in) :: shape(:, :)
       !> Penetration from first touch, at most the least value of `shape`.
       real(dp), intent(in) :: penetration
-      !> Receives the state without contact.
       type(periodic_solution_t), intent(inout) :: solution
 
       solution%gap = shape - penetration
@@ -223,13 +214,11 @@ contains
 
    !> Solve on each grid, from the coarsest that has contact to the finest.
    subroutine solve(self, shape, goal, tolerance, solution)
-      !> Solver for surfaces of these cells and periods.
       class(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> What is given: the mean pressure or the mean gap.
       type(contact_state_t), intent(in) :: goal
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       !> Receives the solution, and how often the finest operator was applied for it.
       type(periodic_solution_t), intent(inout) :: solution
@@ -271,11 +260,9 @@ contains
 
    !> Find the pressure at which contact becomes full, and the friction from there on.
    subroutine set_full_pressure(operator, shape, solution)
-      !> Operator of the finest grid.
       type(periodic_operator_t), intent(inout) :: operator
       !> Gap of the undeformed surfaces in the middles of the cells.
       real(dp), intent(in) :: shape(:, :)
-      !> Receives pressure and friction.
       type(periodic_solution_t), intent(inout) :: solution
       real(dp), allocatable :: tension(:, :)
 
@@ -287,7 +274,6 @@ contains
 
    !> Is there contact? Under given penetration a coarse grid may have lost the summits that touch.
    pure logical function touches(state)
-      !> Shape on one grid and what is given.
       type(contact_state_t), intent(in) :: state
 
       touches = .not. state%has_fixed_mean
@@ -299,7 +285,6 @@ contains
    subroutine start_from_coarse(state, coarse, operator)
       !> Contact on the finer grid; receives gap, open region and mean pressure to begin from.
       type(contact_state_t), intent(inout) :: state
-      !> Solved contact on the next coarser grid.
       type(contact_state_t), intent(in) :: coarse
       !> Operator of the finer grid, for its cells and symmetry.
       type(periodic_operator_t), intent(in) :: operator
@@ -319,7 +304,6 @@ contains
    subroutine set_solution(states, operator, solution)
       !> Contacts on the grids that were used, the finest last.
       type(contact_state_t), intent(in) :: states(:)
-      !> Operator of the finest grid.
       type(periodic_operator_t), intent(in) :: operator
       !> Receives the contact on the finest grid, and the area with its error from coarser ones.
       type(periodic_solution_t), intent(inout) :: solution
@@ -355,7 +339,6 @@ contains
 
    !> Take the tension of adhesion from the pressure, and find the energy of adhesion.
    subroutine take_tension(cohesion, solution)
-      !> Adhesion with the shares of the solution.
       type(cohesion_t), intent(in) :: cohesion
       !> In: pressure with the tension added, and the gap. Out: the pressure, shares and energy.
       type(periodic_solution_t), intent(inout) :: solution
@@ -367,7 +350,6 @@ contains
 
    !> The mean pressure that contact carries: the load, and the tension that presses the surfaces together.
    real(dp) function load_of(state) result(load)
-      !> A solved contact.
       type(contact_state_t), intent(in) :: state
 
       load = state%mean_pressure

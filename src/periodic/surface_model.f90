@@ -3,6 +3,7 @@
 !> half-space, without friction, with or without adhesion.
 module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_problems, only: problems_t
    use adfric_describe_check, only: refuse_swept
    use adfric_describe_doubt, only: doubt_slope_too_steep
@@ -14,8 +15,12 @@ module adfric_periodic_surface_model
    private
    public :: surface_model_t, new_surface_model
 
-   !> Places of the surface's own variables; those that all models of a periodic surface share follow.
-   integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3, v_rms_height = 4
+   !> Variables in the order of their rows; a component is the index of its row.
+   type :: surface_input_t
+      !> Indices, which `surface_input` has.
+      integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0
+   end type surface_input_t
+   type(surface_input_t), parameter, public :: surface_input = transfer(counting, surface_input_t())
 
    !> The model `surface_elastic`.
    type, extends(elastic_model_t) :: surface_model_t
@@ -49,17 +54,17 @@ contains
    end subroutine new_surface_model
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
+   subroutine take_dataset(self, index, values, problems)
       !> The model, which keeps the depths below the highest summit.
       class(surface_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Heights of the rough body [m]; shape `(nx, ny)`, ny = 1 if they do not vary along y.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%given%take(self%variables(place), values, problems)
+      call self%given%take(self%variables(index), values, problems)
    end subroutine take_dataset
 
    !> See `periodic_model_t`.
@@ -73,47 +78,45 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%given%check(self%variables(v_heights:v_rms_height), values(v_heights:v_rms_height), problems)
-      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_length_x, v_length_y], problems)
+      call self%given%check(self%variables(surface_input%heights:surface_input%rms_height), &
+         & values(surface_input%heights:surface_input%rms_height), problems)
+      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [surface_input%length_x, &
+         & surface_input%length_y], problems)
    end subroutine check_surface
 
    !> See `periodic_model_t`.
    subroutine get_cells(self, values, surface)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the periods and the cells of the heights.
       type(periodic_surface_t), intent(inout) :: surface
 
-      call self%given%get_cells(values(v_heights:v_rms_height), surface)
+      call self%given%get_cells(values(surface_input%heights:surface_input%rms_height), surface)
    end subroutine get_cells
 
    !> See `periodic_model_t`.
    subroutine get_shape(self, values, shape)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the depths below the highest summit, unless it has them already [m].
       real(dp), allocatable, intent(inout) :: shape(:, :)
 
-      call self%given%get_shape(values(v_heights:v_rms_height), shape)
+      call self%given%get_shape(values(surface_input%heights:surface_input%rms_height), shape)
    end subroutine get_shape
 
    !> See `elastic_model_t`.
    pure real(dp) function height_of(self, values)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      height_of = self%given%factor_of(values(v_heights:v_rms_height))*maxval(self%given%depths)
+      height_of = self%given%factor_of(values(surface_input%heights:surface_input%rms_height))*maxval(self%given%depths)
    end function height_of
 
    !> See `periodic_model_t`: that of the cells as they are.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)
-      !> The model; nothing is read from it here.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
@@ -129,7 +132,6 @@ contains
 
    !> See `periodic_model_t`: that of a cell.
    real(dp) function get_peak_pressure(self, values, pressure)
-      !> The model; nothing is read from it here.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
@@ -143,7 +145,6 @@ contains
 
    !> See `periodic_model_t`.
    function describe_surface(self) result(text)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       character(:), allocatable :: text
 
@@ -152,7 +153,6 @@ contains
 
    !> See `model_t`: edges that do not meet, and what cells do not see of adhesion.
    function describe_doubts(self, values) result(text)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -163,7 +163,6 @@ contains
 
    !> See `model_t`: the mean slope of the heights.
    subroutine measure(self, values, results, measures)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -172,7 +171,7 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      measures(doubt_slope_too_steep) = self%given%slope(values(v_heights:v_rms_height))
+      measures(doubt_slope_too_steep) = self%given%slope(values(surface_input%heights:surface_input%rms_height))
       associate (unused => results)
       end associate
    end subroutine measure

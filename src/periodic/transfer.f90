@@ -13,7 +13,7 @@ contains
 
    !> The transpose along a line: weighted sums of fine values.
    pure subroutine gather_line(fine, is_halved, is_quarter, coarse)
-      !> Values on the finer line, with one place before and behind it, and one more for a missing last cell; they are set here.
+      !> Values on the finer line, with one position before and behind it, and one more for a missing last cell; they are set here.
       real(dp), intent(inout), contiguous :: fine(0:)
       !> Is the coarser line of half the cells? Else it is the same.
       logical, intent(in) :: is_halved
@@ -40,7 +40,7 @@ contains
 
    !> The interpolation along a line.
    pure subroutine spread_line(coarse, is_halved, is_quarter, fine)
-      !> Values on the coarser line, with one place before and behind it, which are set here.
+      !> Values on the coarser line, with one position before and behind it, which are set here.
       real(dp), intent(inout), contiguous :: coarse(0:)
       !> Is the coarser line of half the cells? Else it is the same.
       logical, intent(in) :: is_halved

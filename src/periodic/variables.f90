@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Rows of the tables that all models of a periodic surface share: tolerance, then those of the solid, what is held, and the maps; and
-!> those of the models on an elastic half-space, which may adhere.
+!> Rows of the tables that all models of a periodic surface share: tolerance, then those of the solid, what is prescribed, and the
+!> maps; and those of the models on an elastic half-space, which may adhere.
 module adfric_periodic_variables
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_interface_adhesion_rows, only: n_adhesion_rows
    use adfric_solid_contact_modulus, only: n_two_bodies
    use adfric_interface_coulomb_rows, only: n_coulomb_rows, slip_results
@@ -11,26 +12,33 @@ module adfric_periodic_variables
    use adfric_describe_table, only: variable_t, result_t
    implicit none (type, external)
    private
-   public :: tolerance_row, set_held_rows, pull_off_row, get_periodic_results, get_elastic_results, smooth_fraction_row
+   public :: tolerance_row, set_prescribed_rows, pull_off_row, get_periodic_results, get_elastic_results, smooth_fraction_row
 
-   !> Places among the rows behind those of the solid.
-   integer, parameter, public :: v_mean_pressure = 1, v_penetration = 2, v_profiles = 3
-   integer, parameter, public :: n_held = 3
+   !> Variables in the order of their rows; a component is the index of its row.
+   type :: periodic_input_t
+      !> Indices, which `periodic_input` has.
+      integer :: mean_pressure = 0, penetration = 0, profiles = 0
+   end type periodic_input_t
+   type(periodic_input_t), parameter, public :: periodic_input = transfer(counting, periodic_input_t())
+   integer, parameter, public :: n_prescribed = storage_size(periodic_input)/storage_size(1)
    !> Number of the rows that the models on an elastic half-space share.
    integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_coulomb_rows &
       & + n_shear_rows + 1
-   integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_held
+   integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_prescribed
 
-   !> Places of the results.
-   integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_fraction = 3, r_contact_fraction_error = 4, &
-      & r_peak_pressure = 5, r_mean_gap = 6, r_full_contact_pressure = 7, r_contact_violation = 8
-   integer, parameter, public :: n_periodic_results = 8
-   !> Places of those that the models on an elastic half-space add, and their number in all.
-   integer, parameter, public :: r_regime = 9, r_adhesion_fraction = 10, r_elastic_energy = 11, r_adhesion_energy = 12, &
-      & r_pull_off_pressure = 13, r_cells_per_zone = 14, r_friction_stress = 15, r_friction_coefficient = 16, &
-      & r_friction_force = 17, r_stick_fraction = 18, r_tangential_displacement = 19, r_tangential_stiffness = 20, &
-      & r_cycle_energy = 21, r_poisson_defect = 22, r_smooth_fraction = 23, r_smooth_friction = 24
-   integer, parameter, public :: n_elastic_results = 24
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: periodic_output_t
+      !> Indices, which `periodic_output` has.
+      integer :: mean_pressure = 0, penetration = 0, contact_fraction = 0, contact_fraction_error = 0, peak_pressure = 0, &
+         & mean_gap = 0, full_contact_pressure = 0, contact_violation = 0, regime = 0, adhesion_fraction = 0, elastic_energy = 0, &
+         & adhesion_energy = 0, pull_off_pressure = 0, cells_per_zone = 0, friction_stress = 0, friction_coefficient = 0, &
+         & friction_force = 0, stick_fraction = 0, tangential_displacement = 0, tangential_stiffness = 0, cycle_energy = 0, &
+         & poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0
+   end type periodic_output_t
+   type(periodic_output_t), parameter, public :: periodic_output = transfer(counting, periodic_output_t())
+   integer, parameter, public :: n_periodic_results = periodic_output%contact_violation
+   !> Indices of those that the models on an elastic half-space add, and their number in all.
+   integer, parameter, public :: n_elastic_results = storage_size(periodic_output)/storage_size(1)
    !> Numbers of the regimes; they have the words of `wave_1d`.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
       & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
@@ -44,22 +52,24 @@ contains
          & meaning='largest violation of the conditions of contact', default=1.0e-10_dp, lower=1.0e-13_dp, upper=1.0e-3_dp)
    end function tolerance_row
 
-   !> Rows of what is held and of the maps.
-   subroutine set_held_rows(v, may_pull)
-      !> Receives the rows; shape `(n_held)`.
+   !> Rows of what is prescribed and of the maps.
+   subroutine set_prescribed_rows(v, may_pull)
+      !> Receives the rows; shape `(n_prescribed)`.
       type(variable_t), intent(inout) :: v(:)
       !> May the load be below 0?
       logical, intent(in) :: may_pull
 
-      v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', meaning='load over nominal area', &
+      v(periodic_input%mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', &
+         & meaning='load over nominal area', &
          & lower=0.0_dp)
-      if (may_pull) v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', &
+      if (may_pull) v(periodic_input%mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', &
          & meaning='load over nominal area; below 0 with adhesion alone')
-      v(v_penetration) = number(group='operating', name='penetration', unit='m', &
+      v(periodic_input%penetration) = number(group='operating', name='penetration', unit='m', &
          & meaning='approach from first touch, at the mean of the deformed surface, instead')
-      v(v_profiles) = switch(group='output', name='profiles', meaning='write maps of pressure and gap for every point', &
+      v(periodic_input%profiles) = switch(group='output', name='profiles', &
+         & meaning='write maps of pressure and gap for every point', &
          & default=.false.)
-   end subroutine set_held_rows
+   end subroutine set_prescribed_rows
 
    !> The switch of the pull-off.
    type(variable_t) function pull_off_row() result(v)
@@ -73,34 +83,36 @@ contains
 
       allocate (r(n_elastic_results))
       r(:n_periodic_results) = get_periodic_results()
-      r(r_contact_violation)%long_name = 'largest violation of g >= 0, p >= 0, g p = 0; with adhesion p + p0 t for p, t its ' &
+      r(periodic_output%contact_violation)%long_name = &
+         & 'largest violation of g >= 0, p >= 0, g p = 0; with adhesion p + p0 t for p, t its ' &
          & //'share of a cell'
-      r(r_regime) = result_row(name='regime', unit='-', long_name='regime', &
+      r(periodic_output%regime) = result_row(name='regime', unit='-', long_name='regime', &
          & flag_meanings='no_contact partial full adhesion_without_contact adhesion_zones saturated_adhesion')
-      r(r_adhesion_fraction) = result_row(name='adhesion_fraction', unit='-', &
+      r(periodic_output%adhesion_fraction) = result_row(name='adhesion_fraction', unit='-', &
          & long_name='share of the area in adhesion without contact')
-      r(r_elastic_energy) = result_row(name='elastic_energy', unit='J/m^2', &
+      r(periodic_output%elastic_energy) = result_row(name='elastic_energy', unit='J/m^2', &
          & long_name='energy of the elastic solid over nominal area')
-      r(r_adhesion_energy) = result_row(name='adhesion_energy', unit='J/m^2', &
+      r(periodic_output%adhesion_energy) = result_row(name='adhesion_energy', unit='J/m^2', &
          & long_name='energy of adhesion over nominal area, 0 far apart')
-      r(r_pull_off_pressure) = result_row(name='pull_off_pressure', unit='Pa', &
+      r(periodic_output%pull_off_pressure) = result_row(name='pull_off_pressure', unit='Pa', &
          & long_name='least mean pressure of the adhered branch, with &output pull_off')
-      r(r_cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
+      r(periodic_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
          & long_name='length pi E* h0/(4 p0) of a short zone of adhesion over that of a cell')
-      r(r_friction_stress) = result_row(name='friction_stress', unit='Pa', &
+      r(periodic_output%friction_stress) = result_row(name='friction_stress', unit='Pa', &
          & long_name='friction force over nominal area, of a shear strength')
-      r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
+      r(periodic_output%friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
          & long_name='friction stress over mean pressure, where that presses')
-      r(r_friction_force) = result_row(name='friction_force', unit='N', &
+      r(periodic_output%friction_force) = result_row(name='friction_force', unit='N', &
          & long_name='friction force on one period, of a shear strength; none for a surface that does not vary along y')
-      r(r_stick_fraction:r_cycle_energy) = slip_results()
-      r([r_adhesion_fraction, r_friction_stress, r_friction_coefficient, r_friction_force, r_stick_fraction])%is_counted = .true.
-      r(r_poisson_defect) = result_row(name='poisson_defect', unit='-', &
+      r(periodic_output%stick_fraction:periodic_output%cycle_energy) = slip_results()
+      r([periodic_output%adhesion_fraction, periodic_output%friction_stress, periodic_output%friction_coefficient, &
+         & periodic_output%friction_force, periodic_output%stick_fraction])%is_counted = .true.
+      r(periodic_output%poisson_defect) = result_row(name='poisson_defect', unit='-', &
          & long_name='standard deviation over what sticks of the displacement, which nu makes, over the displacement')
-      r(r_smooth_fraction) = smooth_fraction_row()
-      r(r_smooth_friction) = result_row(name='smooth_friction_stress', unit='Pa', &
+      r(periodic_output%smooth_fraction) = smooth_fraction_row()
+      r(periodic_output%smooth_friction) = result_row(name='smooth_friction_stress', unit='Pa', &
          & long_name='friction stress of a shear strength on the area that varies smoothly')
-      r(r_smooth_friction)%has_bends = .true.
+      r(periodic_output%smooth_friction)%has_bends = .true.
    end function get_elastic_results
 
    !> The row of the area by chords.
@@ -116,18 +128,21 @@ contains
       type(result_t), allocatable :: r(:)
 
       allocate (r(n_periodic_results))
-      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over nominal area', is_main=.true.)
-      r(r_penetration) = result_row(name='penetration', unit='m', &
-         & long_name='approach from first touch, at the mean of the deformed surface', is_main=.true.)
-      r(r_contact_fraction) = result_row(name='contact_fraction', unit='-', long_name='share of the area in contact', &
+      r(periodic_output%mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over nominal area', &
          & is_main=.true.)
-      r(r_contact_fraction_error) = result_row(name='contact_fraction_error', unit='-', &
+      r(periodic_output%penetration) = result_row(name='penetration', unit='m', &
+         & long_name='approach from first touch, at the mean of the deformed surface', is_main=.true.)
+      r(periodic_output%contact_fraction) = result_row(name='contact_fraction', unit='-', &
+         & long_name='share of the area in contact', &
+         & is_main=.true.)
+      r(periodic_output%contact_fraction_error) = result_row(name='contact_fraction_error', unit='-', &
          & long_name='bound of its error, from coarser grids')
-      r(r_contact_fraction:r_contact_fraction_error)%is_counted = .true.
-      r(r_peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='largest pressure', is_main=.true.)
-      r(r_mean_gap) = result_row(name='mean_gap', unit='m', long_name='volume between the surfaces over nominal area')
-      r(r_full_contact_pressure) = result_row(name='full_contact_pressure', unit='Pa', long_name='p*, where full contact begins')
-      r(r_contact_violation) = result_row(name='contact_violation', unit='-', &
+      r(periodic_output%contact_fraction:periodic_output%contact_fraction_error)%is_counted = .true.
+      r(periodic_output%peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='largest pressure', is_main=.true.)
+      r(periodic_output%mean_gap) = result_row(name='mean_gap', unit='m', long_name='volume between the surfaces over nominal area')
+      r(periodic_output%full_contact_pressure) = result_row(name='full_contact_pressure', unit='Pa', &
+         & long_name='p*, where full contact begins')
+      r(periodic_output%contact_violation) = result_row(name='contact_violation', unit='-', &
          & long_name='largest violation of g >= 0, p >= 0, g p = 0')
    end function get_periodic_results
 

@@ -51,7 +51,6 @@ contains
       type(viscoelastic_solid_t), intent(out) :: self
       !> Spectrum of the contact modulus [Pa, s].
       type(prony_t), intent(in) :: prony
-      !> How the body moves.
       type(motion_t), intent(in) :: motion
       !> Period along x [m], the unit of lengths.
       real(dp), intent(in) :: length
@@ -89,7 +88,6 @@ contains
 
    !> Stiffness of a wave, whatever the cells [E0/period along x].
    pure complex(dp) function stiffness_of_wave(self, waves) result(stiffness)
-      !> The solid.
       class(viscoelastic_solid_t), intent(in) :: self
       !> Number of waves in a period along x, along x and y.
       real(dp), intent(in) :: waves(2)
@@ -104,7 +102,6 @@ contains
 
    !> Stress along x and y that a wave holds the body back with in full contact, k (-Im A) D^2/2 [E0].
    pure function losses_of_wave(self, waves, amplitude) result(losses)
-      !> The solid.
       class(viscoelastic_solid_t), intent(in) :: self
       !> Number of waves in a period along x, along x and y.
       real(dp), intent(in) :: waves(2)
@@ -117,7 +114,6 @@ contains
 
    !> Component along the motion of a vector.
    pure real(dp) function forward(self, vector)
-      !> The solid with the motion.
       class(viscoelastic_solid_t), intent(in) :: self
       !> Components along x and y.
       real(dp), intent(in) :: vector(2)
@@ -127,7 +123,6 @@ contains
 
    !> Component of a vector to the left of the motion, seen from above the solid's surface with x to the right and y upward.
    pure real(dp) function leftward(self, vector)
-      !> The solid with the motion.
       class(viscoelastic_solid_t), intent(in) :: self
       !> Components along x and y.
       real(dp), intent(in) :: vector(2)
@@ -139,7 +134,6 @@ contains
 
    !> Vector of length 1 along the motion; cells are as long as wide where it is a diagonal.
    pure function direction(self)
-      !> The motion.
       class(motion_t), intent(in) :: self
       real(dp) :: direction(2)
 

@@ -6,6 +6,7 @@
 !> a quarter of its cell is all that is solved.
 module adfric_periodic_wave_2d_model
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
    use adfric_describe_check, only: require, refuse_swept
@@ -19,9 +20,13 @@ module adfric_periodic_wave_2d_model
    private
    public :: wave_2d_model_t, new_wave_2d_model
 
-   !> Places of the wave's own variables; those that all models of a periodic surface share follow.
-   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_cells = 3
-   integer, parameter, public :: n_wave_2d_own = 3
+   !> Variables in the order of their rows; a component is the index of its row.
+   type :: wave_2d_input_t
+      !> Indices, which `wave_2d_input` has.
+      integer :: period = 0, amplitude = 0, cells = 0
+   end type wave_2d_input_t
+   type(wave_2d_input_t), parameter, public :: wave_2d_input = transfer(counting, wave_2d_input_t())
+   integer, parameter, public :: n_wave_2d_own = storage_size(wave_2d_input)/storage_size(1)
    !> Cells come in multiples of this, so that grids of half and a quarter of them tell the error of the area.
    integer, parameter :: multiple_of_cells = 64
 
@@ -45,10 +50,10 @@ contains
       type(wave_2d_model_t), intent(out) :: self
       type(variable_t) :: v(n_wave_2d_own)
 
-      v(v_period) = positive(group='surface', name='period', unit='m', meaning='period l in x and y')
-      v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', &
+      v(wave_2d_input%period) = positive(group='surface', name='period', unit='m', meaning='period l in x and y')
+      v(wave_2d_input%amplitude) = positive(group='surface', name='amplitude', unit='m', &
          & meaning='D of the wave z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
-      v(v_cells) = whole_number(group='numerics', name='cells', &
+      v(wave_2d_input%cells) = whole_number(group='numerics', name='cells', &
          & meaning='cells along a period; the error of the area falls with their number', default=512, lower=64, upper=8192, &
          & multiple_of=multiple_of_cells)
       call self%set_elastic_tables(name='wave_2d_elastic', &
@@ -59,7 +64,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine check_surface(self, values, is_swept, problems)
-      !> The model; its tables give the variables their names.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -68,21 +72,21 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call require(self%variables, values, [v_period, v_amplitude], problems)
-      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_period, v_cells], problems)
+      call require(self%variables, values, [wave_2d_input%period, wave_2d_input%amplitude], problems)
+      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [wave_2d_input%period, wave_2d_input%cells], &
+         & problems)
    end subroutine check_surface
 
    !> See `periodic_model_t`.
    subroutine get_cells(self, values, surface)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the periods and the cells of a quarter.
       type(periodic_surface_t), intent(inout) :: surface
 
-      surface%period = values(v_period)
-      surface%n_cells = nint(values(v_cells))/2
+      surface%period = values(wave_2d_input%period)
+      surface%n_cells = nint(values(wave_2d_input%cells))/2
       surface%is_quarter = .true.
       associate (unused => self)
       end associate
@@ -90,15 +94,14 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_shape(self, values, shape)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the gap of the undeformed wave in a quarter [m].
       real(dp), allocatable, intent(inout) :: shape(:, :)
 
-      associate (n => nint(values(v_cells)))
-         call set_wave(values(v_amplitude), n, [n/2, n/2], shape)
+      associate (n => nint(values(wave_2d_input%cells)))
+         call set_wave(values(wave_2d_input%amplitude), n, [n/2, n/2], shape)
       end associate
       associate (unused => self)
       end associate
@@ -106,19 +109,17 @@ contains
 
    !> See `elastic_model_t`.
    pure real(dp) function height_of(self, values)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      height_of = 4*values(v_amplitude)
+      height_of = 4*values(wave_2d_input%amplitude)
       associate (unused => self)
       end associate
    end function height_of
 
    !> See `periodic_model_t`: that of the wave itself.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -127,14 +128,13 @@ contains
       !> Pressure of full contact of the surface as its cells have it [E*], not used here.
       real(dp), intent(in) :: on_cells
 
-      get_full_pressure = two_pi*solid%modulus*(values(v_amplitude)/values(v_period))
+      get_full_pressure = two_pi*solid%modulus*(values(wave_2d_input%amplitude)/values(wave_2d_input%period))
       associate (unused => self, unused_number => on_cells)
       end associate
    end function get_full_pressure
 
    !> See `periodic_model_t`: that of the crest, about which pressure is even in both directions.
    real(dp) function get_peak_pressure(self, values, pressure)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
@@ -151,7 +151,6 @@ contains
 
    !> See `model_t`: the steepest slope, that of both waves together.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -160,7 +159,7 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      measures(doubt_slope_too_steep) = sqrt(2.0_dp)*two_pi*values(v_amplitude)/values(v_period)
+      measures(doubt_slope_too_steep) = sqrt(2.0_dp)*two_pi*values(wave_2d_input%amplitude)/values(wave_2d_input%period)
       associate (unused => self, unused_results => results)
       end associate
    end subroutine measure

@@ -18,7 +18,6 @@ contains
 
    !> Least mean pressure of full contact [E0].
    pure real(dp) function wave_pressure_of_full_contact(solid, amplitude, is_2d) result(pressure)
-      !> The solid.
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Amplitude D [periods].
       real(dp), intent(in) :: amplitude
@@ -31,7 +30,6 @@ contains
 
    !> Friction over nominal area in full contact [E0].
    pure real(dp) function wave_friction_of_full_contact(solid, amplitude, is_2d) result(friction)
-      !> The solid.
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Amplitude D [periods].
       real(dp), intent(in) :: amplitude
@@ -43,7 +41,6 @@ contains
 
    !> Stress along x and y that holds the body back in full contact [E0].
    pure function losses_of_full_contact(solid, amplitude, is_2d) result(losses)
-      !> The solid.
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Amplitude D [periods].
       real(dp), intent(in) :: amplitude
@@ -59,7 +56,6 @@ contains
    pure real(dp) function mean_pressure_at(penetration, solid, amplitude, period, is_2d) result(pressure)
       !> Penetration [m].
       real(dp), intent(in) :: penetration
-      !> The solid.
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Amplitude D and period of the wave [m].
       real(dp), intent(in) :: amplitude, period
@@ -74,7 +70,6 @@ contains
 
    !> The full contact under a mean pressure.
    subroutine set_full_contact(solid, shape, amplitude, period, mean_pressure, solution)
-      !> The solid.
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Gap of the undeformed wave in the middles of its cells [m]; ny = 1 for a wave along x alone.
       real(dp), intent(in) :: shape(:, :)

@@ -28,7 +28,7 @@ module adfric_plane_adhesive_wave
    use adfric_plane_adhesive_wave_integrals, only: zone_range_integral
    implicit none (type, external)
    private
-   public :: zones_t, get_zones_of_place, get_zones_of_angle, range_excess, load_slope, penetration_slope, get_range_slopes, &
+   public :: zones_t, get_zones_of_position, get_zones_of_angle, range_excess, load_slope, penetration_slope, get_range_slopes, &
       & get_fold_slopes, open_crest, log_cosh
 
    !> y of an open crest; sin alpha is 0 for every y beyond.
@@ -38,8 +38,8 @@ module adfric_plane_adhesive_wave
 
    !> The zones of contact and cohesion.
    type :: zones_t
-      !> Place x = ln T of the edge of cohesion, and y of the edge of contact.
-      real(dp) :: place = 0, y = 0
+      !> Position x = ln T of the edge of cohesion, and y of the edge of contact.
+      real(dp) :: position = 0, y = 0
       !> T, sin gamma, cos gamma.
       real(dp) :: tangent = 1, sine = 0, cosine = 1
       !> m and 1 - m^2.
@@ -55,18 +55,17 @@ module adfric_plane_adhesive_wave
 contains
 
    !> Zones of given edges.
-   pure subroutine get_zones_of_place(x, y, zones)
+   pure subroutine get_zones_of_position(x, y, zones)
       !> ln tan(pi c).
       real(dp), intent(in) :: x
       !> y = artanh m, >= 0; `open_crest` without contact.
       real(dp), intent(in) :: y
-      !> The zones.
       type(zones_t), intent(out) :: zones
       real(dp) :: e
 
       if (has_asserts) call assert(y >= 0, 'get_zones_of_place: y >= 0')
       e = exp(-2*y)
-      zones%place = x
+      zones%position = x
       zones%y = y
       zones%tangent = exp(x)
       zones%m = tanh(y)
@@ -77,7 +76,7 @@ contains
       zones%square = zones%sine**2*zones%rest
       zones%lambda = log1p(1/zones%tangent**2)/2 + log_cosh(y)
       zones%log_ratio = log1p((zones%m*zones%tangent)**2)/2 + log_cosh(y)
-   end subroutine get_zones_of_place
+   end subroutine get_zones_of_position
 
    !> Zones of given phi and contact.
    pure subroutine get_zones_of_angle(phi, square, zones)
@@ -85,7 +84,6 @@ contains
       real(dp), intent(in) :: phi
       !> Q = sin^2 alpha, > 0, < 1.
       real(dp), intent(in) :: square
-      !> The zones.
       type(zones_t), intent(out) :: zones
       real(dp) :: tangent_phi
 
@@ -95,7 +93,7 @@ contains
       zones%square = square
       ! sin^2 gamma = sin^2 phi + Q cos^2 phi, cos^2 gamma = (1 - Q) cos^2 phi
       zones%tangent = sqrt((tangent_phi**2 + square)/(1 - square))
-      zones%place = log(zones%tangent)
+      zones%position = log(zones%tangent)
       call set_edge(zones)
       zones%m = tangent_phi/zones%tangent
       zones%rest = square/zones%sine**2
@@ -156,7 +154,6 @@ contains
       real(dp), intent(in) :: sigma
       !> Range eta; 0 gives the range of the zones.
       real(dp), intent(in) :: eta
-      !> The zones.
       type(zones_t), intent(in) :: zones
       !> K of the zones, if it is known.
       real(dp), intent(in), optional :: k
@@ -181,7 +178,6 @@ contains
    pure real(dp) function load_slope(sigma, zones)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
-      !> The zones, with contact.
       type(zones_t), intent(in) :: zones
 
       load_slope = 2*zones%m*zones%sine*zones%cosine - sigma*zones%log_ratio
@@ -191,27 +187,25 @@ contains
    pure real(dp) function penetration_slope(sigma, zones)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
-      !> The zones, with contact.
       type(zones_t), intent(in) :: zones
 
       penetration_slope = zones%lambda*load_slope(sigma, zones) + sigma*zones%y**2
    end function penetration_slope
 
    !> Derivatives of the right side of (2).
-   pure subroutine get_range_slopes(sigma, zones, by_place, by_y)
+   pure subroutine get_range_slopes(sigma, zones, by_position, by_y)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
-      !> The zones.
       type(zones_t), intent(in) :: zones
       !> Derivatives by x and by y.
-      real(dp), intent(out) :: by_place, by_y
+      real(dp), intent(out) :: by_position, by_y
       real(dp) :: h
 
       associate (z => zones, sc => zones%sine*zones%cosine)
          h = 1 + (z%m*z%tangent)**2
          by_y = 2*z%y*z%rest*(2*z%m*z%sine**2 + sigma*z%tangent/h)
-         by_place = 2*sc*(2*sc*(z%m - z%rest*z%y)) + 2*sigma*sc*((1 + z%tangent**2)*z%m*z%y/h - z%log_ratio)
-         if (z%y < small_y) by_place = 2*sc*(2*sc*z%rest*sinh_minus_argument(2*z%y)/2) &
+         by_position = 2*sc*(2*sc*(z%m - z%rest*z%y)) + 2*sigma*sc*((1 + z%tangent**2)*z%m*z%y/h - z%log_ratio)
+         if (z%y < small_y) by_position = 2*sc*(2*sc*z%rest*sinh_minus_argument(2*z%y)/2) &
             & + 2*sigma*sc*((1 + z%tangent**2)*z%m*z%y/h - z%log_ratio)
       end associate
    end subroutine get_range_slopes
@@ -220,7 +214,6 @@ contains
    pure subroutine get_fold_slopes(sigma, zones, load_by, penetration_by)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
-      !> The zones, with contact.
       type(zones_t), intent(in) :: zones
       !> Derivatives by x and by y of the one and of the other.
       real(dp), intent(out) :: load_by(2), penetration_by(2)

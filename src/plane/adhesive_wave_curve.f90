@@ -6,14 +6,14 @@
 !>     top(gamma) = 2 sin^2 gamma + 2 sigma K,    d top/d gamma = 2 sin 2 gamma + 2 sigma ln(2 cos gamma)
 !>
 !> else an open crest. The second derivative of top changes its sign once, from + to -, so top rises from 0 to one maximum and falls
-!> to 2: below eta = 2 contact begins once and stays; above, it is there between two places, or nowhere.
+!> to 2: below eta = 2 contact begins once and stays; above, it is there between two positions, or nowhere.
 !>
 !> **Penetration** has one minimum, at c < 1/4, and one maximum, at c > 1/4, for every stress and range. For at c = 1/4 it rises
 !> always: d delta/d gamma = 2 + 2 sigma ln 2 with an open crest, and in contact because there ln(1/sin alpha) L <= y^2. With an
 !> open crest its slope is 0 where sin 2 gamma = w/2, w + 2 sigma ln w = 0, once on each side. In contact the slope is 0 only for
 !> sigma = Lambda m sin 2 gamma/(Lambda L - y^2), and there its derivative is positive for c < 1/4 and negative for c > 1/4
-!> (a function of c and y alone, seen to hold at 2e6 places). For c < 1/4 the range rises with c at given y, too, so that the minimum
-!> can be sought along y, which tells contacts apart that are too narrow for a number c.
+!> (a function of c and y alone, seen to hold at 2e6 positions). For c < 1/4 the range rises with c at given y, too, so that the
+!> minimum can be sought along y, which tells contacts apart that are too narrow for a number c.
 !>
 !> **Load**: `adhesive_wave_folds`. Beyond c = 1/2 the wave is saturated: Q = P + S, delta = Q (1 - ln Q) as without adhesion, while
 !> the gap of the valley, 2 [tanh v - v/cosh^2 v] with Q = 1/cosh^2 v, is at most eta; both rise to full contact at Q = 1. Saturation
@@ -25,7 +25,7 @@ module adfric_plane_adhesive_wave_curve
    use adfric_base_constants, only: pi
    use adfric_numerics_hyperbolic, only: sinh_minus_argument
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_plane_adhesive_wave, only: zones_t, get_zones_of_place, range_excess, get_range_slopes, open_crest
+   use adfric_plane_adhesive_wave, only: zones_t, get_zones_of_position, range_excess, get_range_slopes, open_crest
    use adfric_plane_adhesive_wave_folds, only: fold_turn_t, find_fold_turn, find_least_load, find_largest_load
    use adfric_plane_adhesive_wave_integrals, only: get_zone_integrals
    implicit none (type, external)
@@ -35,7 +35,7 @@ module adfric_plane_adhesive_wave_curve
    !> Stresses and ranges that are handled.
    real(dp), parameter, public :: least_amount = 1.0e-12_dp, largest_amount = 1.0e12_dp
    !> Bounds of ln T.
-   real(dp), parameter, public :: least_place = -100.0_dp, largest_place = 100.0_dp
+   real(dp), parameter, public :: least_position = -100.0_dp, largest_position = 100.0_dp
    !> A Newton step of this size of y, or of ln T, is the last.
    real(dp), parameter :: last_step = 1.0e-9_dp
    !> Guesses of y are smaller; beyond, the range depends on y hardly.
@@ -48,7 +48,7 @@ module adfric_plane_adhesive_wave_curve
       !> Is there contact at any c < 1/2?
       logical :: has_zones = .false.
       !> ln T where the crest touches and where it opens again; without contact, both at the maximum of top.
-      real(dp) :: first_place = 0, last_place = 0
+      real(dp) :: first_position = 0, last_position = 0
       !> Has the load a minimum and a maximum?
       logical :: has_folds = .false.
       !> Zones at the minimum and the maximum of the load.
@@ -82,7 +82,7 @@ module adfric_plane_adhesive_wave_curve
    !> Excess of the range as a function of y.
    type, extends(equation_t) :: contact_equation_t
       !> sigma, eta and x.
-      real(dp) :: sigma = 1, range = 1, place = 0
+      real(dp) :: sigma = 1, range = 1, position = 0
    contains
       procedure :: evaluate => evaluate_contact
    end type contact_equation_t
@@ -99,13 +99,11 @@ contains
 
    !> The events of contact, load and saturation; those of the penetration remain (`adhesive_wave_events`).
    pure subroutine find_curve(self, stress, range, is_converged)
-      !> The wave.
       type(adhesive_wave_t), intent(out) :: self
       !> S = sigma0/p*, 1e-12 to 1e12.
       real(dp), intent(in) :: stress
       !> eta = h0/D, 1e-12 to 1e12.
       real(dp), intent(in) :: range
-      !> Was everything found?
       logical, intent(out) :: is_converged
       type(fold_turn_t) :: turn
       logical :: has_found(2)
@@ -122,7 +120,7 @@ contains
       is_converged = is_converged .and. has_found(1)
       self%has_folds = range < turn%range
       if (.not. self%has_folds) return
-      call find_least_load(self%sigma, range, turn, self%first_place, self%least, has_found(1))
+      call find_least_load(self%sigma, range, turn, self%first_position, self%least, has_found(1))
       call find_largest_load(self%sigma, range, turn, self%largest, has_found(2))
       is_converged = is_converged .and. all(has_found)
       self%least_load = self%least%square - self%sigma*self%least%phi
@@ -133,7 +131,6 @@ contains
    pure subroutine find_saturation_end(self, is_converged)
       !> The wave; receives the end of saturation.
       type(adhesive_wave_t), intent(inout) :: self
-      !> Was it found?
       logical, intent(out) :: is_converged
       type(valley_equation_t) :: equation
       real(dp) :: v
@@ -164,7 +161,6 @@ contains
    pure subroutine find_first_contact(self, is_converged)
       !> The wave; receives the first and the last contact.
       type(adhesive_wave_t), intent(inout) :: self
-      !> Were they found?
       logical, intent(out) :: is_converged
       type(top_slope_equation_t) :: slope
       type(top_equation_t) :: top
@@ -174,8 +170,8 @@ contains
       high = max(log(2/self%sigma), 2.0_dp)
       x = high - 1
       call find_root(slope, log(3.0_dp)/2, high, .false., x, is_converged, last_step)
-      self%first_place = x
-      self%last_place = x
+      self%first_position = x
+      self%last_position = x
       if (.not. is_converged) return
       top%sigma = self%sigma
       top%range = self%range
@@ -184,64 +180,55 @@ contains
       if (.not. self%has_zones) return
       ! top <= 2 T^2 + 2 sigma T ln 2
       associate (b => self%sigma*log(2.0_dp))
-         self%first_place = log(self%range/(b + sqrt(b*b + 2*self%range)))
+         self%first_position = log(self%range/(b + sqrt(b*b + 2*self%range)))
       end associate
-      call find_root(top, self%first_place - 1.0e-9_dp, x, .true., self%first_place, is_converged)
-      self%last_place = largest_place
+      call find_root(top, self%first_position - 1.0e-9_dp, x, .true., self%first_position, is_converged)
+      self%last_position = largest_position
       if (self%range < 2 .or. .not. is_converged) return
-      self%last_place = x + 1
-      call find_root(top, x, largest_place, .false., self%last_place, is_converged)
+      self%last_position = x + 1
+      call find_root(top, x, largest_position, .false., self%last_position, is_converged)
    end subroutine find_first_contact
 
-   !> Does the crest stand open at a place?
-   pure logical function is_open(self, place)
-      !> The wave.
+   !> Does the crest stand open at a position?
+   pure logical function is_open(self, position)
       type(adhesive_wave_t), intent(in) :: self
-      !> ln T.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
 
-      is_open = .not. self%has_zones .or. place <= self%first_place .or. place >= self%last_place
+      is_open = .not. self%has_zones .or. position <= self%first_position .or. position >= self%last_position
    end function is_open
 
-   !> Zones of the equilibrium at a place.
-   pure subroutine find_contact(self, place, zones, is_converged)
-      !> The wave.
+   !> Zones of the equilibrium at a position.
+   pure subroutine find_contact(self, position, zones, is_converged)
       type(adhesive_wave_t), intent(in) :: self
-      !> ln T.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
       !> In: zones nearby, or anything with y = 0. Out: the zones.
       type(zones_t), intent(inout) :: zones
-      !> Were they found?
       logical, intent(out) :: is_converged
       type(contact_equation_t) :: equation
       real(dp) :: y
 
       is_converged = .true.
       y = open_crest
-      if (.not. is_open(self, place)) then
-         equation = contact_equation_t(self%sigma, self%range, place)
+      if (.not. is_open(self, position)) then
+         equation = contact_equation_t(self%sigma, self%range, position)
          y = zones%y
-         if (.not. (y > 0 .and. y < largest_guess)) y = guess_y(self, place)
+         if (.not. (y > 0 .and. y < largest_guess)) y = guess_y(self, position)
          call find_root(equation, 0.0_dp, open_crest, .true., y, is_converged)
       end if
-      call get_zones_of_place(place, y, zones)
+      call get_zones_of_position(position, y, zones)
    end subroutine find_contact
 
-   !> About y of the equilibrium at a place, from the leading terms of (2).
-   pure real(dp) function guess_y(self, place)
-      !> The wave.
+   !> About y of the equilibrium at a position, from the leading terms of (2).
+   pure real(dp) function guess_y(self, position)
       type(adhesive_wave_t), intent(in) :: self
-      !> ln T.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
 
-      guess_y = min(sqrt(self%range/self%sigma*cosh(place)), (self%range*(1 + exp(-2*place)))**(1.0_dp/3), 3.0_dp)
+      guess_y = min(sqrt(self%range/self%sigma*cosh(position)), (self%range*(1 + exp(-2*position)))**(1.0_dp/3), 3.0_dp)
    end function guess_y
 
    !> Load and penetration at zones of the curve.
    pure subroutine get_curve_state(self, zones, load, penetration, crest_gap)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: self
-      !> Zones in equilibrium.
       type(zones_t), intent(in) :: zones
       !> Mean pressure P [p*].
       real(dp), intent(out) :: load
@@ -260,9 +247,7 @@ contains
 
    !> See `top_slope_equation_t`.
    pure subroutine evaluate_top_slope(self, x, value, slope)
-      !> The equation with its stress.
       class(top_slope_equation_t), intent(in) :: self
-      !> ln T.
       real(dp), intent(in) :: x
       !> sin 2 gamma + sigma ln(2 cos gamma), over sin 2 gamma.
       real(dp), intent(out) :: value
@@ -277,9 +262,7 @@ contains
 
    !> See `top_equation_t`.
    pure subroutine evaluate_top(self, x, value, slope)
-      !> The equation with its case.
       class(top_equation_t), intent(in) :: self
-      !> ln T.
       real(dp), intent(in) :: x
       !> top - eta.
       real(dp), intent(out) :: value
@@ -287,14 +270,13 @@ contains
       real(dp), intent(out) :: slope
       type(zones_t) :: zones
 
-      call get_zones_of_place(x, open_crest, zones)
+      call get_zones_of_position(x, open_crest, zones)
       value = range_excess(self%sigma, self%range, zones)
       slope = 2*zones%sine*zones%cosine*(2*zones%sine*zones%cosine + self%sigma*(log(2.0_dp) - log(1 + zones%tangent**2)/2))
    end subroutine evaluate_top
 
    !> See `contact_equation_t`.
    pure subroutine evaluate_contact(self, x, value, slope)
-      !> The equation with its case.
       class(contact_equation_t), intent(in) :: self
       !> y.
       real(dp), intent(in) :: x
@@ -305,14 +287,13 @@ contains
       type(zones_t) :: zones
       real(dp) :: unused
 
-      call get_zones_of_place(self%place, x, zones)
+      call get_zones_of_position(self%position, x, zones)
       value = range_excess(self%sigma, self%range, zones)
       call get_range_slopes(self%sigma, zones, unused, slope)
    end subroutine evaluate_contact
 
    !> See `valley_equation_t`.
    pure subroutine evaluate_valley(self, x, value, slope)
-      !> The equation with its range.
       class(valley_equation_t), intent(in) :: self
       !> v.
       real(dp), intent(in) :: x

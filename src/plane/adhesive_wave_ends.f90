@@ -19,7 +19,7 @@ module adfric_plane_adhesive_wave_ends
       real(dp) :: pull_off_load = 0, pull_off_penetration = 0
       !> Least penetration of the adhered branch [D].
       real(dp) :: jump_off_penetration = 0
-      !> What a loop at held penetrations loses [p* D].
+      !> What a loop at prescribed penetrations loses [p* D].
       real(dp) :: loss = 0
    end type wave_ends_t
 
@@ -27,11 +27,8 @@ contains
 
    !> The ends of the branch.
    pure subroutine get_ends(wave, ends, is_converged, turning_load)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
-      !> The ends.
       type(wave_ends_t), intent(out) :: ends
-      !> Were they found?
       logical, intent(out) :: is_converged
       !> Load of the approach's state at which the loop turns; absent: full contact.
       real(dp), intent(in), optional :: turning_load

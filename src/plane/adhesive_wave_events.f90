@@ -5,10 +5,10 @@ module adfric_plane_adhesive_wave_events
    use adfric_base_kinds, only: dp
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_numerics_secant_root, only: rising_equation_t, find_rising_root
-   use adfric_plane_adhesive_wave, only: zones_t, get_zones_of_place, range_excess, get_range_slopes, penetration_slope, &
+   use adfric_plane_adhesive_wave, only: zones_t, get_zones_of_position, range_excess, get_range_slopes, penetration_slope, &
       & get_fold_slopes, open_crest
    use adfric_plane_adhesive_wave_curve, only: adhesive_wave_t, find_curve, find_contact, get_curve_state, is_open, &
-      & least_place, largest_place
+      & least_position, largest_position
    implicit none (type, external)
    private
    public :: new_adhesive_wave
@@ -22,14 +22,14 @@ module adfric_plane_adhesive_wave_events
    real(dp), parameter :: largest_y = 300.0_dp
 
    !> ln of the range over eta as a function of x at given y.
-   type, extends(equation_t) :: place_equation_t
+   type, extends(equation_t) :: position_equation_t
       !> The wave.
       type(adhesive_wave_t) :: wave
       !> y.
       real(dp) :: y = 0
    contains
-      procedure :: evaluate => evaluate_place
-   end type place_equation_t
+      procedure :: evaluate => evaluate_position
+   end type position_equation_t
 
    !> Minus the slope of the penetration along the curve, as a function of ln y for c < 1/4 or of x for c > 1/4.
    type, extends(rising_equation_t) :: extreme_equation_t
@@ -45,27 +45,25 @@ contains
 
    !> A wave with all events.
    pure subroutine new_adhesive_wave(self, stress, range, is_converged)
-      !> The wave.
       type(adhesive_wave_t), intent(out) :: self
       !> S = sigma0/p*, 1e-12 to 1e12.
       real(dp), intent(in) :: stress
       !> eta = h0/D, 1e-12 to 1e12.
       real(dp), intent(in) :: range
-      !> Was everything found?
       logical, intent(out) :: is_converged
       logical :: has_found
-      real(dp) :: place, unused, gap
+      real(dp) :: position, unused, gap
 
       call find_curve(self, stress, range, is_converged)
-      place = open_fold_place(self%sigma)
-      if (is_open(self, -place)) then
-         call get_zones_of_place(-place, open_crest, self%lowest)
+      position = open_fold_position(self%sigma)
+      if (is_open(self, -position)) then
+         call get_zones_of_position(-position, open_crest, self%lowest)
       else
          call find_lowest(self, has_found)
          is_converged = is_converged .and. has_found
       end if
-      if (is_open(self, place)) then
-         call get_zones_of_place(place, open_crest, self%highest)
+      if (is_open(self, position)) then
+         call get_zones_of_position(position, open_crest, self%highest)
       else
          call find_highest(self, has_found)
          is_converged = is_converged .and. has_found
@@ -76,7 +74,7 @@ contains
 
    !> |x| of the extremes of the penetration with an open crest: w + 2 sigma ln w = 0 by z = ln w, for which Newton's method comes
    !> down from 0, and cosh x = 2/w.
-   pure real(dp) function open_fold_place(sigma) result(x)
+   pure real(dp) function open_fold_position(sigma) result(x)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
       real(dp) :: z, step
@@ -89,13 +87,11 @@ contains
          if (abs(step) < last_step) exit
       end do
       x = acosh(2*exp(-z))
-   end function open_fold_place
+   end function open_fold_position
 
    !> The minimum of the penetration in contact, along y.
    pure subroutine find_lowest(self, is_converged)
-      !> The wave; receives the zones.
       type(adhesive_wave_t), intent(inout) :: self
-      !> Were they found?
       logical, intent(out) :: is_converged
       type(extreme_equation_t) :: equation
       type(zones_t) :: zones
@@ -108,26 +104,24 @@ contains
       low = log(zones%y)
       x = low + 0.5_dp
       call find_rising_root(equation, low, log(open_crest), 1.0_dp, round_off, x, is_converged)
-      call get_zones_of_place(place_of(self, exp(x)), exp(x), self%lowest)
+      call get_zones_of_position(position_of(self, exp(x)), exp(x), self%lowest)
    end subroutine find_lowest
 
    !> The maximum of the penetration in contact, along x; Newton's method in x and y finds contacts that x cannot tell apart.
    pure subroutine find_highest(self, is_converged)
-      !> The wave; receives the zones.
       type(adhesive_wave_t), intent(inout) :: self
-      !> Were they found?
       logical, intent(out) :: is_converged
       type(extreme_equation_t) :: equation
       real(dp) :: x, low, high, value
 
       equation%wave = self
-      low = max(0.0_dp, self%first_place)
-      high = self%last_place
-      if (high >= largest_place) then
+      low = max(0.0_dp, self%first_position)
+      high = self%last_position
+      if (high >= largest_position) then
          high = low + 2
          do
             call equation%evaluate(high, value)
-            if (value > 0 .or. high > largest_place) exit
+            if (value > 0 .or. high > largest_position) exit
             low = high
             high = low + 2
          end do
@@ -141,7 +135,6 @@ contains
 
    !> Newton's method for an extreme of the penetration.
    pure subroutine refine(self, zones)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: self
       !> Zones close to the extreme, and there.
       type(zones_t), intent(inout) :: zones
@@ -157,13 +150,12 @@ contains
          dx = (right(1)*b(2) - right(2)*a(2))/det
          dy = (right(2)*a(1) - right(1)*b(1))/det
          if (.not. (abs(dx) < 1.0e-6_dp .and. abs(dy) < zones%y/2)) exit
-         call get_zones_of_place(zones%place + dx, zones%y + dy, zones)
+         call get_zones_of_position(zones%position + dx, zones%y + dy, zones)
       end do
    end subroutine refine
 
    !> See `extreme_equation_t`.
    pure subroutine evaluate_extreme(self, x, value)
-      !> The equation with its wave.
       class(extreme_equation_t), intent(in) :: self
       !> ln y, or ln T.
       real(dp), intent(in) :: x
@@ -173,7 +165,7 @@ contains
       logical :: is_converged
 
       if (self%is_least) then
-         call get_zones_of_place(place_of(self%wave, exp(x)), exp(x), zones)
+         call get_zones_of_position(position_of(self%wave, exp(x)), exp(x), zones)
       else
          call find_contact(self%wave, x, zones, is_converged)
       end if
@@ -181,24 +173,21 @@ contains
    end subroutine evaluate_extreme
 
    !> x of the equilibrium at a given y, c < 1/4.
-   pure real(dp) function place_of(wave, y) result(x)
-      !> The wave.
+   pure real(dp) function position_of(wave, y) result(x)
       type(adhesive_wave_t), intent(in) :: wave
-      !> y.
       real(dp), intent(in) :: y
-      type(place_equation_t) :: equation
+      type(position_equation_t) :: equation
       logical :: is_converged
 
       equation%wave = wave
       equation%y = y
-      x = wave%first_place
-      call find_root(equation, least_place, 1.0e-3_dp, .true., x, is_converged, last_step)
-   end function place_of
+      x = wave%first_position
+      call find_root(equation, least_position, 1.0e-3_dp, .true., x, is_converged, last_step)
+   end function position_of
 
-   !> See `place_equation_t`.
-   pure subroutine evaluate_place(self, x, value, slope)
-      !> The equation with its wave.
-      class(place_equation_t), intent(in) :: self
+   !> See `position_equation_t`.
+   pure subroutine evaluate_position(self, x, value, slope)
+      class(position_equation_t), intent(in) :: self
       !> x = ln T.
       real(dp), intent(in) :: x
       !> ln of the range over eta.
@@ -208,11 +197,11 @@ contains
       type(zones_t) :: zones
       real(dp) :: range, unused
 
-      call get_zones_of_place(x, self%y, zones)
+      call get_zones_of_position(x, self%y, zones)
       range = range_excess(self%wave%sigma, 0.0_dp, zones)
       call get_range_slopes(self%wave%sigma, zones, slope, unused)
       value = log(range/self%wave%range)
       slope = slope/range
-   end subroutine evaluate_place
+   end subroutine evaluate_position
 
 end module adfric_plane_adhesive_wave_events

@@ -26,7 +26,7 @@ module adfric_plane_adhesive_wave_folds
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_numerics_secant_root, only: rising_equation_t, find_rising_root
    use adfric_numerics_libm, only: expm1, log1p
-   use adfric_plane_adhesive_wave, only: zones_t, get_zones_of_place, range_excess
+   use adfric_plane_adhesive_wave, only: zones_t, get_zones_of_position, range_excess
    implicit none (type, external)
    private
    public :: fold_turn_t, find_fold_turn, find_least_load, find_largest_load
@@ -45,7 +45,7 @@ module adfric_plane_adhesive_wave_folds
    !> Where minima and maxima of the load meet.
    type :: fold_turn_t
       !> ln L* and ln T*.
-      real(dp) :: log_log_ratio = 0, place = 0
+      real(dp) :: log_log_ratio = 0, position = 0
       !> eta*, beyond which no partial contact is stable under load.
       real(dp) :: range = 0
    end type fold_turn_t
@@ -59,14 +59,14 @@ module adfric_plane_adhesive_wave_folds
    end type turn_equation_t
 
    !> ln of the range along one of both lines of folds, which rises with ln T or ln L.
-   type, extends(rising_equation_t) :: fold_equation_t
+   type, extends(rising_equation_t) :: wave_fold_equation_t
       !> sigma and the range eta.
       real(dp) :: sigma = 1, range = 1
       !> Is it the line of maxima?
       logical :: is_largest = .false.
    contains
       procedure :: evaluate => evaluate_fold
-   end type fold_equation_t
+   end type wave_fold_equation_t
 
    !> ln F - ln(sigma/2) as a function of L.
    type, extends(equation_t) :: log_ratio_equation_t
@@ -82,9 +82,7 @@ contains
    pure subroutine find_fold_turn(sigma, turn, is_converged)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
-      !> The turning point.
       type(fold_turn_t), intent(out) :: turn
-      !> Was it found?
       logical, intent(out) :: is_converged
       type(turn_equation_t) :: equation
       type(zones_t) :: zones
@@ -95,33 +93,31 @@ contains
       x = log(log1p(1.17_dp/sigma**2))
       call find_rising_root(equation, least_logarithm, largest_logarithm, (1 + exp(x))/2, round_off, x, is_converged)
       turn%log_log_ratio = x
-      turn%place = log(turn_square(exp(x)))/2
-      call get_zones_of_ratio(exp(x), turn%place, zones)
+      turn%position = log(turn_square(exp(x)))/2
+      call get_zones_of_ratio(exp(x), turn%position, zones)
       turn%range = range_excess(sigma, 0.0_dp, zones)
    end subroutine find_fold_turn
 
    !> The minimum of the load of partial contacts, for eta < eta*.
-   pure subroutine find_least_load(sigma, range, turn, first_place, zones, is_converged)
+   pure subroutine find_least_load(sigma, range, turn, first_position, zones, is_converged)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
       !> Range eta, below that of the turning point.
       real(dp), intent(in) :: range
-      !> The turning point of this stress.
       type(fold_turn_t), intent(in) :: turn
       !> ln T of the first contact.
-      real(dp), intent(in) :: first_place
-      !> Zones at the least load.
+      real(dp), intent(in) :: first_position
       type(zones_t), intent(out) :: zones
-      !> Was it found?
       logical, intent(out) :: is_converged
-      type(fold_equation_t) :: equation
+      type(wave_fold_equation_t) :: equation
       real(dp) :: x
 
       equation%sigma = sigma
       equation%range = range
       ! short zones: sin^2 gamma of 4 t^3 = alpha^2 in the limit of Johnson, Kendall and Roberts
       x = log(sigma*range/16)/3
-      call find_rising_root(equation, min(first_place, turn%place - 1.0e-6_dp), turn%place, 2.0_dp, round_off, x, is_converged)
+      call find_rising_root(equation, min(first_position, turn%position - 1.0e-6_dp), turn%position, 2.0_dp, round_off, x, &
+         & is_converged)
       call get_zones_of_ratio(minimum_log_ratio(sigma, x), x, zones)
    end subroutine find_least_load
 
@@ -131,16 +127,13 @@ contains
       real(dp), intent(in) :: sigma
       !> Range eta, below that of the turning point.
       real(dp), intent(in) :: range
-      !> The turning point of this stress.
       type(fold_turn_t), intent(in) :: turn
-      !> Zones at the largest load.
       type(zones_t), intent(out) :: zones
-      !> Was it found?
       logical, intent(out) :: is_converged
-      type(fold_equation_t) :: equation
+      type(wave_fold_equation_t) :: equation
       real(dp) :: x, low, step, value
 
-      equation = fold_equation_t(sigma, range, .true.)
+      equation = wave_fold_equation_t(sigma, range, .true.)
       step = 2
       low = turn%log_log_ratio - step
       do
@@ -151,20 +144,19 @@ contains
       end do
       x = low + step/2
       call find_rising_root(equation, low, turn%log_log_ratio, 1.0_dp, round_off, x, is_converged)
-      call get_zones_of_ratio(exp(x), maximum_place(sigma, exp(x)), zones)
+      call get_zones_of_ratio(exp(x), maximum_position(sigma, exp(x)), zones)
    end subroutine find_largest_load
 
    !> Zones of given L and x.
-   pure subroutine get_zones_of_ratio(log_ratio, place, zones)
+   pure subroutine get_zones_of_ratio(log_ratio, position, zones)
       !> L, > 0.
       real(dp), intent(in) :: log_ratio
       !> x = ln T.
-      real(dp), intent(in) :: place
-      !> The zones.
+      real(dp), intent(in) :: position
       type(zones_t), intent(out) :: zones
       real(dp) :: m, y, square, r2
 
-      square = exp(2*place)
+      square = exp(2*position)
       r2 = exp(-2*log_ratio)
       m = sqrt(-expm1(-2*log_ratio)/(1 + r2*square))
       if (m < 0.5_dp) then
@@ -173,7 +165,7 @@ contains
          ! 1 - m^2 = r^2 (1 + X)/(1 + r^2 X)
          y = log1p(m) + log_ratio - (log1p(square) - log1p(r2*square))/2
       end if
-      call get_zones_of_place(place, y, zones)
+      call get_zones_of_position(position, y, zones)
    end subroutine get_zones_of_ratio
 
    !> X*(L), where a minimum turns into a maximum: the root of the quadratic in nu, written in X.
@@ -201,7 +193,6 @@ contains
 
    !> See `turn_equation_t`.
    pure subroutine evaluate_turn(self, x, value)
-      !> The equation with its stress.
       class(turn_equation_t), intent(in) :: self
       !> ln L.
       real(dp), intent(in) :: x
@@ -215,10 +206,9 @@ contains
       value = self%logarithm + x + log1p(square) - (log(square) + log(-expm1(-2*l)) - log1p(r2*square))/2
    end subroutine evaluate_turn
 
-   !> See `fold_equation_t`.
+   !> See `wave_fold_equation_t`.
    pure subroutine evaluate_fold(self, x, value)
-      !> The equation with its case.
-      class(fold_equation_t), intent(in) :: self
+      class(wave_fold_equation_t), intent(in) :: self
       !> ln T of a minimum, ln L of a maximum.
       real(dp), intent(in) :: x
       !> ln of the range over the one that is wanted.
@@ -226,7 +216,7 @@ contains
       type(zones_t) :: zones
 
       if (self%is_largest) then
-         call get_zones_of_ratio(exp(x), maximum_place(self%sigma, exp(x)), zones)
+         call get_zones_of_ratio(exp(x), maximum_position(self%sigma, exp(x)), zones)
       else
          call get_zones_of_ratio(minimum_log_ratio(self%sigma, x), x, zones)
       end if
@@ -234,17 +224,17 @@ contains
    end subroutine evaluate_fold
 
    !> L of a minimum of the load.
-   pure real(dp) function minimum_log_ratio(sigma, place) result(l)
+   pure real(dp) function minimum_log_ratio(sigma, position) result(l)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
       !> x = ln T.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
       type(log_ratio_equation_t) :: equation
       real(dp) :: low, high
       logical :: is_converged
 
-      equation%square = exp(2*place)
-      high = 1/(sigma*cosh(place))
+      equation%square = exp(2*position)
+      high = 1/(sigma*cosh(position))
       equation%ratio = 1/high
       low = max(log(least_factor*equation%square), 0.0_dp)
       l = min(high, 2*high**2/(1 + equation%square))
@@ -272,7 +262,7 @@ contains
 
    !> ln T of a maximum of the load, L < L*: ln F is concave and falls with x beyond X*, so Newton's method comes down from a bound
    !> above, X^2 (1 + r^2 X) < rho^2 X with rho = 2 sqrt(1 - r^2)/(sigma L).
-   pure real(dp) function maximum_place(sigma, log_ratio) result(x)
+   pure real(dp) function maximum_position(sigma, log_ratio) result(x)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
       !> L, > 0.
@@ -290,6 +280,6 @@ contains
          x = x - step
          if (abs(step) < 1.0e-9_dp .or. slope >= 0) exit
       end do
-   end function maximum_place
+   end function maximum_position
 
 end module adfric_plane_adhesive_wave_folds

@@ -107,7 +107,6 @@ contains
       real(dp), intent(in) :: phi
       !> M.
       real(dp), intent(out) :: mm
-      !> W.
       real(dp), intent(out) :: w
       real(dp) :: f(size(nodes)), logarithm(size(nodes))
       integer :: i
@@ -130,7 +129,6 @@ contains
       real(dp), intent(in) :: distance
       !> M.
       real(dp), intent(out) :: mm
-      !> W.
       real(dp), intent(out) :: w
       real(dp) :: f(size(nodes)), rest(size(nodes)), gamma, ratio, logarithm, in_log, closed
 
@@ -160,7 +158,6 @@ contains
       real(dp), intent(in) :: distance
       !> M.
       real(dp), intent(out) :: mm
-      !> W.
       real(dp), intent(out) :: w
       real(dp) :: p(size(nodes)), a(size(nodes)), b(size(nodes)), c(size(nodes)), e, psi, far, f_near, f_far, f_half
 
@@ -190,7 +187,7 @@ contains
 
    !> The integral of artanh(e/p) over p, e ln p + [(p + e) ln(1 + e/p) - (p - e) ln(1 - e/p)]/2.
    pure real(dp) function area_below(p, e, distance)
-      !> Place [rad], >= e.
+      !> Position [rad], >= e.
       real(dp), intent(in) :: p
       !> The zero [rad], >= 0.
       real(dp), intent(in) :: e
@@ -206,7 +203,7 @@ contains
 
    !> The integral of p ln(1 - e^2/p^2)/2 over p, [(p^2 - e^2) ln(1 - e^2/p^2) - 2 e^2 ln p]/4.
    pure real(dp) function moment_below(p, e, distance)
-      !> Place [rad], >= e.
+      !> Position [rad], >= e.
       real(dp), intent(in) :: p
       !> The zero [rad], >= 0.
       real(dp), intent(in) :: e

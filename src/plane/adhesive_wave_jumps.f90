@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What an adhesive wave (`adhesive_wave`) loses in the jumps of one closed loop: from out of reach to full contact, or to the state at
-!> which the approach turns, and back, at held penetrations. A turn in partial contact leaves out both jumps of saturation. Elsewhere the loop is reversible, so the integral of P d delta around it is the sum of the losses.
+!> which the approach turns, and back, at prescribed penetrations. A turn in partial contact leaves out both jumps of saturation.
+!> Elsewhere the loop is reversible, so the integral of P d delta around it is the sum of the losses.
 module adfric_plane_adhesive_wave_jumps
    use adfric_base_kinds, only: dp
    use adfric_plane_adhesive_wave_curve, only: adhesive_wave_t
@@ -27,11 +28,8 @@ contains
 
    !> The losses of the loop.
    pure subroutine get_jumps(wave, jumps, is_converged, turning_load)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
-      !> The losses.
       type(wave_jumps_t), intent(out) :: jumps
-      !> Were all states found?
       logical, intent(out) :: is_converged
       !> Load of the approach's state at which the loop turns; absent: full contact.
       real(dp), intent(in), optional :: turning_load

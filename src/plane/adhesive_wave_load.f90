@@ -30,7 +30,6 @@ contains
 
    !> The state under a mean pressure.
    pure subroutine state_of_load(wave, load, branch, state, is_converged, turning_load)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> P, compression > 0 [p*].
       real(dp), intent(in) :: load
@@ -67,7 +66,6 @@ contains
 
    !> Was the approach's state at a turn partial contact?
    pure logical function was_partial(wave, turning_load)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> The load at the turn; absent: full contact.
       real(dp), intent(in), optional :: turning_load
@@ -78,13 +76,10 @@ contains
 
    !> Zones between the folds under a load: Newton's method in phi, with bisection.
    pure subroutine find_partial(wave, load, zones, is_converged)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> P [p*], from the least to the largest.
       real(dp), intent(in) :: load
-      !> The zones.
       type(zones_t), intent(out) :: zones
-      !> Were they found?
       logical, intent(out) :: is_converged
       real(dp) :: low, high, phi, value, slope, step, last
       logical :: is_newton
@@ -115,25 +110,22 @@ contains
 
    !> What the range of zones is more than eta, and its slope by phi; beyond the folds only the sign, and no slope.
    pure subroutine get_excess(wave, zones, value, slope)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
-      !> The zones.
       type(zones_t), intent(in) :: zones
       !> The excess.
       real(dp), intent(out) :: value
-      !> Its slope under a held load.
+      !> Its slope under a prescribed load.
       real(dp), intent(out) :: slope
 
-      value = sign(1.0_dp, zones%place - wave%least%place)
+      value = sign(1.0_dp, zones%position - wave%least%position)
       slope = 0
-      if (zones%place <= wave%least%place .or. zones%place >= wave%largest%place) return
+      if (zones%position <= wave%least%position .or. zones%position >= wave%largest%position) return
       value = range_excess(wave%sigma, wave%range, zones)
       slope = 2*load_slope(wave%sigma, zones)*angle_slope(wave%sigma, zones)
    end subroutine get_excess
 
    !> A first guess of phi, between those of both folds.
    pure real(dp) function guess_angle(wave, load) result(phi)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> P [p*].
       real(dp), intent(in) :: load
@@ -147,7 +139,6 @@ contains
    pure real(dp) function angle_slope(sigma, zones)
       !> sigma = 2 S/pi.
       real(dp), intent(in) :: sigma
-      !> The zones.
       type(zones_t), intent(in) :: zones
       real(dp) :: cosine
 
@@ -157,11 +148,9 @@ contains
 
    !> The saturated or full state under a load.
    pure subroutine saturate(wave, load, state)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> P [p*], -S at least.
       real(dp), intent(in) :: load
-      !> The state.
       type(wave_adhesion_t), intent(inout) :: state
 
       state%mean_pressure = load
@@ -172,7 +161,6 @@ contains
 
    !> The least load of the adhered branch: the minimum of the load, or the end of saturation if this is below.
    pure real(dp) function pull_off_load(wave, turning_load)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> Load of the approach's state from which the branch comes, instead of saturation.
       real(dp), intent(in), optional :: turning_load

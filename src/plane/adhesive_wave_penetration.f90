@@ -9,7 +9,7 @@ module adfric_plane_adhesive_wave_penetration
    use adfric_base_kinds, only: dp
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_numerics_secant_root, only: rising_equation_t, find_rising_root
-   use adfric_plane_adhesive_wave, only: zones_t, get_zones_of_place, range_excess, penetration_slope, get_range_slopes, &
+   use adfric_plane_adhesive_wave, only: zones_t, get_zones_of_position, range_excess, penetration_slope, get_range_slopes, &
       & open_crest
    use adfric_plane_adhesive_wave_curve, only: adhesive_wave_t, find_contact, guess_y, get_curve_state
    use adfric_plane_adhesive_wave_integrals, only: get_zone_integrals
@@ -39,20 +39,19 @@ module adfric_plane_adhesive_wave_penetration
    end type open_equation_t
 
    !> delta in contact as a function of x, minus the wanted one.
-   type, extends(rising_equation_t) :: contact_equation_t
+   type, extends(rising_equation_t) :: penetration_contact_equation_t
       !> The wave.
       type(adhesive_wave_t) :: wave
       !> The wanted penetration.
       real(dp) :: penetration = 0
    contains
       procedure :: evaluate => evaluate_contact
-   end type contact_equation_t
+   end type penetration_contact_equation_t
 
 contains
 
    !> The state at a penetration.
    pure subroutine state_of_penetration(wave, penetration, branch, state, is_converged, turning_load)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> delta [D], at most 1; in full contact every load from 1 - S on belongs to 1, and the least is given.
       real(dp), intent(in) :: penetration
@@ -90,7 +89,6 @@ contains
    pure subroutine set_free(penetration, state)
       !> delta [D].
       real(dp), intent(in) :: penetration
-      !> The state.
       type(wave_adhesion_t), intent(inout) :: state
 
       state%regime = regime_free
@@ -100,44 +98,41 @@ contains
 
    !> The state between the minimum and the maximum of the penetration, where delta rises with x.
    pure subroutine find_penetration(wave, penetration, state, is_converged)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> delta [D].
       real(dp), intent(in) :: penetration
-      !> The state.
       type(wave_adhesion_t), intent(inout) :: state
-      !> Was it found?
       logical, intent(out) :: is_converged
       type(open_equation_t) :: open
-      type(contact_equation_t) :: contact
+      type(penetration_contact_equation_t) :: contact
       type(zones_t) :: zones
       real(dp) :: x, low, high, ends(2)
 
-      low = wave%lowest%place
-      high = wave%highest%place
+      low = wave%lowest%position
+      high = wave%highest%position
       ends = 2
-      if (wave%has_zones) ends = [open_penetration(wave, wave%first_place), open_penetration(wave, wave%last_place)]
-      if (wave%first_place <= low) ends(1) = -huge(x)
-      if (wave%last_place >= high) ends(2) = 2
+      if (wave%has_zones) ends = [open_penetration(wave, wave%first_position), open_penetration(wave, wave%last_position)]
+      if (wave%first_position <= low) ends(1) = -huge(x)
+      if (wave%last_position >= high) ends(2) = 2
       if (wave%has_zones .and. penetration > ends(1) .and. penetration < ends(2)) then
-         low = max(low, wave%first_place)
-         high = min(high, wave%last_place)
+         low = max(low, wave%first_position)
+         high = min(high, wave%last_position)
          x = low + (high - low)*sqrt((penetration - wave%least_penetration)/(wave%largest_penetration - wave%least_penetration))
-         call get_zones_of_place(x, guess_y(wave, x), zones)
+         call get_zones_of_position(x, guess_y(wave, x), zones)
          call approach_contact(wave, penetration, low, high, zones, is_converged)
          if (.not. is_converged) then
-            contact = contact_equation_t(wave, penetration)
+            contact = penetration_contact_equation_t(wave, penetration)
             call find_rising_root(contact, low, high, wave%largest_penetration - wave%least_penetration, round_off, x, is_converged)
             zones%y = 0
             if (is_converged) call find_contact(wave, x, zones, is_converged)
          end if
       else
-         if (wave%has_zones .and. penetration <= ends(1)) high = min(high, wave%first_place)
-         if (wave%has_zones .and. penetration >= ends(2)) low = max(low, wave%last_place)
+         if (wave%has_zones .and. penetration <= ends(1)) high = min(high, wave%first_position)
+         if (wave%has_zones .and. penetration >= ends(2)) low = max(low, wave%last_position)
          open = open_equation_t(wave, penetration)
          x = low + (high - low)/2
          call find_root(open, low, high, .true., x, is_converged)
-         call get_zones_of_place(x, open_crest, zones)
+         call get_zones_of_position(x, open_crest, zones)
       end if
       if (.not. is_converged) return
       call state_of_zones(wave, zones, state)
@@ -146,7 +141,6 @@ contains
 
    !> Newton's method for (2) and (3) in x and y, which may fail. A solution between the extremes is the only one.
    pure subroutine approach_contact(wave, penetration, low, high, zones, is_converged)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> delta [D].
       real(dp), intent(in) :: penetration
@@ -154,9 +148,8 @@ contains
       real(dp), intent(in) :: low, high
       !> In: a first guess. Out: the zones.
       type(zones_t), intent(inout) :: zones
-      !> Were they found?
       logical, intent(out) :: is_converged
-      real(dp) :: by_place, by_y, range, delta, k, m, w, slope, dx, dy
+      real(dp) :: by_position, by_y, range, delta, k, m, w, slope, dx, dy
       integer :: i
 
       is_converged = .false.
@@ -164,41 +157,37 @@ contains
          call get_zone_integrals(zones%tangent, zones%m, zones%phi, zones%distance, k, m, w)
          range = range_excess(wave%sigma, wave%range, zones, k)
          delta = zones%square*(1 + 2*zones%lambda) + 2*wave%sigma*m
-         call get_range_slopes(wave%sigma, zones, by_place, by_y)
+         call get_range_slopes(wave%sigma, zones, by_position, by_y)
          dx = (penetration - delta - zones%lambda/zones%y*range)*zones%y
          slope = 2*zones%sine*zones%cosine*penetration_slope(wave%sigma, zones)
          ! next to an extreme there may be no slope, and in a zone of round-off none of the range
          if (.not. (abs(slope)*endless > abs(dx) .and. abs(by_y) > 0)) return
          dx = dx/slope
          is_converged = abs(dx) < close_enough
-         if (.not. is_converged) dx = min(max(dx, (low - zones%place)/2), (high - zones%place)/2)
-         dy = -(range + by_place*dx)/by_y
+         if (.not. is_converged) dx = min(max(dx, (low - zones%position)/2), (high - zones%position)/2)
+         dy = -(range + by_position*dx)/by_y
          is_converged = is_converged .and. abs(dy) < close_enough*zones%y
          dy = min(max(dy, -zones%y/2), 2*zones%y)
-         call get_zones_of_place(zones%place + dx, zones%y + dy, zones)
+         call get_zones_of_position(zones%position + dx, zones%y + dy, zones)
          if (is_converged .or. .not. zones%y < largest_y) exit
       end do
-      is_converged = is_converged .and. zones%place >= low .and. zones%place <= high
+      is_converged = is_converged .and. zones%position >= low .and. zones%position <= high
    end subroutine approach_contact
 
    !> delta with an open crest.
-   pure real(dp) function open_penetration(wave, place) result(penetration)
-      !> The wave.
+   pure real(dp) function open_penetration(wave, position) result(penetration)
       type(adhesive_wave_t), intent(in) :: wave
-      !> ln T.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
       type(zones_t) :: zones
       real(dp) :: load, gap
 
-      call get_zones_of_place(place, open_crest, zones)
+      call get_zones_of_position(position, open_crest, zones)
       call get_curve_state(wave, zones, load, penetration, gap)
    end function open_penetration
 
    !> See `open_equation_t`.
    pure subroutine evaluate_open(self, x, value, slope)
-      !> The equation with its wave.
       class(open_equation_t), intent(in) :: self
-      !> ln T.
       real(dp), intent(in) :: x
       !> delta minus the wanted one.
       real(dp), intent(out) :: value
@@ -211,11 +200,9 @@ contains
       slope = twice*(twice + self%wave%sigma*log(2*twice))
    end subroutine evaluate_open
 
-   !> See `contact_equation_t`.
+   !> See `penetration_contact_equation_t`.
    pure subroutine evaluate_contact(self, x, value)
-      !> The equation with its wave.
-      class(contact_equation_t), intent(in) :: self
-      !> ln T.
+      class(penetration_contact_equation_t), intent(in) :: self
       real(dp), intent(in) :: x
       !> delta minus the wanted one.
       real(dp), intent(out) :: value

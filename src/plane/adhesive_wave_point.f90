@@ -11,11 +11,8 @@ module adfric_plane_adhesive_wave_point
       & curve_no_contact => regime_no_contact, curve_zones => regime_zones, curve_saturated => regime_saturated
    use adfric_plane_adhesive_wave_units, only: wave_adhesion_case_t, wave_adhesion_state_t, new_wave_adhesion
    use adfric_plane_jkr_wave, only: find_jkr_pull_off
-   use adfric_plane_wave_variables, only: v_adhesion, v_amplitude, v_contact_modulus, v_mean_pressure, v_penetration, &
-      & v_period, v_second_poisson_ratio, v_turning_pressure, r_adhesion_energy, r_adhesion_fraction, r_contact_fraction, &
-      & r_contact_width, r_elastic_energy, r_full_contact_pressure, r_hysteresis_loss, r_jump_off_penetration, r_largest_gap, &
-      & r_mean_gap, r_mean_pressure, r_peak_pressure, r_penetration, r_pull_off_penetration, r_pull_off_pressure, r_regime, &
-      & r_violation, regime_adhesion_only, regime_adhesion_zones, regime_full, regime_none, regime_saturated_adhesion
+   use adfric_plane_wave_variables, only: regime_adhesion_only, regime_adhesion_zones, regime_full, regime_none, &
+      & regime_saturated_adhesion, in => wave_input, out => wave_output
    use adfric_plane_westergaard, only: wave_mean_gap
    use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, resolve_adhesion
    use adfric_solid_contact_modulus, only: contact_modulus_of, modulus_names
@@ -26,10 +23,10 @@ module adfric_plane_adhesive_wave_point
    private
    public :: adhesive_point_t, is_possible_adhesion, derive_adhesion, solve_adhesion, get_adhesive_profiles
 
-   !> What the closed forms leave of the digits (docs/theory/halfspace.md).
+   !> What the closed forms leave of the digits (docs/theory/adhesive_wave.md).
    real(dp), parameter :: closed_form = 1.0e-13_dp
-   !> Places in the contact where the pressure is compared with the adhesion stress.
-   integer, parameter :: n_places = 4
+   !> Positions in the contact where the pressure is compared with the adhesion stress.
+   integer, parameter :: n_positions = 4
 
    !> What a point leaves: the wave with its events, which may be those of the next point, and the state.
    type, extends(point_state_t) :: adhesive_point_t
@@ -53,15 +50,13 @@ contains
 
    !> What adheres to what: the wave of the point before, or a new one.
    pure subroutine resolve_wave(values, law, point)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The adhesion.
       type(adhesion_law_t), intent(in) :: law
       !> In: what the point before has left. Out: the wave of this one.
       type(adhesive_point_t), intent(inout) :: point
       real(dp) :: sizes(5)
 
-      sizes = [values(v_period), values(v_amplitude), contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio)), &
+      sizes = [values(in%period), values(in%amplitude), contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio)), &
          & law%stress, law%range]
       if (all(sizes >= point%sizes .and. sizes <= point%sizes)) return
       point%sizes = sizes
@@ -71,7 +66,6 @@ contains
 
    !> Where the branch ends: as at the point before, or anew.
    pure subroutine resolve_ends(law, point)
-      !> The adhesion.
       type(adhesion_law_t), intent(in) :: law
       !> In: what the point before has left, with the wave of this one. Out: with the ends of this one.
       type(adhesive_point_t), intent(inout) :: point
@@ -95,16 +89,14 @@ contains
       type(adhesion_law_t) :: law
       type(adhesive_point_t) :: point
 
-      call resolve_adhesion(values(v_adhesion:v_turning_pressure), law)
+      call resolve_adhesion(values(in%adhesion:in%turning_pressure), law)
       call resolve_wave(values, law, point)
       is_possible = point%is_possible
    end function is_possible_adhesion
 
    !> Add the numbers that say which limit a wave is near.
    subroutine derive_adhesion(list, values)
-      !> The list, which grows.
       type(derived_t), allocatable, intent(inout) :: list(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(*), parameter :: of_wave = ' period amplitude '//modulus_names, of_all = adhesion_names//of_wave
       type(adhesion_law_t) :: law
@@ -112,10 +104,10 @@ contains
       real(dp) :: half_width, load
       logical :: has_fold
 
-      call resolve_adhesion(values(v_adhesion:v_turning_pressure), law)
+      call resolve_adhesion(values(in%adhesion:in%turning_pressure), law)
       call resolve_wave(values, law, point)
       if (.not. point%is_possible) return
-      if (is_set(values(v_adhesion + 2))) then
+      if (is_set(values(in%adhesion + 2))) then
          call add_derived(list, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
       else
          call add_derived(list, 'range', 'm', 'largest gap with adhesion', law%range, adhesion_names)
@@ -135,7 +127,6 @@ contains
 
    !> Solve a point.
    pure subroutine solve_adhesion(values, point, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: what the point before has left. Out: what this one leaves.
       type(adhesive_point_t), intent(inout) :: point
@@ -151,19 +142,19 @@ contains
 
       error_estimate = closed_form
       status = status_not_converged
-      call resolve_adhesion(values(v_adhesion:v_turning_pressure), law)
+      call resolve_adhesion(values(in%adhesion:in%turning_pressure), law)
       call resolve_wave(values, law, point)
       if (.not. (point%is_possible .and. point%is_converged)) return
       call resolve_ends(law, point)
       if (.not. point%has_ends) return
       branch = merge(curve_adhered, curve_approach, law%branch == branch_adhered)
-      if (is_set(values(v_mean_pressure))) then
-         call point%wave%solve_pressure(values(v_mean_pressure), branch, point%state, is_solved, law%turning_pressure)
+      if (is_set(values(in%mean_pressure))) then
+         call point%wave%solve_pressure(values(in%mean_pressure), branch, point%state, is_solved, law%turning_pressure)
       else
-         call point%wave%solve_penetration(values(v_penetration), branch, point%state, is_solved, law%turning_pressure)
+         call point%wave%solve_penetration(values(in%penetration), branch, point%state, is_solved, law%turning_pressure)
       end if
       if (is_solved) status = merge(status_no_equilibrium, status_solved, point%state%regime == curve_none)
-      results(r_full_contact_pressure) = point%wave%pressure_unit
+      results(out%full_contact_pressure) = point%wave%pressure_unit
       call store_ends(point, results)
       if (status /= status_solved) return
       call store_state(values, point, results)
@@ -172,48 +163,44 @@ contains
 
    !> Results of the branch, which every point of a wave has.
    pure subroutine store_ends(point, results)
-      !> The point with the ends of its branch.
       type(adhesive_point_t), intent(in) :: point
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
       associate (ends => point%ends, p => point%wave%pressure_unit, d => point%wave%amplitude)
-         results(r_pull_off_pressure) = p*ends%pull_off_load
-         results([r_pull_off_penetration, r_jump_off_penetration]) = d*[ends%pull_off_penetration, ends%jump_off_penetration]
-         results(r_hysteresis_loss) = p*d*ends%loss
+         results(out%pull_off_pressure) = p*ends%pull_off_load
+         results([out%pull_off_penetration, out%jump_off_penetration]) = d*[ends%pull_off_penetration, ends%jump_off_penetration]
+         results(out%hysteresis_loss) = p*d*ends%loss
       end associate
    end subroutine store_ends
 
    !> Results of a state.
    pure subroutine store_state(values, point, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its state.
       type(adhesive_point_t), intent(in) :: point
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
       associate (state => point%state)
-         results([r_mean_pressure, r_penetration]) = [state%mean_pressure, state%penetration]
+         results([out%mean_pressure, out%penetration]) = [state%mean_pressure, state%penetration]
          ! what is given keeps its bits
-         if (is_set(values(v_mean_pressure))) results(r_mean_pressure) = values(v_mean_pressure)
-         if (is_set(values(v_penetration))) results(r_penetration) = values(v_penetration)
-         results(r_contact_fraction) = state%contact_fraction
-         results(r_contact_width) = state%contact_fraction*values(v_period)
-         results(r_adhesion_fraction) = max(0.0_dp, state%label_fraction - state%contact_fraction)
-         results(r_peak_pressure) = state%crest_pressure
-         results([r_mean_gap, r_largest_gap]) = [state%mean_gap, state%valley_gap]
-         if (state%regime >= curve_saturated .and. state%contact_fraction > 0) results(r_mean_gap) = &
+         if (is_set(values(in%mean_pressure))) results(out%mean_pressure) = values(in%mean_pressure)
+         if (is_set(values(in%penetration))) results(out%penetration) = values(in%penetration)
+         results(out%contact_fraction) = state%contact_fraction
+         results(out%contact_width) = state%contact_fraction*values(in%period)
+         results(out%adhesion_fraction) = max(0.0_dp, state%label_fraction - state%contact_fraction)
+         results(out%peak_pressure) = state%crest_pressure
+         results([out%mean_gap, out%largest_gap]) = [state%mean_gap, state%valley_gap]
+         if (state%regime >= curve_saturated .and. state%contact_fraction > 0) results(out%mean_gap) = &
             & point%wave%amplitude*wave_mean_gap(state%state%square)
-         results([r_elastic_energy, r_adhesion_energy]) = [state%elastic_energy, state%adhesion_energy]
-         results(r_regime) = regime_of(state)
+         results([out%elastic_energy, out%adhesion_energy]) = [state%elastic_energy, state%adhesion_energy]
+         results(out%regime) = regime_of(state)
       end associate
-      results(r_violation) = violation_of(point)
+      results(out%violation) = violation_of(point)
    end subroutine store_state
 
    !> The regime in the words of the table.
    pure integer function regime_of(state) result(regime)
-      !> The state, which has been found.
       type(wave_adhesion_state_t), intent(in) :: state
 
       select case (state%regime)
@@ -233,7 +220,6 @@ contains
    !> Largest violation of p + p0 >= 0 in contact, of the range at the edge of adhesion, and of what adheres in the trough; pressures
    !> are measured in p* or p0, gaps in D or h0, whichever is larger.
    pure real(dp) function violation_of(point) result(violation)
-      !> The point with its state.
       type(adhesive_point_t), intent(in) :: point
       real(dp) :: x, gap
       integer :: i
@@ -241,8 +227,8 @@ contains
       associate (wave => point%wave%wave, state => point%state%state)
          violation = 0
          if (state%regime == curve_free) return
-         do i = 1, n_places
-            x = state%contact_half_width*((i - 0.5_dp)/n_places)
+         do i = 1, n_positions
+            x = state%contact_half_width*((i - 0.5_dp)/n_positions)
             violation = max(violation, -(adhesive_wave_pressure(wave, state, x) + wave%stress)/max(1.0_dp, wave%stress))
          end do
          gap = (point%state%valley_gap/point%wave%amplitude - wave%range)/max(1.0_dp, wave%range)
@@ -255,9 +241,7 @@ contains
    !> Estimated relative error of the main result: the penetration under a load grows without bound at a fold, where it is the square
    !> root of the error of the load.
    pure real(dp) function error_of(values, point) result(error)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its state.
       type(adhesive_point_t), intent(in) :: point
       real(dp) :: slope, scale
 
@@ -266,7 +250,7 @@ contains
          if (state%regime /= curve_zones) return
          slope = abs(load_slope(wave%sigma, state%zones))
          scale = abs(2*penetration_slope(wave%sigma, state%zones))
-         if (is_set(values(v_penetration))) then
+         if (is_set(values(in%penetration))) then
             ! d P/d delta, where the penetration is the given number
             error = closed_form*max(1.0_dp, slope/max(scale, tiny(scale)))
          else
@@ -278,9 +262,8 @@ contains
 
    !> Pressure and gap along the wave.
    pure subroutine get_adhesive_profiles(point, coordinates, pressure, gap)
-      !> The point with its state.
       type(adhesive_point_t), intent(in) :: point
-      !> Places along the wave, from a crest [m]; shape `(n)`.
+      !> Positions along the wave, from a crest [m]; shape `(n)`.
       real(dp), intent(in) :: coordinates(:)
       !> Pressure [Pa] and gap [m]; shape `(n)`.
       real(dp), intent(out) :: pressure(:), gap(:)

@@ -43,11 +43,10 @@ contains
 
    !> Pressure at x [p*].
    elemental real(dp) function adhesive_wave_pressure(wave, state, x) result(p)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> A state with a regime other than `regime_none`.
       type(wave_adhesion_t), intent(in) :: state
-      !> Place from a crest [l].
+      !> Position from a crest [l].
       real(dp), intent(in) :: x
       real(dp) :: psi, alpha, square
 
@@ -68,11 +67,10 @@ contains
 
    !> Gap at x [D].
    elemental real(dp) function adhesive_wave_gap(wave, state, x) result(g)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> A state with a regime other than `regime_none`.
       type(wave_adhesion_t), intent(in) :: state
-      !> Place from a crest [l].
+      !> Position from a crest [l].
       real(dp), intent(in) :: x
       type(opening_t) :: opening
       real(dp) :: psi
@@ -98,7 +96,6 @@ contains
 
    !> Gap of the trough [D].
    pure real(dp) function adhesive_wave_valley_gap(wave, state) result(g)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> A state with a regime other than `regime_none`.
       type(wave_adhesion_t), intent(in) :: state
@@ -115,7 +112,6 @@ contains
 
    !> The integral of artanh(tan phi/tau) from the edge of adhesion to the trough, in panels of d that end at phi, 2 phi, 4 phi ...
    pure real(dp) function opening_of_valley(zones) result(opening)
-      !> The zones.
       type(zones_t), intent(in) :: zones
       real(dp) :: d(size(nodes)), x(size(nodes)), low, high, e, logarithms
 
@@ -138,7 +134,6 @@ contains
 
    !> See `opening_t`.
    pure real(dp) function evaluate(self, from_left, from_right)
-      !> The zones and the range of the integral.
       class(opening_t), intent(in) :: self
       !> Distances from its ends [rad].
       real(dp), intent(in) :: from_left, from_right

@@ -40,11 +40,8 @@ contains
    !>     E1 = sigma [phi (1 - Q) - 2 Lambda Q phi - m sin gamma cos gamma + 2 gamma (y Q - m sin^2 gamma)]
    !>     E2 = sigma^2 (W - 2 gamma K)
    pure subroutine state_of_zones(wave, zones, state)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
-      !> The zones.
       type(zones_t), intent(in) :: zones
-      !> The state.
       type(wave_adhesion_t), intent(out) :: state
       real(dp) :: k, m, w, gamma, e1, e2, energy
 
@@ -69,7 +66,6 @@ contains
 
    !> What follows from Q and delta in saturation.
    pure subroutine fill_saturated(wave, state)
-      !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> The state, with Q and delta.
       type(wave_adhesion_t), intent(inout) :: state
@@ -91,9 +87,8 @@ contains
       half_width = atan2(sqrt(square), sqrt(max(0.0_dp, 1 - square)))/pi
    end function half_width
 
-   !> Energy lost in a jump at a held penetration [p* D], > 0.
+   !> Energy lost in a jump at a prescribed penetration [p* D], > 0.
    elemental real(dp) function dissipated_energy(before, after)
-      !> States before and after it.
       type(wave_adhesion_t), intent(in) :: before, after
 
       dissipated_energy = (before%elastic_energy - after%elastic_energy) + (before%adhesion_energy - after%adhesion_energy)

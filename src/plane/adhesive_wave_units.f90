@@ -54,7 +54,6 @@ contains
 
    !> What adheres to what.
    pure subroutine new_wave_adhesion(self, period, amplitude, contact_modulus, stress, range, is_possible, is_converged)
-      !> What adheres to what.
       type(wave_adhesion_case_t), intent(out) :: self
       !> Length of the wave [m], > 0.
       real(dp), intent(in) :: period
@@ -68,7 +67,6 @@ contains
       real(dp), intent(in) :: range
       !> Are sigma0/p* and h0/D numbers from 1e-12 to 1e12?
       logical, intent(out) :: is_possible
-      !> Were all events found?
       logical, intent(out) :: is_converged
       real(dp) :: reduced(2)
 
@@ -86,7 +84,6 @@ contains
 
    !> The state under a mean pressure.
    pure subroutine solve_pressure(self, mean_pressure, branch, state, is_converged, turning_pressure)
-      !> What adheres to what.
       class(wave_adhesion_case_t), intent(in) :: self
       !> Mean pressure [Pa], compression > 0.
       real(dp), intent(in) :: mean_pressure
@@ -110,7 +107,6 @@ contains
 
    !> The state at a penetration.
    pure subroutine solve_penetration(self, penetration, branch, state, is_converged, turning_pressure)
-      !> What adheres to what.
       class(wave_adhesion_case_t), intent(in) :: self
       !> Penetration since first touch of the undeformed surfaces [m], at most the amplitude.
       real(dp), intent(in) :: penetration
@@ -134,7 +130,6 @@ contains
 
    !> Least mean pressure of the adhered branch [Pa], < 0 as a rule.
    pure real(dp) function pull_off_pressure(self, turning_pressure)
-      !> What adheres to what.
       class(wave_adhesion_case_t), intent(in) :: self
       !> Mean pressure at which the approach has turned [Pa]; absent: full contact.
       real(dp), intent(in), optional :: turning_pressure
@@ -146,13 +141,10 @@ contains
       end if
    end function pull_off_pressure
 
-   !> Energy per area that a loop of approach and retraction at held penetrations loses [J/m^2].
+   !> Energy per area that a loop of approach and retraction at prescribed penetrations loses [J/m^2].
    pure subroutine loop_energy(self, energy, is_converged)
-      !> What adheres to what.
       class(wave_adhesion_case_t), intent(in) :: self
-      !> The energy.
       real(dp), intent(out) :: energy
-      !> Were all jumps found?
       logical, intent(out) :: is_converged
       type(wave_jumps_t) :: jumps
 
@@ -162,7 +154,6 @@ contains
 
    !> Give the results of a state their units.
    pure subroutine give_units(self, state)
-      !> What adheres to what.
       type(wave_adhesion_case_t), intent(in) :: self
       !> The state, with its reduced one.
       type(wave_adhesion_state_t), intent(inout) :: state
@@ -186,11 +177,9 @@ contains
 
    !> Pressure at x [Pa].
    pure real(dp) function pressure_at(self, state, x)
-      !> What adheres to what.
       class(wave_adhesion_case_t), intent(in) :: self
-      !> The state.
       type(wave_adhesion_state_t), intent(in) :: state
-      !> Place along the wave, from a crest [m].
+      !> Position along the wave, from a crest [m].
       real(dp), intent(in) :: x
 
       pressure_at = self%pressure_unit*adhesive_wave_pressure(self%wave, state%state, x/self%period)
@@ -198,11 +187,9 @@ contains
 
    !> Gap at x [m].
    pure real(dp) function gap_at(self, state, x)
-      !> What adheres to what.
       class(wave_adhesion_case_t), intent(in) :: self
-      !> The state.
       type(wave_adhesion_state_t), intent(in) :: state
-      !> Place along the wave, from a crest [m].
+      !> Position along the wave, from a crest [m].
       real(dp), intent(in) :: x
 
       gap_at = self%amplitude*adhesive_wave_gap(self%wave, state%state, x/self%period)

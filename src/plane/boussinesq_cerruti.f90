@@ -15,25 +15,25 @@ module adfric_plane_boussinesq_cerruti
 contains
 
    !> Stresses [s_xx, s_yy, s_zz, s_xy, s_yz, s_xz]; NaN under the force itself.
-   pure function point_stress(normal, tangential, poisson_ratio, place) result(stress)
+   pure function point_stress(normal, tangential, poisson_ratio, position) result(stress)
       !> Normal force N [N], along +z.
       real(dp), intent(in) :: normal
       !> Tangential force T [N], along +x.
       real(dp), intent(in) :: tangential
       !> Poisson's ratio nu [-].
       real(dp), intent(in) :: poisson_ratio
-      !> Coordinates x, y, z of the place, from the force [m], z >= 0.
-      real(dp), intent(in) :: place(3)
+      !> Coordinates x, y, z of the position, from the force [m], z >= 0.
+      real(dp), intent(in) :: position(3)
       real(dp) :: stress(6)
       real(dp) :: r, l, h, x, y, z, radial
 
       stress = not_a_number()
-      r = norm2(place)
+      r = norm2(position)
       if (.not. r > 0) return
       ! directions, and 1/(1 + z/r)
-      x = place(1)/r
-      y = place(2)/r
-      z = place(3)/r
+      x = position(1)/r
+      y = position(2)/r
+      z = position(3)/r
       h = 1/(1 + z)
       l = 1 - 2*poisson_ratio
       ! the part of an incompressible solid is a push along the line to the force
@@ -48,7 +48,7 @@ contains
    end function point_stress
 
    !> Displacements [u_x, u_y, u_z], 0 far away; NaN under the force itself.
-   pure function point_displacement(normal, tangential, shear_modulus, poisson_ratio, place) result(u)
+   pure function point_displacement(normal, tangential, shear_modulus, poisson_ratio, position) result(u)
       !> Normal force N [N], along +z.
       real(dp), intent(in) :: normal
       !> Tangential force T [N], along +x.
@@ -57,17 +57,17 @@ contains
       real(dp), intent(in) :: shear_modulus
       !> Poisson's ratio nu [-].
       real(dp), intent(in) :: poisson_ratio
-      !> Coordinates x, y, z of the place, from the force [m], z >= 0.
-      real(dp), intent(in) :: place(3)
+      !> Coordinates x, y, z of the position, from the force [m], z >= 0.
+      real(dp), intent(in) :: position(3)
       real(dp) :: u(3)
       real(dp) :: r, l, h, x, y, z
 
       u = not_a_number()
-      r = norm2(place)
+      r = norm2(position)
       if (.not. r > 0) return
-      x = place(1)/r
-      y = place(2)/r
-      z = place(3)/r
+      x = position(1)/r
+      y = position(2)/r
+      z = position(3)/r
       h = 1/(1 + z)
       l = 1 - 2*poisson_ratio
       u = normal*[x*(z - l*h), y*(z - l*h), z*z + 2*(1 - poisson_ratio)] &

@@ -8,11 +8,11 @@ module adfric_plane_contact_conditions
 
 contains
 
-   !> Largest violation at places with a pressure and a gap, 0 if there is none [-].
+   !> Largest violation at positions with a pressure and a gap, 0 if there is none [-].
    pure real(dp) function largest_violation(pressure, gap, pressure_unit, gap_unit) result(violation)
-      !> Pressure at each place, in any unit; shape `(n_places)`.
+      !> Pressure at each position, in any unit; shape `(n_positions)`.
       real(dp), intent(in) :: pressure(:)
-      !> Gap at each place, in any unit; shape `(n_places)`.
+      !> Gap at each position, in any unit; shape `(n_positions)`.
       real(dp), intent(in) :: gap(:)
       !> Unit of pressure in which violations are measured, > 0.
       real(dp), intent(in) :: pressure_unit

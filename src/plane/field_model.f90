@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the models of given loads share: the same numbers at one place as results, and along two axes as maps.
+!> What the models of given loads share: the same numbers at one position as results, and along two axes as maps.
 module adfric_plane_field_model
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: get_word, count_words
@@ -12,43 +12,43 @@ module adfric_plane_field_model
    private
    public :: field_model_t, set_stresses, set_plane_stresses, set_displacements, maps_of
 
-   !> A model of given loads: its results are the field at one place, its profiles maps of the field.
+   !> A model of given loads: its results are the field at one position, its profiles maps of the field.
    type, abstract, extends(halfspace_model_t) :: field_model_t
    contains
       procedure(get_field_i), deferred :: get_field
-      procedure(get_place_i), deferred :: get_place
+      procedure(get_position_i), deferred :: get_position
       procedure :: solve_point
       procedure :: fill_profiles
    end type field_model_t
 
    abstract interface
 
-      !> The results at a place.
-      subroutine get_field_i(self, values, place, field)
+      !> The results at a position.
+      subroutine get_field_i(self, values, position, field)
          import :: field_model_t, dp
          implicit none (type, external)
          !> The model whose field is evaluated.
          class(field_model_t), intent(in) :: self
          !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Coordinates x, y, z of the place [m]; of a half-plane x, y, 0.
-         real(dp), intent(in) :: place(3)
-         !> Results at the place, NaN where there is no value; shape `(n_results)`.
+         !> Coordinates x, y, z of the position [m]; of a half-plane x, y, 0.
+         real(dp), intent(in) :: position(3)
+         !> Results at the position, NaN where there is no value; shape `(n_results)`.
          real(dp), intent(out) :: field(:)
       end subroutine get_field_i
 
-      !> The place of the results, or a place of a map, whose coordinates along the axes replace those of the results.
-      pure function get_place_i(self, values, slow, fast) result(place)
+      !> The position of the results, or a position of a map, whose coordinates along the axes replace those of the results.
+      pure function get_position_i(self, values, slow, fast) result(position)
          import :: field_model_t, dp
          implicit none (type, external)
          !> The model, whose type alone says which axes its maps have.
          class(field_model_t), intent(in) :: self
          !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Coordinates on the axes of a map [m]; without them the place is that of the results.
+         !> Coordinates on the axes of a map [m]; without them the position is that of the results.
          real(dp), intent(in), optional :: slow, fast
-         real(dp) :: place(3)
-      end function get_place_i
+         real(dp) :: position(3)
+      end function get_position_i
 
    end interface
 
@@ -111,9 +111,8 @@ contains
 
    !> See `pointwise_model_t`. Where the field has no value, under a concentrated load, the results are NaN.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model whose field is evaluated at the place of the results.
+      !> The model whose field is evaluated at the position of the results.
       class(field_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Nothing is left for the next point.
       class(point_state_t), allocatable, intent(inout) :: state
@@ -126,7 +125,7 @@ contains
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
 
-      call self%get_field(values, self%get_place(values), results)
+      call self%get_field(values, self%get_position(values), results)
       error_estimate = epsilon(error_estimate)
       status = status_solved
       associate (unused => state, unused_counts => counts)
@@ -135,15 +134,12 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model whose field is evaluated along both axes.
       class(field_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point, not used here.
       real(dp), intent(in) :: results(:)
       !> What `solve_point` has left, not used here.
       class(point_state_t), allocatable, intent(in) :: state
-      !> Axes of the profiles, the slowest first.
       type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
@@ -152,7 +148,7 @@ contains
       associate (slow => axes(1)%coordinates, fast => axes(2)%coordinates)
          do j = 1, size(slow)
             do i = 1, size(fast)
-               call self%get_field(values, self%get_place(values, slow(j), fast(i)), profiles(i, j, :))
+               call self%get_field(values, self%get_position(values, slow(j), fast(i)), profiles(i, j, :))
             end do
          end do
       end associate

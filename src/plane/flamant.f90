@@ -21,7 +21,7 @@ contains
       real(dp), intent(in) :: normal
       !> Tangential load T per length [N/m], along +x.
       real(dp), intent(in) :: tangential
-      !> Coordinates of the place, from the load [m], y >= 0.
+      !> Coordinates of the position, from the load [m], y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3)
       real(dp) :: r, s, c
@@ -53,7 +53,7 @@ contains
       real(dp), intent(in) :: poisson_ratio
       !> Distance r0 [m], > 0: the half-plane has no place at rest, so this distance fixes the rigid motion.
       real(dp), intent(in) :: datum
-      !> Coordinates of the place, from the load [m], y >= 0.
+      !> Coordinates of the position, from the load [m], y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: u(2)
       real(dp) :: r, th, s, c, logarithm, l, u_r, u_th

@@ -5,8 +5,7 @@ module adfric_plane_hertz_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_plane_hertz_ellipse, only: find_curvatures
-   use adfric_plane_hertz_variables, only: kind_line, kind_elliptical, v_angle, v_approach, v_contact_modulus, v_kind, v_load, &
-      & v_material, v_radius, v_radius_1x, v_radius_2y, v_second_poisson_ratio, v_temperature, v_velocity
+   use adfric_plane_hertz_variables, only: kind_line, kind_elliptical, in => hertz_input
    use adfric_plane_hertz_slip, only: check_slip, refuse_slip
    use adfric_plane_sliding_check, only: check_sliding, refuse_sliding
    use adfric_plane_sliding_cylinder_point, only: is_possible_cylinder
@@ -23,18 +22,14 @@ contains
 
    !> Add to `problems` what is missing or impossible.
    subroutine check_hertz(variables, values, given, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
       before = problems%count()
-      call require(variables, values, [v_kind], problems)
+      call require(variables, values, [in%kind], problems)
       if (is_sliding(values)) then
          call check_material(variables, values, given, problems)
          call refuse_slip(variables, values, problems)
@@ -42,13 +37,13 @@ contains
          call check_solid(variables, values, problems)
          call check_slip(variables, values, problems)
       end if
-      if (.not. is_set(values(v_kind))) return
-      if (nint(values(v_kind)) == kind_line) then
-         call require(variables, values, [v_load], problems)
-         if (is_set(values(v_approach))) call problems%add('operating', 'approach', &
+      if (.not. is_set(values(in%kind))) return
+      if (nint(values(in%kind)) == kind_line) then
+         call require(variables, values, [in%load], problems)
+         if (is_set(values(in%approach))) call problems%add('operating', 'approach', &
             & 'is undefined for the line contact of half-planes; give load')
       else
-         call require_one(variables, values, [v_load, v_approach], .true., problems)
+         call require_one(variables, values, [in%load, in%approach], .true., problems)
       end if
       call check_radii(variables, values, problems)
       if (.not. is_sliding(values) .or. problems%count() > before) return
@@ -58,60 +53,50 @@ contains
 
    !> Add to `problems` what is wrong with elastic solids, over which no velocity counts.
    subroutine check_solid(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
-         & values(v_contact_modulus:v_second_poisson_ratio), problems, .true.)
-      call refuse_sliding(variables(v_material:v_velocity), values(v_material:v_velocity), problems)
+      call check_contact_modulus(variables(in%contact_modulus:in%second_poisson_ratio), &
+         & values(in%contact_modulus:in%second_poisson_ratio), problems, .true.)
+      call refuse_sliding(variables(in%material(1):in%velocity), values(in%material(1):in%velocity), problems)
    end subroutine check_solid
 
    !> Add to `problems` what is wrong with a viscoelastic material.
    subroutine check_material(variables, values, given, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
-      if (is_set(values(v_kind))) then
-         if (nint(values(v_kind)) /= kind_line) call problems%add('contact', 'kind', &
+      if (is_set(values(in%kind))) then
+         if (nint(values(in%kind)) /= kind_line) call problems%add('contact', 'kind', &
             & 'is not ''line''; over &material only a cylinder slides')
       end if
-      k = findloc(is_set(values(v_contact_modulus:v_second_poisson_ratio)), .true., 1)
-      if (k > 0) call problems%add('solid', variables(v_contact_modulus - 1 + k)%name, &
+      k = findloc(is_set(values(in%contact_modulus:in%second_poisson_ratio)), .true., 1)
+      if (k > 0) call problems%add('solid', variables(in%contact_modulus - 1 + k)%name, &
          & 'stands beside &material, over which a rigid cylinder slides; give &solid for elastic solids, or &material')
-      call check_sliding(variables(v_material:v_velocity), values(v_material:v_velocity), given, problems)
+      call check_sliding(variables(in%material(1):in%velocity), values(in%material(1):in%velocity), given, problems)
    end subroutine check_material
 
    !> Add to `problems` radii that do not go with the kind of contact, or make none.
    subroutine check_radii(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: a, b, direction
       integer :: i
 
-      do i = v_radius, v_radius_2y
-         if (i == v_radius .eqv. nint(values(v_kind)) /= kind_elliptical) cycle
+      do i = in%radius, in%radius_2y
+         if (i == in%radius .eqv. nint(values(in%kind)) /= kind_elliptical) cycle
          if (is_set(values(i))) call problems%add('contact', variables(i)%name, 'has no meaning for this kind')
       end do
-      if (nint(values(v_kind)) /= kind_elliptical) then
-         call require(variables, values, [v_radius], problems)
+      if (nint(values(in%kind)) /= kind_elliptical) then
+         call require(variables, values, [in%radius], problems)
          return
       end if
-      do i = v_radius_1x, v_radius_2y
+      do i = in%radius_1x, in%radius_2y
          if (abs(values(i)) > 0) cycle
          call problems%add('contact', variables(i)%name, 'is 0, allowed: any other number; flat if not given')
          return
@@ -123,16 +108,14 @@ contains
 
    !> Does a cylinder slide over a viscoelastic half-plane?
    pure logical function is_sliding(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      is_sliding = has_spectrum(values(v_material:v_temperature))
+      is_sliding = has_spectrum(values(in%material(1):in%temperature))
    end function is_sliding
 
    !> The largest slope that a body has at an end of an axis of the contact, its half-width over the radius of a round one. Of a line
    !> and a circle only R is known, that of both bodies together.
    pure real(dp) function steepest_edge(values, major, minor, direction) result(slope)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Half-widths of the contact [m].
       real(dp), intent(in) :: major, minor
@@ -141,15 +124,15 @@ contains
       real(dp) :: curvatures(4), angle
       integer :: body
 
-      if (nint(values(v_kind)) /= kind_elliptical) then
-         slope = major/values(v_radius)
+      if (nint(values(in%kind)) /= kind_elliptical) then
+         slope = major/values(in%radius)
          return
       end if
       curvatures = principal_curvatures(values)
       slope = 0
       do body = 1, 2
          angle = direction
-         if (body == 2) angle = direction - values(v_angle)
+         if (body == 2) angle = direction - values(in%angle)
          associate (kx => curvatures(2*body - 1), ky => curvatures(2*body))
             slope = max(slope, hypot(kx*cos(angle), ky*sin(angle))*major, hypot(kx*sin(angle), ky*cos(angle))*minor)
          end associate
@@ -158,20 +141,18 @@ contains
 
    !> Principal curvatures of both bodies [1/m], 0 where one is flat.
    pure function principal_curvatures(values) result(curvatures)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       real(dp) :: curvatures(4)
       integer :: i
 
       curvatures = 0
       do i = 1, 4
-         if (is_set(values(v_radius_1x + i - 1))) curvatures(i) = 1/values(v_radius_1x + i - 1)
+         if (is_set(values(in%radius_1x + i - 1))) curvatures(i) = 1/values(in%radius_1x + i - 1)
       end do
    end function principal_curvatures
 
    !> Curvatures A <= B of the gap A x^2 + B y^2; A <= 0 where there is no ellipse of contact.
    pure subroutine get_curvatures(values, a, b, direction)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Smaller curvature A of the gap [1/m]; 0 or less where there is no single ellipse of contact.
       real(dp), intent(out) :: a
@@ -181,8 +162,8 @@ contains
       real(dp), intent(out) :: direction
       real(dp) :: curvatures(4)
 
-      if (nint(values(v_kind)) /= kind_elliptical) then
-         a = 0.5_dp/values(v_radius)
+      if (nint(values(in%kind)) /= kind_elliptical) then
+         a = 0.5_dp/values(in%radius)
          b = a
          direction = 0
          return
@@ -190,9 +171,9 @@ contains
       a = 0
       b = 0
       direction = 0
-      if (.not. minval(abs(values(v_radius_1x:v_radius_2y))) > 0) return
+      if (.not. minval(abs(values(in%radius_1x:in%radius_2y))) > 0) return
       curvatures = principal_curvatures(values)
-      call find_curvatures(curvatures(:2), curvatures(3:), values(v_angle), a, b, direction)
+      call find_curvatures(curvatures(:2), curvatures(3:), values(in%angle), a, b, direction)
    end subroutine get_curvatures
 
 end module adfric_plane_hertz_check

@@ -132,7 +132,6 @@ contains
       real(dp), intent(in) :: modulus
       !> Load P [N], >= 0.
       real(dp), intent(in) :: load
-      !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
       !> The contact; its half-axes are 0 if the shape is not converged.
       type(ellipse_t), intent(out) :: self
@@ -160,7 +159,6 @@ contains
       real(dp), intent(in) :: modulus
       !> Approach delta of distant points [m]; the distance between the bodies is negative.
       real(dp), intent(in) :: approach
-      !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
       !> The contact; its half-axes are 0 if the shape is not converged.
       type(ellipse_t), intent(out) :: self
@@ -200,7 +198,6 @@ contains
    !> See `equation_t`. With D1 = R_D(0, k^2, 1), D2 = R_D(0, 1, k^2), J = (D2 - D1)/(1 - k^2) the slope is
    !> 3 - k^2 J/D1 - J/D2, where J = 3/4 D1 for a circle.
    pure subroutine evaluate(self, x, value, slope)
-      !> Equation with its ln(A/B).
       class(axis_ratio_equation_t), intent(in) :: self
       !> ln(b/a), < 0.
       real(dp), intent(in) :: x
@@ -219,9 +216,8 @@ contains
       slope = 3 - k*k*j/d1 - j/d2
    end subroutine evaluate
 
-   !> Pressure at a place along the axes; 0 outside.
+   !> Pressure at a position along the axes; 0 outside.
    elemental real(dp) function ellipse_pressure(self, x, y)
-      !> Contact whose half-axes and largest pressure are read.
       type(ellipse_t), intent(in) :: self
       !> Coordinates along the major and the minor axis, from the middle [m].
       real(dp), intent(in) :: x, y
@@ -233,11 +229,10 @@ contains
       if (r < 1) ellipse_pressure = self%peak_pressure*sqrt((1 - r)*(1 + r))
    end function ellipse_pressure
 
-   !> Gap at a place along the axes; 0 in contact. With the root t of x^2/(a^2 + t) + y^2/(b^2 + t) = 1,
+   !> Gap at a position along the axes; 0 in contact. With the root t of x^2/(a^2 + t) + y^2/(b^2 + t) = 1,
    !>
    !>     g = (p0 a b/2E*) int_0^t (x^2/(a^2 + w) + y^2/(b^2 + w) - 1) dw/sqrt((a^2 + w)(b^2 + w) w),  w = b^2 sinh^2 s
    elemental real(dp) function ellipse_gap(self, modulus, x, y) result(gap)
-      !> Contact whose half-axes and largest pressure are read.
       type(ellipse_t), intent(in) :: self
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
@@ -268,7 +263,7 @@ contains
 
    !> t >= 0 with u^2/(1 + t) + v^2/(k^2 + t) = 1; 0 inside the ellipse.
    elemental real(dp) function outer_root(u, v, k) result(t)
-      !> Coordinates of the place along the major and the minor axis, in major half-axes [-].
+      !> Coordinates of the position along the major and the minor axis, in major half-axes [-].
       real(dp), intent(in) :: u, v
       !> Ratio b/a of the half-axes [-], in (0, 1].
       real(dp), intent(in) :: k
@@ -293,7 +288,6 @@ contains
    !>
    !>     s_xx = (p0 a b/2) [-2 nu z Dz + z Dx - (1 - 2 nu)(Ix - z Dx)],  z (Dx + Dy + Dz) = 2/(ra rb),  s_zz = -p0 a b/(ra rb)
    pure function ellipse_axial_stress(self, poisson_ratio, z) result(stress)
-      !> Contact whose half-axes and largest pressure are read.
       type(ellipse_t), intent(in) :: self
       !> Poisson's ratio nu [-].
       real(dp), intent(in) :: poisson_ratio
@@ -317,7 +311,6 @@ contains
    !> Shear stress at the ends of the major axis, where the surface is pulled along it and pressed as much across it (Johnson 4.28):
    !> (1 - 2 nu) p0 (k/e^2)(artanh(e)/e - 1), e^2 = 1 - k^2, without the difference. For a circle (1 - 2 nu) p0/3.
    pure real(dp) function ellipse_edge_shear(self, poisson_ratio) result(shear)
-      !> Contact whose half-axes and largest pressure are read.
       type(ellipse_t), intent(in) :: self
       !> Poisson's ratio nu [-].
       real(dp), intent(in) :: poisson_ratio

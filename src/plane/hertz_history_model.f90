@@ -11,14 +11,14 @@
 !> A line has no displacement, that of a half-plane has no zero: it is refused.
 module adfric_plane_hertz_history_model
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_plane_hertz_check, only: check_radii, get_curvatures, steepest_edge
    use adfric_plane_hertz_ellipse, only: ellipse_of_approach, ellipse_of_load, ellipse_shape_t, ellipse_t, find_shape
    use adfric_plane_hertz_slip, only: bonded_compliance
-   use adfric_plane_hertz_variables, only: axis_minor, get_hertz_variables, kind_elliptical, kind_line, v_contact_modulus, &
-      & v_kind, v_second_poisson_ratio, v_tangential_axis
+   use adfric_plane_hertz_variables, only: axis_minor, get_hertz_variables, kind_elliptical, kind_line, hertz_input
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of
    use adfric_interface_history_model, only: history_model_t, history_units_t, solve_path
    use adfric_interface_history_path, only: n_path_results, path_approaches, path_coefficient, path_loads, &
@@ -35,15 +35,20 @@ module adfric_plane_hertz_history_model
    private
    public :: hertz_history_t, new_hertz_history
 
-   !> Places of the variables; up to the moduli they are those of the model `hertz`.
-   integer, parameter, public :: h_axis = v_second_poisson_ratio + 1, h_coefficient = h_axis + path_coefficient, &
+   !> Indices of the variables; up to the moduli they are those of the model `hertz`.
+   integer, parameter, public :: h_axis = hertz_input%second_poisson_ratio + 1, h_coefficient = h_axis + path_coefficient, &
       & h_loads = h_axis + path_loads, h_approaches = h_axis + path_approaches, &
       & h_tangential_forces = h_axis + path_tangential_forces, h_tangential_displacements = h_axis + path_tangential_displacements
-   !> Places of the results that are no other path's.
-   integer, parameter, public :: r_axis_ratio = n_path_results + 1, r_major_axis_angle = n_path_results + 2
-   integer, parameter, public :: n_hertz_history_results = r_major_axis_angle
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: hertz_history_output_t
+      !> Indices, which `hertz_history_output` has.
+      integer :: axis_ratio = 0, major_axis_angle = 0
+   end type hertz_history_output_t
+   type(hertz_history_output_t), parameter, public :: hertz_history_output = transfer(counting(n_path_results + 1:), &
+      & hertz_history_output_t())
+   integer, parameter, public :: n_hertz_history_results = hertz_history_output%major_axis_angle
 
-   !> Units must be between these powers of ten, or numbers have no room.
+   !> Units must be between these powers of ten, or numbers have no space.
    integer, parameter :: largest_unit = 70
 
    !> The model.
@@ -74,22 +79,21 @@ contains
       self%summary = 'bodies that touch on a circle or an ellipse, with friction, through a path of forces or displacements'
       allocate (rows, source=get_hertz_variables())
       ! the axis of the force stands behind the moduli
-      rows(h_axis) = rows(v_tangential_axis)
-      rows(v_kind)%meaning = 'spheres, or any smooth bodies; a line has no displacement and is refused'
-      call self%set_history_tables(rows(:h_axis), [v_contact_modulus, v_second_poisson_ratio], &
+      rows(h_axis) = rows(hertz_input%tangential_axis)
+      rows(hertz_input%kind)%meaning = 'spheres, or any smooth bodies; a line has no displacement and is refused'
+      call self%set_history_tables(rows(:h_axis), [hertz_input%contact_modulus, hertz_input%second_poisson_ratio], &
          & profile_t(name='contact_half_width', unit='m', long_name='half-width a of contact, along the major axis'), &
          & profile_t(name='stick_half_width', unit='m', long_name='that of what does not slip at the end of the step'))
       allocate (self%results(n_hertz_history_results))
       call set_path_results(self%results(:n_path_results))
-      self%results(r_axis_ratio) = result_row(name='axis_ratio', unit='-', &
+      self%results(hertz_history_output%axis_ratio) = result_row(name='axis_ratio', unit='-', &
          & long_name='minor over major half-width, of all contacts of the path and of what sticks')
-      self%results(r_major_axis_angle) = result_row(name='major_axis_angle', unit='rad', &
+      self%results(hertz_history_output%major_axis_angle) = result_row(name='major_axis_angle', unit='rad', &
          & long_name='from the first principal direction of body 1 to the major axis')
    end subroutine new_hertz_history
 
    !> See `history_model_t`.
    subroutine check_bodies(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(hertz_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -97,11 +101,11 @@ contains
       type(problems_t), intent(inout) :: problems
       integer :: kind
 
-      call require(self%variables, values, [v_kind], problems)
-      call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
-         & values(v_contact_modulus:v_second_poisson_ratio), problems, .true.)
-      if (.not. is_set(values(v_kind))) return
-      kind = nint(values(v_kind))
+      call require(self%variables, values, [hertz_input%kind], problems)
+      call check_contact_modulus(self%variables(hertz_input%contact_modulus:hertz_input%second_poisson_ratio), &
+         & values(hertz_input%contact_modulus:hertz_input%second_poisson_ratio), problems, .true.)
+      if (.not. is_set(values(hertz_input%kind))) return
+      kind = nint(values(hertz_input%kind))
       if (kind == kind_line) then
          call problems%add('contact', 'kind', 'is ''line'', whose displacement is undefined, for it grows like a ' &
             & //'logarithm; allowed: circular, elliptical')
@@ -114,7 +118,6 @@ contains
 
    !> See `history_model_t`.
    subroutine find_contacts(self, values, contacts, units, is_possible)
-      !> The model with its path.
       class(hertz_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -131,15 +134,15 @@ contains
       units%force = largest%load
       units%approach = largest%approach
       units%length = largest%major
-      units%compliance_ratio = pi*contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio)) &
-         & *bonded_compliance(values(v_contact_modulus:v_second_poisson_ratio), largest%shape, is_along_minor(values)) &
+      units%compliance_ratio = pi*contact_modulus_of(values(hertz_input%contact_modulus:hertz_input%second_poisson_ratio)) &
+         & *bonded_compliance(values(hertz_input%contact_modulus:hertz_input%second_poisson_ratio), largest%shape, &
+         & is_along_minor(values)) &
          & /largest%shape%f
       allocate (similar_states_t :: contacts)
    end subroutine find_contacts
 
    !> Does the force act along the minor axis?
    pure logical function is_along_minor(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_along_minor = is_set(values(h_axis))
@@ -148,13 +151,9 @@ contains
 
    !> The largest contact of the path.
    pure subroutine find_largest(self, values, largest, is_possible)
-      !> The model with its path.
       class(hertz_history_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives the contact.
       type(ellipse_t), intent(out) :: largest
-      !> Is it within the numbers?
       logical, intent(out) :: is_possible
       real(dp), parameter :: most = 10.0_dp**largest_unit
       type(ellipse_shape_t) :: shape
@@ -165,7 +164,7 @@ contains
       if (.not. a > 0) return
       call find_shape(a/b, shape)
       if (.not. shape%is_converged) return
-      modulus = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+      modulus = contact_modulus_of(values(hertz_input%contact_modulus:hertz_input%second_poisson_ratio))
       if (is_set(values(h_loads))) then
          call ellipse_of_load(a, b, modulus, self%largest_of(values, path_loads), shape, largest)
       else
@@ -178,7 +177,6 @@ contains
 
    !> See `model_t`: the largest contact of the path.
    subroutine measure(self, values, results, measures)
-      !> The model with its path.
       class(hertz_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -200,7 +198,6 @@ contains
 
    !> See `pointwise_model_t`: the path, and the shape of the ellipse.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model with its path.
       class(hertz_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -221,20 +218,17 @@ contains
       if (status /= status_solved) return
       call get_curvatures(values, a, b, direction)
       call find_shape(a/b, shape)
-      results([r_axis_ratio, r_major_axis_angle]) = [shape%axis_ratio, direction]
+      results([hertz_history_output%axis_ratio, hertz_history_output%major_axis_angle]) = [shape%axis_ratio, direction]
       associate (unused_counts => counts)
       end associate
    end subroutine solve_point
 
    !> See `normal_contact_t`.
    pure subroutine under_load(self, given, state, is_converged)
-      !> The contacts.
       class(similar_states_t), intent(in) :: self
       !> Load, over the largest one.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       real(dp) :: x
 
@@ -247,13 +241,10 @@ contains
 
    !> See `normal_contact_t`.
    pure subroutine at_approach(self, given, state, is_converged)
-      !> The contacts.
       class(similar_states_t), intent(in) :: self
       !> Approach, over the largest one.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       real(dp) :: x
 

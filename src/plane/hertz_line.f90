@@ -46,7 +46,6 @@ contains
 
    !> Pressure at x; 0 outside.
    elemental real(dp) function line_pressure(self, x)
-      !> Contact whose half-width and largest pressure are read.
       type(line_contact_t), intent(in) :: self
       !> Coordinate across the contact, from its middle [m].
       real(dp), intent(in) :: x
@@ -58,7 +57,6 @@ contains
 
    !> Gap at x; 0 in contact: (a^2/4R)(sinh 2v - 2v) with |x| = a cosh v.
    elemental real(dp) function line_gap(self, x)
-      !> Contact whose half-width and radius are read.
       type(line_contact_t), intent(in) :: self
       !> Coordinate across the contact, from its middle [m].
       real(dp), intent(in) :: x

@@ -14,10 +14,8 @@ module adfric_plane_hertz_model
    use adfric_plane_hertz_slip, only: add_ellipse_slip, add_line_slip, find_slip, has_slip, hertz_slip_t, &
       & p_shear_stress, slip_profiles, tractions
    use adfric_plane_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
-   use adfric_plane_hertz_variables, only: get_hertz_variables, get_hertz_results, kind_line, v_approach, v_contact_modulus, &
-      & v_kind, v_load, v_material, v_poisson_ratio, v_radius, v_second_poisson_ratio, v_temperature, r_approach, &
-      & r_contact_area, r_direction, r_half_width, r_load, r_mean_pressure, r_minor, r_peak_pressure, r_shear, r_shear_depth, &
-      & r_violation, v_tangential_force
+   use adfric_plane_hertz_variables, only: get_hertz_variables, get_hertz_results, kind_line, in => hertz_input, &
+      & out => hertz_output
    use adfric_plane_sliding_cylinder_point, only: cylinder_point_t, solve_cylinder, get_cylinder_profiles, &
       & get_cylinder_frequency
    use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
@@ -71,41 +69,38 @@ contains
       call self%set_tables(name='hertz', &
          & summary='smooth bodies in contact along a line, a circle or an ellipse; a cylinder sliding on a viscoelastic solid', &
          & variables=get_hertz_variables(), results=get_hertz_results(), profiles=slip_profiles(), axes='y x', is_depth=.false.)
-      self%first_material = v_material
+      self%first_material = in%material(1)
       self%references = self%references//'; S. C. Hunter, J. Appl. Mech. 28, 611 (1961); ' &
          & //'R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)'
    end subroutine new_hertz_model
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
-      !> The model with its table of results.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (is_set(values(v_kind))) call take_units(get_hertz_results(nint(values(v_kind)) == kind_line), results)
+      if (is_set(values(in%kind))) call take_units(get_hertz_results(nint(values(in%kind)) == kind_line), results)
    end function describe_results
 
    !> See `model_t`: forces on a line are those per length.
-   function unit_of(self, values, place) result(unit)
-      !> The model with its table of variables.
+   function unit_of(self, values, index) result(unit)
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
-      if ((place == v_load .or. place == v_tangential_force) .and. is_set(values(v_kind))) &
-         & unit = trim(merge('N/m', 'N  ', nint(values(v_kind)) == kind_line))
+      unit = self%variables(index)%unit
+      if ((index == in%load .or. index == in%tangential_force) .and. is_set(values(in%kind))) &
+         & unit = trim(merge('N/m', 'N  ', nint(values(in%kind)) == kind_line))
    end function unit_of
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing of it is read here.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -114,15 +109,14 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      if (.not. ieee_is_nan(results(r_half_width))) measures(doubt_contact_too_wide) = steepest_edge(values, &
-         & results(r_half_width), results(r_minor), results(r_direction))
+      if (.not. ieee_is_nan(results(out%half_width))) measures(doubt_contact_too_wide) = steepest_edge(values, &
+         & results(out%half_width), results(out%minor), results(out%direction))
       associate (unused => self)
       end associate
    end subroutine measure
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -134,35 +128,32 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(list)
-      !> The model, for the rows of its moduli.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
 
       if (is_sliding(values)) then
-         call derive_spectrum(list, values(v_material:v_temperature), self%given)
+         call derive_spectrum(list, values(in%material(1):in%temperature), self%given)
       else
-         list = derive_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
-            & values(v_contact_modulus:v_second_poisson_ratio))
+         list = derive_contact_modulus(self%variables(in%contact_modulus:in%second_poisson_ratio), &
+            & values(in%contact_modulus:in%second_poisson_ratio))
       end if
    end function derive_quantities
 
    !> See `model_t`.
    function describe_case(self, values) result(text)
-      !> The model with its lists and datasets.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
       text = ''
-      if (is_sliding(values)) text = describe_spectrum(values(v_material:v_temperature), self%given)
+      if (is_sliding(values)) text = describe_spectrum(values(in%material(1):in%temperature), self%given)
    end function describe_case
 
    !> See `model_t`.
    function describe_doubts(self, values) result(text)
-      !> The model with its lists and datasets.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -172,20 +163,18 @@ contains
       text = ''
       if (.not. is_sliding(values)) return
       call get_cylinder_frequency(values, self%given, frequency)
-      text = doubt_spectrum(values(v_material:v_temperature), self%given, [frequency, frequency])
+      text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
    end function describe_doubts
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+      modulus_of = contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio))
    end function modulus_of
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model with its lists and datasets.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -210,7 +199,7 @@ contains
       type is (cylinder_point_t)
          call solve_cylinder(values, self%given, state, results, error_estimate, status)
       type is (hertz_state_t)
-         if (nint(values(v_kind)) == kind_line) then
+         if (nint(values(in%kind)) == kind_line) then
             call solve_line(values, state, results, error_estimate, status)
          else
             call solve_ellipse(values, state, results, error_estimate, status)
@@ -222,7 +211,6 @@ contains
 
    !> Solve the contact along a line.
    subroutine solve_line(values, state, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: the unit contact of the point before. Out: that of this point, and its contact.
       type(hertz_state_t), intent(inout) :: state
@@ -233,31 +221,30 @@ contains
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       real(dp) :: misfit
-      logical :: is_held
+      logical :: is_sustained
 
       status = status_solved
       error_estimate = epsilon(error_estimate)
-      state%line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
+      state%line = line_of_load(values(in%radius), modulus_of(values), values(in%load))
       if (has_slip(values)) then
-         call find_slip(values, values(v_load), state%line%peak_pressure, .true., state%slip, is_held)
-         if (.not. is_held) status = status_no_equilibrium
-         if (.not. is_held) return
-         if (values(v_load) > 0) call add_line_slip(values, values(v_load), state%slip%share, results)
+         call find_slip(values, values(in%load), state%line%peak_pressure, .true., state%slip, is_sustained)
+         if (.not. is_sustained) status = status_no_equilibrium
+         if (.not. is_sustained) return
+         if (values(in%load) > 0) call add_line_slip(values, values(in%load), state%slip%share, results)
       end if
-      call find_unit_line(values(v_poisson_ratio), state%unit_contact)
+      call find_unit_line(values(in%poisson_ratio), state%unit_contact)
       associate (line => state%line, unit_contact => state%unit_contact)
-         results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
-         results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
-         results([r_shear, r_shear_depth]) = [unit_contact%shear*line%peak_pressure, unit_contact%depth*line%half_width]
-         misfit = line_misfit(line, values(v_load))
+         results([out%load, out%half_width, out%peak_pressure]) = [values(in%load), line%half_width, line%peak_pressure]
+         results([out%mean_pressure, out%contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
+         results([out%shear, out%shear_depth]) = [unit_contact%shear*line%peak_pressure, unit_contact%depth*line%half_width]
+         misfit = line_misfit(line, values(in%load))
          error_estimate = max(error_estimate, misfit)
-         results(r_violation) = max(misfit, unit_contact%violation)
+         results(out%violation) = max(misfit, unit_contact%violation)
       end associate
    end subroutine solve_line
 
    !> Solve the contact on an ellipse or a circle.
    subroutine solve_ellipse(values, state, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: the unit contact of the point before. Out: that of this point, and its contact.
       type(hertz_state_t), intent(inout) :: state
@@ -268,56 +255,53 @@ contains
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       real(dp) :: direction, misfit
-      logical :: is_held
+      logical :: is_sustained
 
       status = status_no_equilibrium
       error_estimate = epsilon(error_estimate)
       associate (a => state%a, b => state%b, s => state%ellipse, unit_contact => state%unit_contact)
          call get_curvatures(values, a, b, direction)
          if (.not. a > 0) return
-         call find_unit_ellipse(a/b, values(v_poisson_ratio), unit_contact)
+         call find_unit_ellipse(a/b, values(in%poisson_ratio), unit_contact)
          status = merge(status_solved, status_not_converged, unit_contact%shape%is_converged)
          if (status /= status_solved) return
          call get_ellipse(values, a, b, unit_contact%shape, s)
          if (has_slip(values)) then
-            call find_slip(values, s%load, s%peak_pressure, .false., state%slip, is_held)
-            if (.not. is_held) status = status_no_equilibrium
-            if (.not. is_held) return
+            call find_slip(values, s%load, s%peak_pressure, .false., state%slip, is_sustained)
+            if (.not. is_sustained) status = status_no_equilibrium
+            if (.not. is_sustained) return
             if (s%minor > 0) call add_ellipse_slip(values, s, state%slip%share, results)
          end if
-         results([r_load, r_approach, r_half_width, r_minor]) = [s%load, s%approach, s%major, s%minor]
-         results([r_peak_pressure, r_mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
-         results([r_contact_area, r_direction, r_violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
+         results([out%load, out%approach, out%half_width, out%minor]) = [s%load, s%approach, s%major, s%minor]
+         results([out%peak_pressure, out%mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
+         results([out%contact_area, out%direction, out%violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
          if (.not. s%minor > 0) return
-         if (is_set(values(v_poisson_ratio))) results([r_shear, r_shear_depth]) = [unit_contact%shear*s%peak_pressure, &
+         if (is_set(values(in%poisson_ratio))) results([out%shear, out%shear_depth]) = [unit_contact%shear*s%peak_pressure, &
             & unit_contact%depth*s%major]
          misfit = ellipse_misfit(s, a, b, modulus_of(values))
          error_estimate = max(error_estimate, misfit)
-         results(r_violation) = max(misfit, unit_contact%violation)
+         results(out%violation) = max(misfit, unit_contact%violation)
       end associate
    end subroutine solve_ellipse
 
    !> Ellipse of a case under its load or approach.
    pure subroutine get_ellipse(values, a, b, shape, s)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Curvatures A <= B of the gap [1/m].
       real(dp), intent(in) :: a, b
-      !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
       !> The contact; its half-axes are 0 if the shape is not converged.
       type(ellipse_t), intent(out) :: s
 
-      if (is_set(values(v_load))) then
-         call ellipse_of_load(a, b, modulus_of(values), values(v_load), shape, s)
+      if (is_set(values(in%load))) then
+         call ellipse_of_load(a, b, modulus_of(values), values(in%load), shape, s)
       else
-         call ellipse_of_approach(a, b, modulus_of(values), values(v_approach), shape, s)
+         call ellipse_of_approach(a, b, modulus_of(values), values(in%approach), shape, s)
       end if
    end subroutine get_ellipse
 
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
-      !> The model; nothing is read from it here.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -329,7 +313,6 @@ contains
 
    !> See `pointwise_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing is read from it here.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -351,7 +334,7 @@ contains
       type is (hertz_state_t)
          associate (s => state%ellipse, y => axes(1)%coordinates, x => axes(2)%coordinates)
             do j = 1, size(y)
-               if (nint(values(v_kind)) == kind_line) then
+               if (nint(values(in%kind)) == kind_line) then
                   profiles(:, j, 1) = line_pressure(state%line, x)
                   profiles(:, j, 2) = line_gap(state%line, x)
                else
@@ -359,7 +342,7 @@ contains
                   profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), x, y(j))
                   if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2 - s%approach
                end if
-               if (size(profiles, 3) == p_shear_stress) call fill_tractions(state, x, y(j), nint(values(v_kind)) == kind_line, &
+               if (size(profiles, 3) == p_shear_stress) call fill_tractions(state, x, y(j), nint(values(in%kind)) == kind_line, &
                   & profiles(:, j, p_shear_stress))
             end do
          end associate
@@ -370,7 +353,6 @@ contains
 
    !> Shear tractions along a line of x.
    pure subroutine fill_tractions(state, x, y, is_line, traction)
-      !> The contact, with its slip.
       type(hertz_state_t), intent(in) :: state
       !> Coordinates along the major axis, or across a line [m]; shape `(n_x)`.
       real(dp), intent(in) :: x(:)

@@ -15,9 +15,7 @@ module adfric_plane_hertz_slip
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_plane_hertz_ellipse, only: ellipse_shape_t, ellipse_t
-   use adfric_plane_hertz_variables, only: axis_minor, kind_elliptical, kind_line, r_cycle_energy, r_stick_fraction, &
-      & r_tangential_displacement, r_tangential_stiffness, v_coefficient, v_contact_modulus, v_kind, v_poisson_ratio, &
-      & v_second_poisson_ratio, v_tangential_axis, v_tangential_force
+   use adfric_plane_hertz_variables, only: axis_minor, kind_elliptical, kind_line, in => hertz_input, out => hertz_output
    use adfric_plane_partial_slip, only: ellipse_slip, line_slip, partial_slip_t, shear_traction
    use adfric_solid_contact_modulus, only: contact_modulus_of, poisson_compliance_of
    use adfric_describe_check, only: require
@@ -28,7 +26,7 @@ module adfric_plane_hertz_slip
    public :: hertz_slip_t, check_slip, refuse_slip, has_slip, find_slip, add_line_slip, add_ellipse_slip, slip_profiles
    public :: bonded_compliance, tractions, p_shear_stress
 
-   !> Place of the shear stress among the profiles, behind those that every contact has.
+   !> Position of the shear stress among the profiles, behind those that every contact has.
    integer, parameter :: p_shear_stress = 3
    !> Forces above mu P by this share are those of sliding, but for round-off.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
@@ -45,10 +43,9 @@ contains
 
    !> Has the case friction?
    pure logical function has_slip(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      has_slip = is_set(values(v_coefficient))
+      has_slip = is_set(values(in%coefficient))
    end function has_slip
 
    !> The profiles of a contact with friction; the last one belongs to cases with friction alone.
@@ -62,41 +59,35 @@ contains
 
    !> Add to `problems` what is missing or has no meaning for an elastic contact.
    subroutine check_slip(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: kind
 
       if (.not. has_slip(values)) then
-         if (is_set(values(v_tangential_force))) call problems%add('friction', 'coefficient', &
+         if (is_set(values(in%tangential_force))) call problems%add('friction', 'coefficient', &
             & 'is missing [-]; tangential_force needs it')
-         if (is_set(values(v_tangential_axis))) call problems%add('operating', 'tangential_axis', &
+         if (is_set(values(in%tangential_axis))) call problems%add('operating', 'tangential_axis', &
             & 'has no meaning without &friction coefficient')
          return
       end if
-      call require(variables, values, [v_tangential_force], problems)
-      if (.not. is_set(values(v_kind))) return
-      kind = nint(values(v_kind))
-      if (is_set(values(v_tangential_axis)) .and. kind /= kind_elliptical) call problems%add('operating', 'tangential_axis', &
+      call require(variables, values, [in%tangential_force], problems)
+      if (.not. is_set(values(in%kind))) return
+      kind = nint(values(in%kind))
+      if (is_set(values(in%tangential_axis)) .and. kind /= kind_elliptical) call problems%add('operating', 'tangential_axis', &
          & 'has no meaning for this kind')
-      if (kind /= kind_line .and. is_set(values(v_contact_modulus)) .and. .not. is_set(values(v_poisson_ratio))) &
+      if (kind /= kind_line .and. is_set(values(in%contact_modulus)) .and. .not. is_set(values(in%poisson_ratio))) &
          & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
    end subroutine check_slip
 
    !> Add to `problems` what there is of friction, where a cylinder slides over a material.
    subroutine refuse_slip(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
-      do k = v_tangential_force, v_coefficient
+      do k = in%tangential_force, in%coefficient
          if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
             & 'has no meaning beside &material, over which a cylinder slides without such friction')
       end do
@@ -104,7 +95,6 @@ contains
 
    !> Slip of a contact under a load.
    pure subroutine find_slip(values, load, peak_pressure, is_line, slip, is_possible)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Load P [N; N/m of a line], >= 0.
       real(dp), intent(in) :: load
@@ -112,75 +102,66 @@ contains
       real(dp), intent(in) :: peak_pressure
       !> Is the contact one along a line?
       logical, intent(in) :: is_line
-      !> Receives the slip.
       type(hertz_slip_t), intent(out) :: slip
-      !> Does friction hold the force?
       logical, intent(out) :: is_possible
       real(dp) :: force, tau
 
-      force = abs(values(v_tangential_force))/values(v_coefficient)
+      force = abs(values(in%tangential_force))/values(in%coefficient)
       is_possible = .not. force > (1 + round_off)*load
       if (.not. (is_possible .and. load > 0)) return
       tau = min(force/load, 1.0_dp)
       if (is_line) slip%share = line_slip(tau)
       if (.not. is_line) slip%share = ellipse_slip(tau)
-      slip%traction = sign(values(v_coefficient)*peak_pressure, values(v_tangential_force))
+      slip%traction = sign(values(in%coefficient)*peak_pressure, values(in%tangential_force))
    end subroutine find_slip
 
    !> Results of slip along a line.
    pure subroutine add_line_slip(values, load, share, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Load P [N/m], > 0.
       real(dp), intent(in) :: load
-      !> The slip.
       type(partial_slip_t), intent(in) :: share
       !> Receives the results of slip; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
-      results(r_stick_fraction) = share%stick
-      results(r_cycle_energy) = 4/pi*(values(v_coefficient)*load)*(values(v_coefficient)*load/modulus_of(values))*share%energy
+      results(out%stick_fraction) = share%stick
+      results(out%cycle_energy) = 4/pi*(values(in%coefficient)*load)*(values(in%coefficient)*load/modulus_of(values))*share%energy
    end subroutine add_line_slip
 
    !> Results of slip on an ellipse.
    pure subroutine add_ellipse_slip(values, ellipse, share, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The contact, of half-axes > 0.
       type(ellipse_t), intent(in) :: ellipse
-      !> The slip.
       type(partial_slip_t), intent(in) :: share
       !> Receives the results of slip; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       real(dp) :: compliance, friction, full
 
       compliance = compliance_of(values, ellipse)/ellipse%major
-      friction = values(v_coefficient)*ellipse%load
+      friction = values(in%coefficient)*ellipse%load
       full = 1.5_dp*friction*compliance
-      results(r_stick_fraction) = share%stick**2
-      results(r_tangential_displacement) = sign(full*share%displacement(), values(v_tangential_force))
-      results(r_tangential_stiffness) = share%stick/compliance
-      results(r_cycle_energy) = friction*full*share%energy
+      results(out%stick_fraction) = share%stick**2
+      results(out%tangential_displacement) = sign(full*share%displacement(), values(in%tangential_force))
+      results(out%tangential_stiffness) = share%stick/compliance
+      results(out%cycle_energy) = friction*full*share%energy
    end subroutine add_ellipse_slip
 
    !> Tangential compliance of the bonded ellipse along the axis of the force, times its half-axis a [1/Pa].
    pure real(dp) function compliance_of(values, ellipse) result(compliance)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The contact.
       type(ellipse_t), intent(in) :: ellipse
       logical :: is_along_minor
 
-      is_along_minor = is_set(values(v_tangential_axis))
-      if (is_along_minor) is_along_minor = nint(values(v_tangential_axis)) == axis_minor
-      compliance = bonded_compliance(values(v_contact_modulus:v_second_poisson_ratio), ellipse%shape, is_along_minor)
+      is_along_minor = is_set(values(in%tangential_axis))
+      if (is_along_minor) is_along_minor = nint(values(in%tangential_axis)) == axis_minor
+      compliance = bonded_compliance(values(in%contact_modulus:in%second_poisson_ratio), ellipse%shape, is_along_minor)
    end function compliance_of
 
    !> C of the module's head times the half-axis a [1/Pa].
    pure real(dp) function bonded_compliance(moduli, shape, is_along_minor) result(compliance)
       !> Values of the rows of the contact modulus; shape `(n_two_bodies)`.
       real(dp), intent(in) :: moduli(:)
-      !> Shape of the ellipse.
       type(ellipse_shape_t), intent(in) :: shape
       !> Does the force act along the minor axis?
       logical, intent(in) :: is_along_minor
@@ -193,17 +174,15 @@ contains
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+      modulus_of = contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio))
    end function modulus_of
 
    !> Shear tractions [Pa].
    pure function tractions(slip, squares)
-      !> The slip.
       type(hertz_slip_t), intent(in) :: slip
-      !> Squares of the distances from the middle, in half-axes; shape `(n_places)`.
+      !> Squares of the distances from the middle, in half-axes; shape `(n_positions)`.
       real(dp), intent(in) :: squares(:)
       real(dp) :: tractions(size(squares))
 

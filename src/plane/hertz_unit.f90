@@ -16,8 +16,8 @@ module adfric_plane_hertz_unit
    private
    public :: unit_contact_t, find_unit_line, find_unit_ellipse
 
-   !> Places on each axis where the conditions of contact are checked, a third of them in it; how far they reach, in half-widths.
-   integer, parameter :: n_places = 24
+   !> Positions on each axis where the conditions of contact are checked, a third of them in it; how far they reach, in half-widths.
+   integer, parameter :: n_positions = 24
    real(dp), parameter :: reach = 3.0_dp
 
    !> A unit contact.
@@ -28,7 +28,7 @@ module adfric_plane_hertz_unit
       type(ellipse_shape_t) :: shape
       !> Largest shear stress and its depth; 0 for an ellipse without nu.
       real(dp) :: shear = 0, depth = 0
-      !> Largest violation of the conditions of contact at some places.
+      !> Largest violation of the conditions of contact at some positions.
       real(dp) :: violation = 0
    contains
       procedure, private :: is_of
@@ -82,7 +82,6 @@ contains
 
    !> Does the contact follow from these numbers, to the last bit? Then results do not depend on which points came before.
    pure logical function is_of(self, key)
-      !> The contact, whose `key` is compared.
       class(unit_contact_t), intent(in) :: self
       !> nu of a line, or A/B and nu of an ellipse.
       real(dp), intent(in) :: key(:)
@@ -102,7 +101,7 @@ contains
 
       line = line_contact_t(1.0_dp, 1.0_dp, 1.0_dp)
       call find_largest_shear(line_stress_t(poisson_ratio), 1.0_dp, self%depth, self%shear)
-      self%violation = largest_violation(line_pressure(line, places()), line_gap(line, places()), 1.0_dp, 1.0_dp)
+      self%violation = largest_violation(line_pressure(line, positions()), line_gap(line, positions()), 1.0_dp, 1.0_dp)
    end subroutine solve_unit_line
 
    !> Solve the unit contact on an ellipse, E* = 1 Pa.
@@ -114,7 +113,7 @@ contains
       !> The unit contact; `shape%is_converged` tells whether it was found.
       type(unit_contact_t), intent(out) :: self
       type(ellipse_t) :: s
-      real(dp) :: x(2*n_places), y(2*n_places)
+      real(dp) :: x(2*n_positions), y(2*n_positions)
 
       call find_shape(ratio, self%shape)
       if (.not. self%shape%is_converged) return
@@ -123,8 +122,8 @@ contains
       s%peak_pressure = 1
       s%approach = s%minor*self%shape%f
       if (is_set(poisson_ratio)) call solve_shear(s, poisson_ratio, self%shear, self%depth)
-      x = [places(), spread(0.0_dp, 1, n_places)]
-      y = [spread(0.0_dp, 1, n_places), places()*s%minor]
+      x = [positions(), spread(0.0_dp, 1, n_positions)]
+      y = [spread(0.0_dp, 1, n_positions), positions()*s%minor]
       self%violation = largest_violation(ellipse_pressure(s, x, y), ellipse_gap(s, 1.0_dp, x, y), 1.0_dp, s%approach)
    end subroutine solve_unit_ellipse
 
@@ -148,16 +147,15 @@ contains
    end subroutine solve_shear
 
    !> Distances from the middle, in half-widths.
-   pure function places()
-      real(dp) :: places(n_places)
+   pure function positions()
+      real(dp) :: positions(n_positions)
       integer :: i
 
-      places = [(i*reach/n_places, i=1, n_places)]
-   end function places
+      positions = [(i*reach/n_positions, i=1, n_positions)]
+   end function positions
 
    !> See `axial_stress_t`.
    pure function ellipse_stress_at(self, depth) result(stress)
-      !> Field with its ellipse and Poisson's ratio.
       class(ellipse_stress_t), intent(in) :: self
       !> Depth on the axis [m], >= 0.
       real(dp), intent(in) :: depth
@@ -168,7 +166,6 @@ contains
 
    !> See `axial_stress_t`.
    pure function line_stress_at(self, depth) result(stress)
-      !> Field with its Poisson's ratio.
       class(line_stress_t), intent(in) :: self
       !> Depth on the axis, in half-widths [-], >= 0.
       real(dp), intent(in) :: depth

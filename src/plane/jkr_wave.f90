@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The limit of an adhesive wave (`adhesive_wave`) for a short range at a held surface energy w (K. L. Johnson, Int. J. Solids Struct. 32
-!> (1995) 423): the pressure is singular at the edge of contact, and only alpha^2 = 2 w l/(pi^2 E* D^2) counts.
+!> The limit of an adhesive wave (`adhesive_wave`) for a short range at a prescribed surface energy w (K. L. Johnson, Int. J. Solids
+!> Struct. 32 (1995) 423): the pressure is singular at the edge of contact, and only alpha^2 = 2 w l/(pi^2 E* D^2) counts.
 !>
 !> With theta = pi a, T = tan theta, s = sin theta, pressures in p* = pi E* D/l, heights in D and lengths in l,
 !>
@@ -26,12 +26,12 @@ module adfric_plane_jkr_wave
    real(dp), parameter :: turn = log(0.6_dp)/2
 
    !> ln f - ln alpha as a function of ln T.
-   type, extends(equation_t) :: fold_equation_t
+   type, extends(equation_t) :: jkr_fold_equation_t
       !> ln alpha.
       real(dp) :: logarithm = 0
    contains
       procedure :: evaluate
-   end type fold_equation_t
+   end type jkr_fold_equation_t
 
 contains
 
@@ -88,9 +88,8 @@ contains
       real(dp), intent(out) :: half_width
       !> The least load [p*].
       real(dp), intent(out) :: load
-      !> Is there a least load?
       logical, intent(out) :: has_fold
-      type(fold_equation_t) :: equation
+      type(jkr_fold_equation_t) :: equation
       real(dp) :: x, value, slope
 
       half_width = 0
@@ -108,11 +107,9 @@ contains
       load = jkr_wave_load(alpha, half_width)
    end subroutine find_jkr_pull_off
 
-   !> See `fold_equation_t`.
+   !> See `jkr_fold_equation_t`.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation with its alpha.
-      class(fold_equation_t), intent(in) :: self
-      !> ln T.
+      class(jkr_fold_equation_t), intent(in) :: self
       real(dp), intent(in) :: x
       !> ln f - ln alpha.
       real(dp), intent(out) :: value

@@ -82,7 +82,6 @@ contains
 
    !> Half the difference of the largest and the least principal stress.
    pure real(dp) function shear_at(field, depth)
-      !> Field whose stresses are evaluated.
       class(axial_stress_t), intent(in) :: field
       !> Depth on the axis, >= 0, in the unit of length of the field.
       real(dp), intent(in) :: depth

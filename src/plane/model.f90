@@ -20,9 +20,9 @@ module adfric_plane_model
 
    !> What the classical models share: profiles on axes whose ends and samples the input gives.
    type, abstract, extends(pointwise_model_t) :: halfspace_model_t
-      !> Place of the switch of the profiles; begin, end and number of each axis follow.
+      !> Index of the switch of the profiles; begin, end and number of each axis follow.
       integer :: output = 0
-      !> First and last place of the rows of the contact modulus; (0, -1) if there are none.
+      !> First and last index of the rows of the contact modulus; (0, -1) if there are none.
       integer :: solids(2) = [0, -1]
    contains
       procedure :: set_tables
@@ -53,7 +53,6 @@ contains
 
    !> Set the tables of the model; rows of the profiles' axes are added to its variables.
    subroutine set_tables(self, name, summary, variables, results, profiles, axes, is_depth)
-      !> The model, which receives the tables.
       class(halfspace_model_t), intent(inout) :: self
       !> Name of the model in `&job model = ...`.
       character(*), intent(in) :: name
@@ -61,9 +60,7 @@ contains
       character(*), intent(in) :: summary
       !> Variables of the model; those of the profiles' axes follow them in its table.
       type(variable_t), intent(in) :: variables(:)
-      !> Table of the results of a point.
       type(result_t), intent(in) :: results(:)
-      !> Table of the profiles of a point.
       type(profile_t), intent(in) :: profiles(:)
       !> Names of the profiles' axes, the slowest first, separated by a blank.
       character(*), intent(in) :: axes
@@ -91,13 +88,9 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model; its tables give the variables their names.
       class(halfspace_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k, at
 
@@ -118,9 +111,7 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(list)
-      !> The model, for the rows of its contact modulus.
       class(halfspace_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
 
@@ -135,9 +126,8 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
-      !> The model, for the place of its switch of the profiles.
+      !> The model, for the index of its switch of the profiles.
       class(halfspace_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = values(self%output) > 0
@@ -145,9 +135,8 @@ contains
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for the names and places of its axes.
+      !> The model, for the names and indices of its axes.
       class(halfspace_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the axes, the slowest first.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)

@@ -69,7 +69,6 @@ contains
 
    !> Displacement of a circle or an ellipse over that of full slip, 1 - y^2.
    elemental real(dp) function displacement(self)
-      !> The slip.
       class(partial_slip_t), intent(in) :: self
 
       displacement = self%rest*(1 + self%stick)
@@ -77,7 +76,6 @@ contains
 
    !> Shear traction over mu p0, p0 the largest pressure: sqrt(1 - r^2) - sqrt(y^2 - r^2), the latter where it sticks.
    elemental real(dp) function shear_traction(self, square) result(traction)
-      !> The slip.
       class(partial_slip_t), intent(in) :: self
       !> r^2, r the distance from the middle in half-axes: x^2/a^2 + y^2/b^2, >= 0.
       real(dp), intent(in) :: square

@@ -3,6 +3,7 @@
 module adfric_plane_punch_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
@@ -27,16 +28,25 @@ module adfric_plane_punch_model
 
    !> Logarithm of a slope that is more than any bound.
    real(dp), parameter :: most = 50.0_dp
-   !> Places of the variables, of the words of the kind, and of the results.
-   integer, parameter, public :: v_kind = 1, v_face = 2, v_slope = 3, v_radius = 4, v_coefficient_2 = 5, v_coefficient_8 = 8, &
-      & v_contact_modulus = 9, v_poisson_ratio = 11, v_load = 12, v_contact_half_width = 13, v_points = 14
+   !> Variables in the order of their rows; a component is the index of its row.
+   type :: punch_input_t
+      !> Indices, which `punch_input` has.
+      integer :: kind = 0, face = 0, slope = 0, radius = 0, coefficient_2 = 0, coefficient_4 = 0, coefficient_6 = 0, &
+         & coefficient_8 = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, load = 0, contact_half_width = 0, points &
+         & = 0
+   end type punch_input_t
+   type(punch_input_t), parameter, public :: punch_input = transfer(counting, punch_input_t())
    integer, parameter, public :: kind_flat = 1, kind_wedge = 2, kind_cylinder = 3, kind_polynomial = 4
-   integer, parameter, public :: r_load = 1, r_contact_half_width = 2, r_mean_pressure = 3, r_centre_pressure = 4, &
-      & r_edge_intensity = 5, r_violation = 6
-   !> Places of the profiles: those of the surface, and from `p_stress` on maps of s_xx, s_yy, s_xy and the largest shear.
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: punch_output_t
+      !> Indices, which `punch_output` has.
+      integer :: load = 0, contact_half_width = 0, mean_pressure = 0, centre_pressure = 0, edge_intensity = 0, violation = 0
+   end type punch_output_t
+   type(punch_output_t), parameter, public :: punch_output = transfer(counting, punch_output_t())
+   !> Indices of the profiles: those of the surface, and from `p_stress` on maps of s_xx, s_yy, s_xy and the largest shear.
    integer, parameter, public :: p_pressure = 1, p_gap = 2, p_displacement = 3, p_stress = 4, p_shear = 7
-   !> Places where the conditions of contact are checked, and how far they reach, in half-widths.
-   integer, parameter :: n_places = 120
+   !> Indices where the conditions of contact are checked, and how far they reach, in half-widths.
+   integer, parameter :: n_indices = 120
    real(dp), parameter :: reach = 3.0_dp
    !> Largest coefficient of a polynomial; those of small tips are large.
    real(dp), parameter :: largest_coefficient = 1.0e100_dp
@@ -58,31 +68,31 @@ contains
    subroutine new_punch_model(self)
       !> The new model; receives its tables.
       type(punch_model_t), intent(out) :: self
-      type(variable_t) :: v(v_points)
+      type(variable_t) :: v(punch_input%points)
       character(*), parameter :: units(4) = ['1/m  ', '1/m^3', '1/m^5', '1/m^7']
       character(1) :: degree
       integer :: i
 
-      v(v_kind) = choice(group='punch', name='kind', meaning='profile', choices='flat wedge cylinder polynomial')
-      v(v_face) = positive(group='punch', name='half_width', unit='m', &
+      v(punch_input%kind) = choice(group='punch', name='kind', meaning='profile', choices='flat wedge cylinder polynomial')
+      v(punch_input%face) = positive(group='punch', name='half_width', unit='m', &
          & meaning='half-width of the face; without it only flat punches end')
-      v(v_slope) = positive(group='punch', name='slope', unit='-', meaning='of a wedge z = slope |x|')
-      v(v_radius) = positive(group='punch', name='radius', unit='m', meaning='of a cylinder z = x^2/2R')
+      v(punch_input%slope) = positive(group='punch', name='slope', unit='-', meaning='of a wedge z = slope |x|')
+      v(punch_input%radius) = positive(group='punch', name='radius', unit='m', meaning='of a cylinder z = x^2/2R')
       do i = 1, 4
          write (degree, '(i1)') 2*i
-         v(v_coefficient_2 + i - 1) = number(group='punch', name='coefficient_'//degree, unit=trim(units(i)), &
+         v(punch_input%coefficient_2 + i - 1) = number(group='punch', name='coefficient_'//degree, unit=trim(units(i)), &
             & meaning='c of c x^'//degree//' in a polynomial profile', default=0.0_dp, lower=0.0_dp, upper=largest_coefficient)
       end do
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
-         & v(v_contact_modulus:v_poisson_ratio))
-      v(v_load) = positive(group='operating', name='load', unit='N/m', meaning='load per length')
-      v(v_contact_half_width) = positive(group='operating', name='contact_half_width', unit='m', &
+         & v(punch_input%contact_modulus:punch_input%poisson_ratio))
+      v(punch_input%load) = positive(group='operating', name='load', unit='N/m', meaning='load per length')
+      v(punch_input%contact_half_width) = positive(group='operating', name='contact_half_width', unit='m', &
          & meaning='instead of the load; not for a flat punch')
-      v(v_points) = whole_number(group='numerics', name='points', meaning='points of collocation', default=32, lower=8, &
+      v(punch_input%points) = whole_number(group='numerics', name='points', meaning='points of collocation', default=32, lower=8, &
          & upper=1000, multiple_of=2)
       call self%set_tables(name='rigid_punch', summary='a rigid punch on an elastic half-plane, plane strain', variables=v, &
          & results=get_results(), profiles=get_profile_table(), axes='y x', is_depth=.true.)
-      self%solids = [v_contact_modulus, v_poisson_ratio]
+      self%solids = [punch_input%contact_modulus, punch_input%poisson_ratio]
    end subroutine new_punch_model
 
    !> The table of profiles.
@@ -101,69 +111,70 @@ contains
    function get_results() result(r)
       type(result_t) :: r(6)
 
-      r(r_load) = result_row(name='load', unit='N/m', long_name='load per length', is_main=.true.)
-      r(r_contact_half_width) = result_row(name='contact_half_width', unit='m', long_name='half-width a of contact', is_main=.true.)
-      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over contact', is_main=.true.)
-      r(r_centre_pressure) = result_row(name='centre_pressure', unit='Pa', long_name='pressure in the middle; a wedge has none')
-      r(r_edge_intensity) = result_row(name='edge_intensity', unit='Pa m^1/2', &
+      r(punch_output%load) = result_row(name='load', unit='N/m', long_name='load per length', is_main=.true.)
+      r(punch_output%contact_half_width) = result_row(name='contact_half_width', unit='m', long_name='half-width a of contact', &
+         & is_main=.true.)
+      r(punch_output%mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over contact', is_main=.true.)
+      r(punch_output%centre_pressure) = result_row(name='centre_pressure', unit='Pa', &
+         & long_name='pressure in the middle; a wedge has none')
+      r(punch_output%edge_intensity) = result_row(name='edge_intensity', unit='Pa m^1/2', &
          & long_name='p sqrt(2 pi (a - x)) at the edge of a whole face')
-      r(r_violation) = result_row(name='contact_violation', unit='-', long_name='largest violation of g >= 0, p >= 0, g p = 0')
+      r(punch_output%violation) = result_row(name='contact_violation', unit='-', &
+         & long_name='largest violation of g >= 0, p >= 0, g p = 0')
    end function get_results
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call require(self%variables, values, [v_kind], problems)
-      call check_contact_modulus(self%variables(v_contact_modulus:v_poisson_ratio), &
-         & values(v_contact_modulus:v_poisson_ratio), problems, .false.)
-      if (.not. is_set(values(v_kind))) return
-      select case (nint(values(v_kind)))
+      call require(self%variables, values, [punch_input%kind], problems)
+      call check_contact_modulus(self%variables(punch_input%contact_modulus:punch_input%poisson_ratio), &
+         & values(punch_input%contact_modulus:punch_input%poisson_ratio), problems, .false.)
+      if (.not. is_set(values(punch_input%kind))) return
+      select case (nint(values(punch_input%kind)))
       case (kind_flat)
-         call require(self%variables, values, [v_face, v_load], problems)
-         if (is_set(values(v_contact_half_width))) call problems%add('operating', 'contact_half_width', &
+         call require(self%variables, values, [punch_input%face, punch_input%load], problems)
+         if (is_set(values(punch_input%contact_half_width))) call problems%add('operating', 'contact_half_width', &
             & 'has no meaning for a flat punch, whose whole face is in contact')
          return
       case (kind_wedge)
-         call require(self%variables, values, [v_slope], problems)
+         call require(self%variables, values, [punch_input%slope], problems)
       case (kind_cylinder)
-         call require(self%variables, values, [v_radius], problems)
+         call require(self%variables, values, [punch_input%radius], problems)
       case default
-         if (.not. maxval(values(v_coefficient_2:v_coefficient_8)) > 0) call problems%add('punch', 'coefficient_2', &
+         if (.not. maxval(values(punch_input%coefficient_2:punch_input%coefficient_8)) > 0) call problems%add('punch', &
+            & 'coefficient_2', &
             & 'is 0 like all coefficients; give one of them, or kind = ''flat''')
-         if (has_contact_modulus(values(v_contact_modulus:v_poisson_ratio))) call check_coefficients(self, values, problems)
+         if (has_contact_modulus(values(punch_input%contact_modulus:punch_input%poisson_ratio))) call check_coefficients(self, &
+            & values, problems)
       end select
-      call require_one(self%variables, values, [v_load, v_contact_half_width], .true., problems)
-      if (is_set(values(v_contact_half_width)) .and. is_set(values(v_face))) then
-         if (values(v_contact_half_width) > values(v_face)) call problems%add('operating', 'contact_half_width', &
+      call require_one(self%variables, values, [punch_input%load, punch_input%contact_half_width], .true., problems)
+      if (is_set(values(punch_input%contact_half_width)) .and. is_set(values(punch_input%face))) then
+         if (values(punch_input%contact_half_width) > values(punch_input%face)) call problems%add('operating', &
+            & 'contact_half_width', &
             & 'is larger than the half_width of the face')
       end if
    end subroutine check_case
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      modulus_of = contact_modulus_of(values(v_contact_modulus:v_poisson_ratio))
+      modulus_of = contact_modulus_of(values(punch_input%contact_modulus:punch_input%poisson_ratio))
    end function modulus_of
 
    !> Find coefficients that make a load beyond all numbers.
    subroutine check_coefficients(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(punch_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i
 
-      do i = v_coefficient_2, v_coefficient_8
+      do i = punch_input%coefficient_2, punch_input%coefficient_8
          if (.not. is_carried(values, i)) call problems%add('punch', self%variables(i)%name, &
             & 'makes a load beyond all numbers at this contact_half_width')
       end do
@@ -171,33 +182,31 @@ contains
 
    !> Is the load of a term c x^2i within the numbers, where the half-width of contact is given?
    pure logical function is_carried(values, i)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the coefficient in `variables`.
+      !> Index of the coefficient in `variables`.
       integer, intent(in) :: i
 
       is_carried = .true.
-      if (.not. (is_set(values(v_contact_half_width)) .and. values(i) > 0)) return
-      is_carried = log10(values(i)) + 2*(i - v_coefficient_2 + 1)*log10(values(v_contact_half_width)) &
+      if (.not. (is_set(values(punch_input%contact_half_width)) .and. values(i) > 0)) return
+      is_carried = log10(values(i)) + 2*(i - punch_input%coefficient_2 + 1)*log10(values(punch_input%contact_half_width)) &
          & + log10(modulus_of(values)) < largest_load
    end function is_carried
 
    !> Is there such a contact? A sweep may lead to a contact wider than the face, or to a polynomial without terms and end.
    pure logical function is_possible(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       integer :: i
 
       is_possible = .true.
-      if (is_set(values(v_contact_half_width))) is_possible = values(v_contact_half_width) <= values(v_face)
-      if (nint(values(v_kind)) == kind_polynomial) is_possible = is_possible &
-         & .and. maxval(values(v_coefficient_2:v_coefficient_8)) > 0 &
-         & .and. all([(is_carried(values, i), i=v_coefficient_2, v_coefficient_8)])
+      if (is_set(values(punch_input%contact_half_width))) is_possible = &
+         & values(punch_input%contact_half_width) <= values(punch_input%face)
+      if (nint(values(punch_input%kind)) == kind_polynomial) is_possible = is_possible &
+         & .and. maxval(values(punch_input%coefficient_2:punch_input%coefficient_8)) > 0 &
+         & .and. all([(is_carried(values, i), i=punch_input%coefficient_2, punch_input%coefficient_8)])
    end function is_possible
 
    !> Solve for the contact.
    subroutine solve_state(values, state)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The punch on its contact; `contact%is_converged` tells whether it was found.
       type(punch_state_t), intent(out) :: state
@@ -205,14 +214,14 @@ contains
       integer :: n
 
       modulus = modulus_of(values)
-      n = nint(values(v_points))
-      load = values(v_load)
-      width = values(v_contact_half_width)
-      if (is_set(values(v_face))) state%face = values(v_face)
-      select case (nint(values(v_kind)))
+      n = nint(values(punch_input%points))
+      load = values(punch_input%load)
+      width = values(punch_input%contact_half_width)
+      if (is_set(values(punch_input%face))) state%face = values(punch_input%face)
+      select case (nint(values(punch_input%kind)))
       case (kind_flat)
       case (kind_wedge)
-         state%slope = values(v_slope)
+         state%slope = values(punch_input%slope)
          if (.not. is_set(load)) load = wedge_load(modulus, state%slope, width)
          width = min(state%face, load/modulus/state%slope)
          call solve_punch(state%profile, width, modulus, load, 2, state%contact)
@@ -220,9 +229,9 @@ contains
          if (width < state%face) state%contact%excess = 0
          return
       case (kind_cylinder)
-         state%profile%c(1) = 1/(2*values(v_radius))
+         state%profile%c(1) = 1/(2*values(punch_input%radius))
       case default
-         state%profile%c = values(v_coefficient_2:v_coefficient_8)
+         state%profile%c = values(punch_input%coefficient_2:punch_input%coefficient_8)
       end select
       if (is_set(load)) then
          call solve_punch(state%profile, widest(state%profile, state%face, modulus, load), modulus, load, n, state%contact)
@@ -233,7 +242,6 @@ contains
 
    !> A half-width that the contact does not pass: that of the face, or what a single term of the profile would need.
    pure real(dp) function widest(profile, face, modulus, load)
-      !> Polynomial profile of the punch.
       type(polynomial_t), intent(in) :: profile
       !> Half-width of the face [m]; enormous without an end.
       real(dp), intent(in) :: face
@@ -252,7 +260,6 @@ contains
 
    !> See `model_t`: the slope at the edge of contact, of a cylinder its half-width over its radius.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -262,15 +269,16 @@ contains
       real(dp), intent(inout) :: measures(:)
       integer :: i
 
-      select case (nint(values(v_kind)))
+      select case (nint(values(punch_input%kind)))
       case (kind_wedge)
-         measures(doubt_slope_too_steep) = values(v_slope)
+         measures(doubt_slope_too_steep) = values(punch_input%slope)
       case (kind_cylinder)
-         measures(doubt_contact_too_wide) = results(r_contact_half_width)/values(v_radius)
+         measures(doubt_contact_too_wide) = results(punch_output%contact_half_width)/values(punch_input%radius)
       case (kind_polynomial)
-         if (ieee_is_nan(results(r_contact_half_width))) return
-         measures(doubt_slope_too_steep) = sum([(exp(min(most, log(2*i*max(values(v_coefficient_2 + i - 1), tiny(1.0_dp))) &
-            & + (2*i - 1)*log(results(r_contact_half_width)))), i=1, 4)])
+         if (ieee_is_nan(results(punch_output%contact_half_width))) return
+         measures(doubt_slope_too_steep) = sum([(exp(min(most, log(2*i*max(values(punch_input%coefficient_2 + i - 1), &
+            & tiny(1.0_dp))) &
+            & + (2*i - 1)*log(results(punch_output%contact_half_width)))), i=1, 4)])
       end select
       associate (unused => self)
       end associate
@@ -278,7 +286,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -293,7 +300,7 @@ contains
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
       type(punch_state_t), allocatable :: found
-      real(dp) :: x(n_places), mean
+      real(dp) :: x(n_indices), mean
       integer :: i
 
       status = status_no_equilibrium
@@ -306,12 +313,14 @@ contains
       if (status /= status_solved) return
       associate (contact => found%contact)
          mean = contact%load/(2*contact%half_width)
-         results([r_load, r_contact_half_width, r_mean_pressure]) = [contact%load, contact%half_width, mean]
-         results(r_centre_pressure) = found%pressure(0.0_dp)
-         results(r_edge_intensity) = contact%excess/sqrt(pi*contact%half_width)
-         x = [((i - 0.5_dp)*reach/n_places, i=1, n_places)]*contact%half_width
-         x = pack(x, x < found%face, spread(x(1), 1, n_places))
-         results(r_violation) = largest_violation(found%pressure(x), found%gap(x), mean, mean*contact%half_width/contact%modulus)
+         results([punch_output%load, punch_output%contact_half_width, punch_output%mean_pressure]) = [contact%load, &
+            & contact%half_width, mean]
+         results(punch_output%centre_pressure) = found%pressure(0.0_dp)
+         results(punch_output%edge_intensity) = contact%excess/sqrt(pi*contact%half_width)
+         x = [((i - 0.5_dp)*reach/n_indices, i=1, n_indices)]*contact%half_width
+         x = pack(x, x < found%face, spread(x(1), 1, n_indices))
+         results(punch_output%violation) = largest_violation(found%pressure(x), found%gap(x), mean, &
+            & mean*contact%half_width/contact%modulus)
       end associate
       call move_alloc(found, state)
       associate (unused => self, unused_counts => counts)
@@ -320,7 +329,6 @@ contains
 
    !> See `pointwise_model_t`. Pressure, gap and displacement are those of the surface, NaN at other depths.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -354,7 +362,6 @@ contains
 
    !> Set pressure, gap and displacement along the surface.
    subroutine get_surface(state, x, profiles)
-      !> The punch on its solved contact.
       type(punch_state_t), intent(in) :: state
       !> Coordinates along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x(:)
@@ -364,7 +371,7 @@ contains
 
       profiles(:, p_pressure) = state%pressure(x)
       do i = 1, size(x)
-         ! beyond the face there is no punch to have a gap from; in contact what is left is round-off
+         ! beyond the face there is no punch to have a gap from; in contact what remains is round-off
          if (abs(x(i)) <= state%face) profiles(i, p_gap) = max(0.0_dp, state%gap(x(i)))
          if (abs(x(i)) <= state%contact%half_width) profiles(i, p_gap) = 0
       end do

@@ -22,7 +22,6 @@ contains
 
    !> See `punch_profile_t`.
    elemental real(dp) function height(self, x)
-      !> Polynomial that is evaluated.
       class(polynomial_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
@@ -34,7 +33,6 @@ contains
 
    !> See `punch_profile_t`.
    elemental real(dp) function slope(self, x)
-      !> Polynomial that is evaluated.
       class(polynomial_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x

@@ -30,7 +30,6 @@ contains
 
    !> Pressure at x.
    elemental real(dp) function pressure(self, x)
-      !> The punch on its solved contact.
       class(punch_state_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
@@ -42,7 +41,6 @@ contains
 
    !> How far the surface lies above its level under the middle of the punch.
    elemental real(dp) function level(self, x)
-      !> The punch on its solved contact.
       class(punch_state_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
@@ -57,7 +55,6 @@ contains
 
    !> Gap at x, where there is a face.
    elemental real(dp) function gap(self, x)
-      !> The punch on its solved contact.
       class(punch_state_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x

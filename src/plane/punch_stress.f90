@@ -21,13 +21,12 @@ module adfric_plane_punch_stress
 
 contains
 
-   !> Stresses [s_xx, s_yy, s_xy] at a place [Pa]; NaN where the pressure is infinite.
+   !> Stresses [s_xx, s_yy, s_xy] at a position [Pa]; NaN where the pressure is infinite.
    pure function punch_stress(contact, slope, x, y) result(stress)
-      !> Solved contact; of a wedge its flat part.
       type(punch_contact_t), intent(in) :: contact
       !> Slope of a wedge, whose pressure adds to that of the contact; 0 without a wedge [-].
       real(dp), intent(in) :: slope
-      !> Coordinates of the place, from the middle of the punch [m], y >= 0.
+      !> Coordinates of the position, from the middle of the punch [m], y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3), depth
       complex(dp) :: t, root, z, w, derivative
@@ -57,9 +56,9 @@ contains
    pure subroutine add_bounded(b, z, root, w, derivative)
       !> Coefficients b_k of the bounded pressure [Pa]; shape `(n_terms)`.
       real(dp), intent(in) :: b(:)
-      !> Place z = t - sqrt(t^2 - 1), |z| <= 1.
+      !> Position z = t - sqrt(t^2 - 1), |z| <= 1.
       complex(dp), intent(in) :: z
-      !> sqrt(t^2 - 1) of the place.
+      !> sqrt(t^2 - 1) of the position.
       complex(dp), intent(in) :: root
       !> Cauchy's integral W of the bounded pressure [Pa].
       complex(dp), intent(out) :: w
@@ -81,9 +80,9 @@ contains
    pure subroutine add_flat(c, t, root, w, derivative)
       !> Coefficient c of the pressure [Pa].
       real(dp), intent(in) :: c
-      !> Place t = x + i y, in half-widths.
+      !> Position t = x + i y, in half-widths.
       complex(dp), intent(in) :: t
-      !> sqrt(t^2 - 1) of the place.
+      !> sqrt(t^2 - 1) of the position.
       complex(dp), intent(in) :: root
       !> Cauchy's integral W, to which this part is added [Pa].
       complex(dp), intent(inout) :: w
@@ -99,11 +98,11 @@ contains
    pure subroutine add_wedge(c, t, root, z, w, derivative)
       !> Coefficient c of the pressure: E* times the slope [Pa].
       real(dp), intent(in) :: c
-      !> Place t = x + i y, in half-widths.
+      !> Position t = x + i y, in half-widths.
       complex(dp), intent(in) :: t
-      !> sqrt(t^2 - 1) of the place.
+      !> sqrt(t^2 - 1) of the position.
       complex(dp), intent(in) :: root
-      !> Place z = t - sqrt(t^2 - 1), |z| <= 1.
+      !> Position z = t - sqrt(t^2 - 1), |z| <= 1.
       complex(dp), intent(in) :: z
       !> Cauchy's integral W, to which this part is added [Pa].
       complex(dp), intent(inout) :: w

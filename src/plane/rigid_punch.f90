@@ -56,7 +56,7 @@ module adfric_plane_rigid_punch
    end type punch_contact_t
 
    !> P(a) = load for x = a.
-   type, extends(equation_t) :: load_equation_t
+   type, extends(equation_t) :: punch_load_equation_t
       !> Shape of the punch.
       class(punch_profile_t), allocatable :: profile
       !> E* [Pa], and the load that is given [N/m].
@@ -65,13 +65,12 @@ module adfric_plane_rigid_punch
       real(dp), allocatable :: nodes(:)
    contains
       procedure :: evaluate
-   end type load_equation_t
+   end type punch_load_equation_t
 
 contains
 
    !> Solve for the contact under a load > 0.
    pure subroutine solve_punch(profile, face, modulus, load, n, self)
-      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
       !> Half-width w of the face [m], > 0.
       real(dp), intent(in) :: face
@@ -83,7 +82,7 @@ contains
       integer, intent(in) :: n
       !> The contact; `is_converged` tells whether it was found.
       type(punch_contact_t), intent(out) :: self
-      type(load_equation_t) :: equation
+      type(punch_load_equation_t) :: equation
       real(dp) :: bounded, nodes(n)
 
       self%load = load
@@ -107,7 +106,6 @@ contains
 
    !> The contact of a given half-width, with the load that is bounded at its edges.
    pure subroutine solve_punch_of_width(profile, half_width, modulus, n, self)
-      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
       !> Half-width a of contact [m], > 0.
       real(dp), intent(in) :: half_width
@@ -126,7 +124,6 @@ contains
 
    !> Load of the bounded solution on |x| < a: P = (E*/2) int x z'(x)/sqrt(a^2 - x^2) dx.
    pure real(dp) function bounded_load(profile, modulus, a, n)
-      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
@@ -150,7 +147,6 @@ contains
 
    !> Load of the bounded solution from nodes that are given.
    pure real(dp) function load_at(profile, modulus, a, nodes)
-      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
@@ -164,8 +160,7 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
-      !> Equation with its profile, modulus, load and nodes.
-      class(load_equation_t), intent(in) :: self
+      class(punch_load_equation_t), intent(in) :: self
       !> Half-width of contact [m], > 0.
       real(dp), intent(in) :: x
       !> Load of the bounded solution less the load that is given [N/m]; 0 at the root.
@@ -183,9 +178,8 @@ contains
    !>
    !>     sum over k of b_k cos(k th_j) = (E*/2) z'(x_j),  b_k = (2/(n + 1)) sum over j of (E*/2) z'(x_j) cos(k th_j)
    !>
-   !> z' is odd: the even b_k and what the middle place adds are 0, and half of the places will do.
+   !> z' is odd: the even b_k and what the middle position adds are 0, and half of the positions will do.
    pure subroutine collocate(profile, n, bounded, self)
-      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
       !> Number of points of collocation, even.
       integer, intent(in) :: n
@@ -220,7 +214,6 @@ contains
 
    !> Pressure at x; 0 outside, NaN at the edge of a face that is in contact all over.
    elemental real(dp) function pressure(self, x)
-      !> Solved contact that is evaluated.
       class(punch_contact_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
@@ -245,7 +238,6 @@ contains
    !> How far the surface lies above its level at the edge of contact, x = a, at any x [m]: the integral of
    !> (2/E*) sum b_k times T_(k+1)(t) inside, (t - sqrt(t^2 - 1))^(k+1) outside, and of the flat part.
    elemental real(dp) function rise(self, x)
-      !> Solved contact that is evaluated.
       class(punch_contact_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x

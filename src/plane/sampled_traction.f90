@@ -56,7 +56,6 @@ contains
 
    !> Every second sample, and the last one.
    pure type(sampled_traction_t) function every_second(self) result(coarse)
-      !> Tractions whose samples are taken, at least two.
       class(sampled_traction_t), intent(in) :: self
       integer :: n, n_coarse
 
@@ -71,9 +70,8 @@ contains
       coarse%q(n_coarse) = self%q(n)
    end function every_second
 
-   !> Is a place on the surface an end of the strip where a traction does not begin from zero?
+   !> Is a position on the surface an end of the strip where a traction does not begin from zero?
    pure logical function jumps_at(self, x)
-      !> Tractions whose ends are looked at.
       class(sampled_traction_t), intent(in) :: self
       !> Coordinate on the surface [m].
       real(dp), intent(in) :: x
@@ -84,9 +82,8 @@ contains
          & (.not. abs(x - self%s(n)) > 0 .and. max(abs(self%p(n)), abs(self%q(n))) > 0)
    end function jumps_at
 
-   !> p and q at a place on the surface; 0 beside the strip.
+   !> p and q at a position on the surface; 0 beside the strip.
    pure function value_at(self, x) result(value)
-      !> Tractions whose samples are interpolated.
       class(sampled_traction_t), intent(in) :: self
       !> Coordinate on the surface [m].
       real(dp), intent(in) :: x
@@ -112,9 +109,8 @@ contains
 
    !> Stresses [s_xx, s_yy, s_xy]; NaN at an end of the strip where a traction jumps.
    pure function stress_at(self, x, y) result(stress)
-      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
-      !> Coordinates of the place [m], y >= 0.
+      !> Coordinates of the position [m], y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3)
       real(dp) :: part(3)
@@ -135,11 +131,10 @@ contains
 
    !> Add -(pi/2) times the stresses of the piece from sample i to the next.
    pure subroutine add_piece(self, i, x, y, stress)
-      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
       !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
-      !> Coordinates of the place [m], y >= 0.
+      !> Coordinates of the position [m], y >= 0.
       real(dp), intent(in) :: x, y
       !> Sum of -(pi/2) times the stresses, to which the piece is added [Pa].
       real(dp), intent(inout) :: stress(3)
@@ -159,7 +154,6 @@ contains
 
    !> Add the stresses of a piece, as `add_piece` does, by Gauss's rule.
    pure subroutine add_far(self, i, nodes, weights, middle, half, y, stress)
-      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
       !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
@@ -171,7 +165,7 @@ contains
       real(dp), intent(in) :: middle
       !> Half the length of the piece [m].
       real(dp), intent(in) :: half
-      !> Depth of the place [m], >= 0.
+      !> Depth of the position [m], >= 0.
       real(dp), intent(in) :: y
       !> Sum of -(pi/2) times the stresses, to which the piece is added [Pa].
       real(dp), intent(inout) :: stress(3)
@@ -194,11 +188,10 @@ contains
 
    !> Add the stresses of a piece, as `add_piece` does, by the closed form.
    pure subroutine add_near(self, i, x, y, stress)
-      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
       !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
-      !> Coordinates of the place [m], y >= 0.
+      !> Coordinates of the position [m], y >= 0.
       real(dp), intent(in) :: x, y
       !> Sum of -(pi/2) times the stresses, to which the piece is added [Pa].
       real(dp), intent(inout) :: stress(3)
@@ -217,7 +210,7 @@ contains
       real(dp), intent(in) :: s(2)
       !> Traction at the ends of the piece [Pa].
       real(dp), intent(in) :: f(2)
-      !> Coordinates of the place [m], y >= 0.
+      !> Coordinates of the position [m], y >= 0.
       real(dp), intent(in) :: x, y
       !> Cauchy's integral C of the piece [Pa].
       complex(dp), intent(out) :: c
@@ -252,7 +245,6 @@ contains
 
    !> int p(s)/(x - s) ds and int q(s)/(x - s) ds over the strip, principal values; NaN at an end where a traction jumps.
    pure function integral_at(self, x) result(integral)
-      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
       !> Coordinate on the surface [m].
       real(dp), intent(in) :: x
@@ -274,7 +266,6 @@ contains
 
    !> Add the integrals over the piece from sample i to the next.
    pure subroutine add_piece_integral(self, i, x, integral)
-      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
       !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
@@ -300,7 +291,6 @@ contains
 
    !> Add the integrals over a piece, as `add_piece_integral` does, by Gauss's rule.
    pure subroutine add_far_integral(self, i, nodes, weights, middle, half, integral)
-      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
       !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i

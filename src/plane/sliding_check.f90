@@ -12,7 +12,7 @@ module adfric_plane_sliding_check
    private
    public :: check_sliding, refuse_sliding
 
-   !> Place of the velocity among the rows.
+   !> Index of the velocity among the rows.
    integer, parameter :: velocity = n_spectrum_rows + 1
 
 contains
@@ -23,9 +23,7 @@ contains
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_spectrum_rows + 1)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_swept(n_spectrum_rows)
 
@@ -41,7 +39,6 @@ contains
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_spectrum_rows + 1)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 

@@ -58,13 +58,10 @@ contains
 
    !> The contact of a given half-width.
    pure subroutine cylinder_of_width(solid, half_width, contact, is_converged)
-      !> The solid, in any unit of length.
       type(sliding_solid_t), intent(in) :: solid
       !> Half-width [the same unit], > 0; no length over it lies outside 1e-100 to 1e100.
       real(dp), intent(in) :: half_width
-      !> The contact.
       type(cylinder_contact_t), intent(out) :: contact
-      !> Was the system solved?
       logical, intent(out) :: is_converged
 
       contact%half_width = half_width
@@ -84,14 +81,11 @@ contains
 
    !> The contact under a load.
    pure subroutine cylinder_of_load(solid, square, contact, is_converged)
-      !> The solid, in any unit of length.
       type(sliding_solid_t), intent(in) :: solid
       !> 4 R W/(pi E0) [the square of this unit], >= 0: the square of the half-width if the solid were relaxed. No load makes no
       !> contact.
       real(dp), intent(in) :: square
-      !> The contact.
       type(cylinder_contact_t), intent(out) :: contact
-      !> Was it found?
       logical, intent(out) :: is_converged
       type(load_equation_t) :: equation
       real(dp) :: x, low, high
@@ -111,7 +105,6 @@ contains
 
    !> See `rising_equation_t`.
    pure subroutine evaluate(self, x, value)
-      !> The equation with the solid and the load.
       class(load_equation_t), intent(in) :: self
       !> ln w.
       real(dp), intent(in) :: x

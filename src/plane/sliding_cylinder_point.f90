@@ -3,9 +3,7 @@
 module adfric_plane_sliding_cylinder_point
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
-   use adfric_plane_hertz_variables, only: v_load, v_material, v_radius, v_temperature, v_velocity, r_contact_area, &
-      & r_contact_shift, r_dissipation, r_energy_imbalance, r_friction_coefficient, r_friction_force, r_half_width, r_load, &
-      & r_mean_pressure, r_peak_pressure, r_violation
+   use adfric_plane_hertz_variables, only: in => hertz_input, out => hertz_output
    use adfric_plane_sliding_cylinder_survey, only: cylinder_survey_t
    use adfric_plane_sliding_cylinder_units, only: cylinder_slide_t, cylinder_slide_state_t, new_cylinder_slide
    use adfric_solid_given_spectrum, only: given_spectrum_t
@@ -39,31 +37,29 @@ contains
 
    !> What slides on what.
    pure subroutine resolve_cylinder(values, given, point, is_possible)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> In: what the point before has left. Out: spectrum, cylinder and speed of this one.
       type(cylinder_point_t), intent(inout) :: point
       !> Are speed and load such that double precision can handle them?
       logical, intent(out) :: is_possible
 
-      associate (material => values(v_material:v_temperature))
+      associate (material => values(in%material(1):in%temperature))
          if (.not. is_same_spectrum(material, point%material)) then
             call get_spectrum(material, given, point%prony)
             point%material = material
          end if
-         call new_cylinder_slide(point%slide, values(v_radius), point%prony, values(v_velocity)*shift_factor_of(material, given), &
+         call new_cylinder_slide(point%slide, values(in%radius), point%prony, values(in%velocity)*shift_factor_of(material, &
+            & given), &
             & is_possible)
       end associate
-      if (is_possible) is_possible = point%slide%suits_load(point%prony, values(v_load))
+      if (is_possible) is_possible = point%slide%suits_load(point%prony, values(in%load))
    end subroutine resolve_cylinder
 
    !> Are speed and load such that double precision can handle them?
    pure logical function is_possible_cylinder(values, given) result(is_possible)
       !> Values of the variables, which have been checked one by one; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       type(cylinder_point_t) :: point
 
@@ -74,7 +70,6 @@ contains
    pure subroutine get_cylinder_frequency(values, given, frequency)
       !> Values of the variables, which have been checked; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> Receives the frequency.
       real(dp), intent(out) :: frequency
@@ -84,15 +79,13 @@ contains
       frequency = 0
       call resolve_cylinder(values, given, point, is_solved)
       if (.not. is_solved) return
-      call point%slide%solve_load(values(v_load), point%contact, is_solved)
-      if (is_solved .and. point%contact%half_width > 0) frequency = abs(values(v_velocity))/point%contact%half_width
+      call point%slide%solve_load(values(in%load), point%contact, is_solved)
+      if (is_solved .and. point%contact%half_width > 0) frequency = abs(values(in%velocity))/point%contact%half_width
    end subroutine get_cylinder_frequency
 
    !> Solve a point.
    pure subroutine solve_cylinder(values, given, point, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> In: what the point before has left. Out: what this one leaves.
       type(cylinder_point_t), intent(inout) :: point
@@ -108,7 +101,7 @@ contains
       status = status_not_converged
       call resolve_cylinder(values, given, point, is_solved)
       if (.not. is_solved) return
-      call point%slide%solve_load(values(v_load), point%contact, is_solved)
+      call point%slide%solve_load(values(in%load), point%contact, is_solved)
       if (.not. is_solved) return
       status = status_solved
       call store(values, point, results)
@@ -116,9 +109,7 @@ contains
 
    !> Results of a contact.
    pure subroutine store(values, point, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its contact.
       type(cylinder_point_t), intent(in) :: point
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -126,27 +117,26 @@ contains
       real(dp) :: losses
 
       call point%slide%get_survey(point%contact, survey)
-      associate (contact => point%contact, load => values(v_load))
-         results([r_load, r_half_width, r_contact_area]) = [load, contact%half_width, 2*contact%half_width]
-         results([r_peak_pressure, r_violation]) = [survey%peak_pressure, survey%violation]
-         results(r_mean_pressure) = 0
-         results(r_friction_force) = contact%friction_force
-         results(r_dissipation) = abs(contact%friction_force)
-         results(r_energy_imbalance) = 0
+      associate (contact => point%contact, load => values(in%load))
+         results([out%load, out%half_width, out%contact_area]) = [load, contact%half_width, 2*contact%half_width]
+         results([out%peak_pressure, out%violation]) = [survey%peak_pressure, survey%violation]
+         results(out%mean_pressure) = 0
+         results(out%friction_force) = contact%friction_force
+         results(out%dissipation) = abs(contact%friction_force)
+         results(out%energy_imbalance) = 0
          if (.not. contact%half_width > 0) return
-         results(r_mean_pressure) = load/(2*contact%half_width)
-         results(r_friction_coefficient) = contact%friction_coefficient
-         results(r_contact_shift) = contact%contact_shift
-         losses = max(abs(contact%friction_coefficient), small_share*contact%half_width/values(v_radius))
-         results(r_energy_imbalance) = (abs(survey%friction_ratio) - abs(contact%friction_coefficient))/losses
+         results(out%mean_pressure) = load/(2*contact%half_width)
+         results(out%friction_coefficient) = contact%friction_coefficient
+         results(out%contact_shift) = contact%contact_shift
+         losses = max(abs(contact%friction_coefficient), small_share*contact%half_width/values(in%radius))
+         results(out%energy_imbalance) = (abs(survey%friction_ratio) - abs(contact%friction_coefficient))/losses
       end associate
    end subroutine store
 
    !> Pressure and gap across the contact.
    pure subroutine get_cylinder_profiles(point, coordinates, pressure, gap)
-      !> The point with its contact.
       type(cylinder_point_t), intent(in) :: point
-      !> Places, from the lowest line of the cylinder [m]; shape `(n)`.
+      !> Positions, from the lowest line of the cylinder [m]; shape `(n)`.
       real(dp), intent(in) :: coordinates(:)
       !> Pressure [Pa] and gap [m]; shape `(n)`.
       real(dp), intent(out) :: pressure(:), gap(:)

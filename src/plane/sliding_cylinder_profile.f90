@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Pressure and gap of a cylinder that slides over a viscoelastic half-plane, at a place. Units and symbols as in
+!> Pressure and gap of a cylinder that slides over a viscoelastic half-plane, at a position. Units and symbols as in
 !> `sliding_cylinder`; y = x - m, R^2 = (1 - y^2)/4.
 !>
 !> In the contact, with the sums G_i of the shift,
@@ -16,7 +16,7 @@
 !>
 !>     sign(y) int [4 rho'_j v(z)/b_j^2 e^((y-z)/b_j) - (e^((y-z)/b_j) - 1) |z|/sqrt(z^2 - 1)] dz
 !>
-!> between edge and place, whose terms do not cancel however long b_j is.
+!> between edge and position, whose terms do not cancel however long b_j is.
 module adfric_plane_sliding_cylinder_profile
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
@@ -29,43 +29,42 @@ module adfric_plane_sliding_cylinder_profile
    public :: sliding_cylinder_pressure, sliding_cylinder_gap, signed_cylinder_pressure, signed_cylinder_gap
 
    !> Exponent whose decay is nothing.
-   real(dp), parameter :: long_way = 45
+   real(dp), parameter :: long_path = 45
 
-   !> What a relaxation length adds to the pressure at a place in the contact.
-   type, extends(integrand_t) :: contact_integrand_t
-      !> Way from the trailing edge to the place, 1 + y.
+   !> What a relaxation length adds to the pressure at a position in the contact.
+   type, extends(integrand_t) :: cylinder_contact_integrand_t
+      !> Way from the trailing edge to the position, 1 + y.
       real(dp) :: from_trailing = 0
-      !> What is left from the end of the range to the leading edge.
+      !> What remains from the end of the range to the leading edge.
       real(dp) :: rest = 0
       !> Relaxation length a, a/(4 rho), and 1 - 4 rho/a.
       real(dp) :: length = 1, factor = 0, deficit = 0
    contains
       procedure :: evaluate => contact_term
-   end type contact_integrand_t
+   end type cylinder_contact_integrand_t
 
-   !> What a retardation length adds to the gap at a place.
-   type, extends(integrand_t) :: gap_integrand_t
-      !> Way from the leading edge to the place, or from the place to the trailing edge.
-      real(dp) :: way = 0
+   !> What a retardation length adds to the gap at a position.
+   type, extends(integrand_t) :: cylinder_gap_integrand_t
+      !> Way from the leading edge to the position, or from the position to the trailing edge.
+      real(dp) :: path = 0
       !> 1 ahead of the contact, -1 behind it.
       real(dp) :: side = 1
-      !> Does the range lie between edge and place?
+      !> Does the range lie between edge and position?
       logical :: is_near = .false.
-      !> What is left from the end of the range to the trailing edge.
+      !> What remains from the end of the range to the trailing edge.
       real(dp) :: rest = 0
       !> Retardation length b, and 4 rho'/b^2.
       real(dp) :: length = 1, factor = 0
    contains
       procedure :: evaluate => gap_term
-   end type gap_integrand_t
+   end type cylinder_gap_integrand_t
 
 contains
 
    !> Pressure at x, >= 0: next to an edge round-off may change the sign of its terms.
    pure real(dp) function sliding_cylinder_pressure(contact, x) result(p)
-      !> The contact.
       type(cylinder_contact_t), intent(in) :: contact
-      !> Place along the surface, from the lowest point of the cylinder [w].
+      !> Position along the surface, from the lowest point of the cylinder [w].
       real(dp), intent(in) :: x
       real(dp) :: y
 
@@ -78,11 +77,10 @@ contains
 
    !> Pressure in the contact as its terms give it.
    pure real(dp) function signed_cylinder_pressure(contact, from_trailing, to_leading) result(p)
-      !> The contact.
       type(cylinder_contact_t), intent(in) :: contact
-      !> Distances of the place from the edges [w], both > 0; their sum is 2, and the smaller one has all its digits.
+      !> Distances of the position from the edges [w], both > 0; their sum is 2, and the smaller one has all its digits.
       real(dp), intent(in) :: from_trailing, to_leading
-      type(contact_integrand_t) :: integrand
+      type(cylinder_contact_integrand_t) :: integrand
       real(dp) :: part, range, amplitude
       integer :: i
       logical :: is_converged
@@ -95,7 +93,7 @@ contains
          integrand%length = contact%solid%relaxation(i)
          integrand%factor = integrand%length/(4*contact%rho(i))
          integrand%deficit = contact%deficits(i)
-         range = min(to_leading, long_way*integrand%length)
+         range = min(to_leading, long_path*integrand%length)
          integrand%rest = to_leading - range
          call integrate(integrand, range, part, is_converged, epsilon(p)/abs(amplitude))
          p = p + amplitude*part
@@ -105,9 +103,8 @@ contains
 
    !> The integrand of the pressure, see `integrand_t`.
    pure real(dp) function contact_term(self, from_left, from_right) result(term)
-      !> The arm and the place.
-      class(contact_integrand_t), intent(in) :: self
-      !> Distance from the place.
+      class(cylinder_contact_integrand_t), intent(in) :: self
+      !> Distance from the position.
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
@@ -122,9 +119,8 @@ contains
 
    !> Gap at x, >= 0: next to an edge round-off may change the sign of its terms.
    pure real(dp) function sliding_cylinder_gap(contact, x) result(g)
-      !> The contact.
       type(cylinder_contact_t), intent(in) :: contact
-      !> Place along the surface, from the lowest point of the cylinder [w].
+      !> Position along the surface, from the lowest point of the cylinder [w].
       real(dp), intent(in) :: x
       real(dp) :: y
 
@@ -136,29 +132,28 @@ contains
    end function sliding_cylinder_gap
 
    !> Gap beside the contact as its terms give it.
-   pure real(dp) function signed_cylinder_gap(contact, way, side) result(g)
-      !> The contact.
+   pure real(dp) function signed_cylinder_gap(contact, path, side) result(g)
       type(cylinder_contact_t), intent(in) :: contact
-      !> Distance of the place from the nearer edge [w], > 0.
-      real(dp), intent(in) :: way
-      !> 1 for a place ahead of the contact, -1 for one behind it.
+      !> Distance of the position from the nearer edge [w], > 0.
+      real(dp), intent(in) :: path
+      !> 1 for a position ahead of the contact, -1 for one behind it.
       real(dp), intent(in) :: side
-      type(gap_integrand_t) :: integrand
+      type(cylinder_gap_integrand_t) :: integrand
       real(dp) :: v, part, range
       integer :: j
       logical :: is_converged
 
-      integrand%way = way
+      integrand%path = path
       integrand%side = side
-      v = 2*asinh(sqrt(way/2))
+      v = 2*asinh(sqrt(path/2))
       g = sinh_minus_argument(2*v)/4
       do j = 1, contact%solid%n_arms
          integrand%length = contact%solid%retardation(j)
          integrand%factor = 4*contact%gap_rho(j)/integrand%length**2
-         integrand%is_near = way <= integrand%length
-         range = way
-         if (.not. integrand%is_near .and. (side > 0 .or. way > long_way*integrand%length)) range = long_way*integrand%length
-         integrand%rest = way - range
+         integrand%is_near = path <= integrand%length
+         range = path
+         if (.not. integrand%is_near .and. (side > 0 .or. path > long_path*integrand%length)) range = long_path*integrand%length
+         integrand%rest = path - range
          call integrate(integrand, range, part, is_converged)
          if (.not. integrand%is_near) part = part + side*sinh(v)
          g = g + contact%shift%shares(j)*part
@@ -168,16 +163,15 @@ contains
 
    !> The integrand of the gap, see `integrand_t`.
    pure real(dp) function gap_term(self, from_left, from_right) result(term)
-      !> The arm and the place.
-      class(gap_integrand_t), intent(in) :: self
-      !> Distance from the place.
+      class(cylinder_gap_integrand_t), intent(in) :: self
+      !> Distance from the position.
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
       real(dp) :: to_edge, slope, v, half
 
       to_edge = from_right + self%rest
-      if (self%side > 0 .and. .not. self%is_near) to_edge = self%way + from_left
+      if (self%side > 0 .and. .not. self%is_near) to_edge = self%path + from_left
       slope = (1 + to_edge)/sqrt(to_edge*(2 + to_edge))
       v = 2*asinh(sqrt(to_edge/2))
       if (self%is_near) then

@@ -6,9 +6,9 @@
 !>
 !>     T = -int p h_x dx = int p x dx/R
 !>
-!> The closed form of T never meets the pressure at a place, so the two of them check each other; so do the integral of the
-!> pressure and the load. Both integrals are sums over places that are as dense in each decade of the distance from an edge: with a
-!> short relaxation length the pressure has a layer there, and with many of them layers of all sizes.
+!> The closed form of T never meets the pressure at a position, so the two of them check each other; so do the integral of the
+!> pressure and the load. Both integrals are sums over positions that are as dense in each decade of the distance from an edge: with
+!> a short relaxation length the pressure has a layer there, and with many of them layers of all sizes.
 module adfric_plane_sliding_cylinder_survey
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -21,15 +21,15 @@ module adfric_plane_sliding_cylinder_survey
    private
    public :: cylinder_survey_t, survey_cylinder
 
-   !> Places in the contact, and on each side of it, at which the conditions of contact are checked; how far they reach, in w.
-   integer, parameter :: n_places = 8
+   !> Positions in the contact, and on each side of it, at which the conditions of contact are checked; how far they reach, in w.
+   integer, parameter :: n_positions = 8
    real(dp), parameter :: reach = 2
 
-   !> Distance of the places of the sums, in the logarithm of the ratio of the ways to both edges. A layer e^(-s/a) leaves an error of
-   !> e^(-pi^2/step).
+   !> Distance of the positions of the sums, in the logarithm of the ratio of the ways to both edges. A layer e^(-s/a) leaves an
+   !> error of e^(-pi^2/step).
    real(dp), parameter :: step = 0.2_dp
-   !> Where the places end, in that logarithm, if the solid is elastic: the load beyond is 1e-18 of the whole.
-   real(dp), parameter :: last_place = 28
+   !> Where the positions end, in that logarithm, if the solid is elastic: the load beyond is 1e-18 of the whole.
+   real(dp), parameter :: last_position = 28
 
    !> What is found.
    type :: cylinder_survey_t
@@ -42,31 +42,30 @@ module adfric_plane_sliding_cylinder_survey
       real(dp) :: violation = 0
    end type cylinder_survey_t
 
-   !> The pressure in the contact, along the way from its trailing edge.
-   type, extends(integrand_t) :: place_t
+   !> The pressure in the contact, along the path from its trailing edge.
+   type, extends(integrand_t) :: cylinder_position_t
       !> The contact.
       type(cylinder_contact_t) :: contact
    contains
       procedure :: evaluate
-   end type place_t
+   end type cylinder_position_t
 
 contains
 
    !> Go over the profiles of a contact.
    pure subroutine survey_cylinder(contact, survey)
-      !> The contact.
       type(cylinder_contact_t), intent(in) :: contact
       !> What is found; NaN where a profile is not.
       type(cylinder_survey_t), intent(out) :: survey
       !> Width of the contact [w].
       real(dp), parameter :: width = 2
-      type(place_t) :: place
+      type(cylinder_position_t) :: position
       real(dp) :: load, moment
 
       ! no load makes no contact
       if (.not. contact%half_width > 0) return
-      place%contact = contact
-      call find_largest_value(place, width, survey%peak_pressure)
+      position%contact = contact
+      call find_largest_value(position, width, survey%peak_pressure)
       call sum_pressures(contact, load, moment)
       survey%friction_ratio = moment/load
       survey%violation = max(largest_profile_violation(contact, survey%peak_pressure), abs(load/(pi/2*contact%load_ratio) - 1))
@@ -74,51 +73,48 @@ contains
 
    !> Load and moment of the pressure.
    pure subroutine sum_pressures(contact, load, moment)
-      !> The contact.
       type(cylinder_contact_t), intent(in) :: contact
       !> int p dx and int p x dx [w E0 w/(2 R), times w].
       real(dp), intent(out) :: load, moment
-      real(dp) :: ratio, ways(2), share
+      real(dp) :: ratio, paths(2), share
       integer :: i, n_steps
 
       load = 0
       moment = 0
-      ! a glass carries as many times the load on the way s from an edge, which is in proportion to s^(3/2)
-      n_steps = nint((last_place + 2*log(contact%solid%instantaneous_ratio())/3)/step)
+      ! a glass carries as many times the load on the path s from an edge, which is in proportion to s^(3/2)
+      n_steps = nint((last_position + 2*log(contact%solid%instantaneous_ratio())/3)/step)
       do i = -n_steps, n_steps
          ratio = exp(-step*abs(i))
          ! to the nearer edge and to the other one
-         ways = 2*[ratio, 1.0_dp]/(1 + ratio)
-         if (i > 0) ways = ways([2, 1])
-         share = step*ways(1)*ways(2)/2*signed_cylinder_pressure(contact, ways(1), ways(2))
+         paths = 2*[ratio, 1.0_dp]/(1 + ratio)
+         if (i > 0) paths = paths([2, 1])
+         share = step*paths(1)*paths(2)/2*signed_cylinder_pressure(contact, paths(1), paths(2))
          load = load + share
-         moment = moment + share*(contact%shift%shift + (ways(1) - ways(2))/2)
+         moment = moment + share*(contact%shift%shift + (paths(1) - paths(2))/2)
       end do
    end subroutine sum_pressures
 
    !> The largest violation of the conditions of contact. The gap in the contact and the pressure beside it are 0.
    pure real(dp) function largest_profile_violation(contact, peak_pressure) result(violation)
-      !> The contact.
       type(cylinder_contact_t), intent(in) :: contact
       !> Its largest pressure [E0 w/(2 R)], > 0.
       real(dp), intent(in) :: peak_pressure
-      real(dp) :: pressures(n_places), gaps(2*n_places), nothing(2*n_places)
+      real(dp) :: pressures(n_positions), gaps(2*n_positions), nothing(2*n_positions)
       integer :: i
 
-      do i = 1, n_places
-         pressures(i) = signed_cylinder_pressure(contact, (2*i - 1.0_dp)/n_places, (2*(n_places - i) + 1.0_dp)/n_places)
-         gaps(i) = signed_cylinder_gap(contact, reach*(i - 0.5_dp)/n_places, 1.0_dp)
-         gaps(n_places + i) = signed_cylinder_gap(contact, reach*(i - 0.5_dp)/n_places, -1.0_dp)
+      do i = 1, n_positions
+         pressures(i) = signed_cylinder_pressure(contact, (2*i - 1.0_dp)/n_positions, (2*(n_positions - i) + 1.0_dp)/n_positions)
+         gaps(i) = signed_cylinder_gap(contact, reach*(i - 0.5_dp)/n_positions, 1.0_dp)
+         gaps(n_positions + i) = signed_cylinder_gap(contact, reach*(i - 0.5_dp)/n_positions, -1.0_dp)
       end do
       nothing = 0
-      violation = max(largest_violation(pressures, nothing(:n_places), peak_pressure, 1.0_dp), &
+      violation = max(largest_violation(pressures, nothing(:n_positions), peak_pressure, 1.0_dp), &
          & largest_violation(nothing, gaps, 1.0_dp, 1.0_dp))
    end function largest_profile_violation
 
    !> See `integrand_t`.
    pure real(dp) function evaluate(self, from_left, from_right) result(value)
-      !> The contact.
-      class(place_t), intent(in) :: self
+      class(cylinder_position_t), intent(in) :: self
       !> Distances from the trailing and the leading edge.
       real(dp), intent(in) :: from_left, from_right
 

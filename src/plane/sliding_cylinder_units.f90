@@ -58,7 +58,6 @@ contains
 
    !> What slides on what.
    pure subroutine new_cylinder_slide(self, radius, prony, velocity, is_possible)
-      !> What slides on what.
       type(cylinder_slide_t), intent(out) :: self
       !> Radius of the cylinder [m], > 0.
       real(dp), intent(in) :: radius
@@ -80,9 +79,7 @@ contains
 
    !> Can double precision handle a load? No length over the half-width of its contact may be beyond the bounds of a solid.
    pure logical function suits_load(self, prony, load)
-      !> What slides on what.
       class(cylinder_slide_t), intent(in) :: self
-      !> Relaxation spectrum of the solid.
       type(prony_t), intent(in) :: prony
       !> Load per length [N/m], >= 0.
       real(dp), intent(in) :: load
@@ -98,11 +95,9 @@ contains
 
    !> The contact under a load.
    pure subroutine solve_load(self, load, state, is_converged)
-      !> What slides on what.
       class(cylinder_slide_t), intent(in) :: self
       !> Load per length [N/m], >= 0.
       real(dp), intent(in) :: load
-      !> The contact.
       type(cylinder_slide_state_t), intent(out) :: state
       !> Was it found? There is none under a tension.
       logical, intent(out) :: is_converged
@@ -122,7 +117,6 @@ contains
 
    !> Square of the half-width, in the radius, that a load would have on the relaxed solid.
    pure real(dp) function reduced_load(self, load)
-      !> What slides on what.
       class(cylinder_slide_t), intent(in) :: self
       !> Load per length [N/m], >= 0.
       real(dp), intent(in) :: load
@@ -132,12 +126,9 @@ contains
 
    !> What is found by going over the profiles of a contact.
    pure subroutine get_survey(self, state, survey)
-      !> What slides on what.
       class(cylinder_slide_t), intent(in) :: self
-      !> The contact.
       type(cylinder_slide_state_t), intent(in) :: state
       !> Largest pressure [Pa], violations, and in place of the friction ratio the friction coefficient from the pressure, with the
-      !> sign of the velocity.
       type(cylinder_survey_t), intent(out) :: survey
 
       call survey_cylinder(state%contact, survey)
@@ -147,11 +138,9 @@ contains
 
    !> Pressure at x [Pa].
    pure real(dp) function pressure_at(self, state, x)
-      !> What slides on what.
       class(cylinder_slide_t), intent(in) :: self
-      !> The contact.
       type(cylinder_slide_state_t), intent(in) :: state
-      !> Place along the surface, from the lowest line of the cylinder [m].
+      !> Position along the surface, from the lowest line of the cylinder [m].
       real(dp), intent(in) :: x
 
       pressure_at = 0
@@ -161,11 +150,9 @@ contains
 
    !> Gap at x [m].
    pure real(dp) function gap_at(self, state, x)
-      !> What slides on what.
       class(cylinder_slide_t), intent(in) :: self
-      !> The contact.
       type(cylinder_slide_state_t), intent(in) :: state
-      !> Place along the surface, from the lowest line of the cylinder [m].
+      !> Position along the surface, from the lowest line of the cylinder [m].
       real(dp), intent(in) :: x
 
       ! without load the solid is flat

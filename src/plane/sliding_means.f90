@@ -7,14 +7,15 @@
 !>     gap,     e^(-y/b) cos(y/2)/R:    rho' = mean of R^2 = C^2 <sin^2 phi>
 !>
 !> where sin(y/2) = -s cos phi in the contact and cos(y/2) = C cos phi in the gap. All three are ratios of integrals, and
-!> all integrands are positive, once the places phi and pi - phi are taken together and nu is integrated by parts. Where b is long,
+!> all integrands are positive, once the positions phi and pi - phi are taken together and nu is integrated by parts. Where b is
+!> long,
 !>
 !>     rho' = (C^2 + s^2 ln s^2)/(-2 ln s^2) = C^2 mu
 !>     rho' - C^2 mu = C^2 <(sin^2 phi - mu) (1 - z/(b sinh(z/b)))>,    z = pi - y
 !>
 !> and this excess is summed by itself. The integrals are sums at equal steps of v, dy = 2 R dv, which make phi an elliptic function
 !> of v: sums over a period of an analytic function, whose error is squared when the step is halved, for a contact or a gap as
-!> narrow as may be. A length that is short beside the arc needs the places near one edge alone.
+!> narrow as may be. A length that is short beside the arc needs the positions near one edge alone.
 module adfric_plane_sliding_means
    use adfric_base_kinds, only: dp
    use adfric_numerics_jacobi_nodes, only: halve_argument, put_midpoints
@@ -31,7 +32,7 @@ module adfric_plane_sliding_means
    !> changes are at most the third number, or the last one the fourth, since round-off hides how they fall.
    real(dp), parameter :: small_change = 3.0e-9_dp, small_error = 2.0e-16_dp, small_changes = 1.0e-10_dp, round_off = 1.0e-14_dp
    !> Exponent whose decay is nothing.
-   real(dp), parameter :: long_way = 45
+   real(dp), parameter :: long_path = 45
 
    !> One of the two arcs of a period, contact or gap.
    type :: arc_t
@@ -45,7 +46,6 @@ contains
 
    !> The two means over a contact.
    pure subroutine get_contact_means(arc, length, rho, nu, is_converged)
-      !> The contact.
       type(arc_t), intent(in) :: arc
       !> Relaxation length a [1/k], > 0.
       real(dp), intent(in) :: length
@@ -53,7 +53,6 @@ contains
       real(dp), intent(out) :: rho
       !> Mean of cos 2 phi, > 0.
       real(dp), intent(out) :: nu
-      !> Have the sums come to rest?
       logical, intent(out) :: is_converged
       real(dp) :: means(2)
 
@@ -64,7 +63,6 @@ contains
 
    !> The two means over a gap.
    pure subroutine get_gap_means(arc, length, rho, excess, is_converged)
-      !> The gap; its half-width is pi - w.
       type(arc_t), intent(in) :: arc
       !> Retardation length b [1/k], > 0.
       real(dp), intent(in) :: length
@@ -72,7 +70,6 @@ contains
       real(dp), intent(out) :: rho
       !> By how much it is more than where b is long, < 0.
       real(dp), intent(out) :: excess
-      !> Have the sums come to rest?
       logical, intent(out) :: is_converged
       real(dp) :: means(2)
 
@@ -83,7 +80,6 @@ contains
 
    !> -ln s^2 = -ln(1 - C^2), to round-off.
    elemental real(dp) function logarithm_of_sine(gap)
-      !> The gap.
       type(arc_t), intent(in) :: gap
 
       if (gap%sine < gap%cosine) then
@@ -95,7 +91,6 @@ contains
 
    !> C^2 + s^2 ln s^2, the mean gap of an elastic solid, to round-off.
    elemental real(dp) function elastic_mean_gap(gap)
-      !> The gap.
       type(arc_t), intent(in) :: gap
 
       if (gap%sine < gap%cosine) then
@@ -121,17 +116,13 @@ contains
       end do
    end function logarithm_rest
 
-   !> <sin^2 phi> and, in a contact, nu, in a gap the excess over C^2, with twice as many places until they rest.
+   !> <sin^2 phi> and, in a contact, nu, in a gap the excess over C^2, with twice as many positions until they rest.
    pure subroutine sum_over_arc(arc, length, is_gap, means, is_converged)
-      !> The arc.
       type(arc_t), intent(in) :: arc
       !> Length of the decay [1/k], > 0.
       real(dp), intent(in) :: length
-      !> Is the arc the gap?
       logical, intent(in) :: is_gap
-      !> The means.
       real(dp), intent(out) :: means(2)
-      !> Have they come to rest?
       logical, intent(out) :: is_converged
       real(dp) :: nodes(3, 0:2**most_levels), midpoints(3, 2**(most_levels - 1)), step(3), sums(3), mu
       real(dp) :: old_means(2), changes(2), old_changes(2)
@@ -185,7 +176,6 @@ contains
 
    !> Halve the range of v, from the edge to the middle, as long as all of the decay is in the half.
    pure subroutine find_end_of_decay(arc, length, values)
-      !> The arc.
       type(arc_t), intent(in) :: arc
       !> Length of the decay [1/k], > 0.
       real(dp), intent(in) :: length
@@ -197,22 +187,20 @@ contains
       do
          half = values
          call halve_argument(half)
-         if (.not. way_from_edge(arc, half) > long_way*length) return
+         if (.not. path_from_edge(arc, half) > long_path*length) return
          values = half
       end do
    end subroutine find_end_of_decay
 
-   !> Add the terms at several places.
+   !> Add the terms at several positions.
    pure subroutine add_terms(arc, length, is_gap, mu, nodes, sums)
-      !> The arc.
       type(arc_t), intent(in) :: arc
       !> Length of the decay [1/k], > 0.
       real(dp), intent(in) :: length
-      !> Is the arc the gap?
       logical, intent(in) :: is_gap
       !> The mean of sin^2 phi over the gap where the length is long.
       real(dp), intent(in) :: mu
-      !> sn, cn, dn at the places; shape `(3, n)`.
+      !> sn, cn, dn at the positions; shape `(3, n)`.
       real(dp), intent(in) :: nodes(:, :)
       !> Sums of the terms.
       real(dp), intent(inout) :: sums(3)
@@ -225,26 +213,24 @@ contains
 
    !> The integrands with respect to v, of phi and pi - phi together: the weight, the weight times sin^2 phi, and what gives nu.
    pure function terms_of(arc, length, is_gap, mu, values) result(terms)
-      !> The arc.
       type(arc_t), intent(in) :: arc
       !> Length of the decay [1/k], > 0.
       real(dp), intent(in) :: length
-      !> Is the arc the gap?
       logical, intent(in) :: is_gap
       !> The mean of sin^2 phi over the gap where the length is long.
       real(dp), intent(in) :: mu
-      !> sn, cn, dn at the place.
+      !> sn, cn, dn at the position.
       real(dp), intent(in) :: values(3)
       real(dp) :: terms(3)
-      real(dp) :: cosine, square, way, to_middle, decay, far_side
+      real(dp) :: cosine, square, path, to_middle, decay, far_side
 
       cosine = values(2)/values(3)
       square = (arc%cosine*values(1)/values(3))**2
-      way = way_from_edge(arc, values)
-      to_middle = arc%half_width - way
+      path = path_from_edge(arc, values)
+      to_middle = arc%half_width - path
       ! a difference would lose digits there
-      if (2*way > arc%half_width) to_middle = 2*asin(min(arc%sine*cosine, 1.0_dp))
-      decay = exp(-way/length)
+      if (2*path > arc%half_width) to_middle = 2*asin(min(arc%sine*cosine, 1.0_dp))
+      decay = exp(-path/length)
       far_side = -expm1(-2*to_middle/length)
       if (is_gap) then
          terms(1) = cosine*decay*far_side
@@ -272,14 +258,13 @@ contains
       end if
    end function beyond_line
 
-   !> Way from the edge to a place.
-   pure real(dp) function way_from_edge(arc, values)
-      !> The arc.
+   !> Way from the edge to a position.
+   pure real(dp) function path_from_edge(arc, values)
       type(arc_t), intent(in) :: arc
-      !> sn, cn, dn at the place.
+      !> sn, cn, dn at the position.
       real(dp), intent(in) :: values(3)
 
-      way_from_edge = 4*atan(arc%sine*arc%cosine*values(1)**2/((values(2) + values(3))*(1 + values(3))))
-   end function way_from_edge
+      path_from_edge = 4*atan(arc%sine*arc%cosine*values(1)**2/((values(2) + values(3))*(1 + values(3))))
+   end function path_from_edge
 
 end module adfric_plane_sliding_means

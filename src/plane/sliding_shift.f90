@@ -45,7 +45,6 @@ contains
 
    !> The shift of a contact.
    pure subroutine find_shift(solid, curvature, rho, gap_rho, self, is_converged)
-      !> The solid.
       type(sliding_solid_t), intent(in) :: solid
       !> 1 for a wave, 0 for a cylinder.
       real(dp), intent(in) :: curvature
@@ -53,9 +52,7 @@ contains
       real(dp), intent(in) :: rho(:)
       !> Means over the gap with the retardation lengths; shape `(n)`.
       real(dp), intent(in) :: gap_rho(:)
-      !> The shift.
       type(sliding_shift_t), intent(out) :: self
-      !> Was the system solved?
       logical, intent(out) :: is_converged
       real(dp) :: tangents(solid%n_arms), gap_parts(solid%n_arms), tangent
       integer :: i, n
@@ -79,7 +76,6 @@ contains
 
    !> Solve the system for eta_j/cos m, which are all positive. Rows and columns are scaled to numbers about 1.
    pure subroutine solve_system(solid, curvature, rho, gap_parts, tangents, is_converged)
-      !> The solid.
       type(sliding_solid_t), intent(in) :: solid
       !> 1 for a wave, 0 for a cylinder.
       real(dp), intent(in) :: curvature
@@ -89,7 +85,6 @@ contains
       real(dp), intent(in) :: gap_parts(:)
       !> The unknowns; shape `(n)`.
       real(dp), intent(out) :: tangents(:)
-      !> Was the system solved?
       logical, intent(out) :: is_converged
       real(dp) :: matrix(size(rho), size(rho)), right(size(rho), 1), columns(size(rho)), rows(size(rho))
       integer :: pivots(size(rho)), i, j, n, info

@@ -43,7 +43,6 @@ contains
 
    !> A solid that is slid over.
    pure subroutine new_sliding_solid(self, prony, speed)
-      !> The solid.
       type(sliding_solid_t), intent(out) :: self
       !> Its relaxation spectrum, `relaxed` > 0.
       type(prony_t), intent(in) :: prony
@@ -80,7 +79,6 @@ contains
 
    !> Storage and loss modulus over the relaxed modulus that a wave sees whose wave number is 1.
    pure subroutine get_complex_ratio(self, storage, loss)
-      !> The solid.
       class(sliding_solid_t), intent(in) :: self
       !> E'/E0 [-], >= 1.
       real(dp), intent(out) :: storage
@@ -93,7 +91,6 @@ contains
 
    !> The instantaneous modulus over the relaxed one.
    pure real(dp) function instantaneous_ratio(self)
-      !> The solid.
       class(sliding_solid_t), intent(in) :: self
 
       instantaneous_ratio = 1 + sum(self%ratios)
@@ -101,7 +98,6 @@ contains
 
    !> Give the lengths in another unit.
    pure subroutine change_unit(self, unit)
-      !> The solid.
       class(sliding_solid_t), intent(inout) :: self
       !> The new unit [unit of length], > 0.
       real(dp), intent(in) :: unit

@@ -105,7 +105,6 @@ contains
       type(sliding_solid_t), intent(in) :: solid
       !> ln tan(w/2), any number from -300 to 40.
       real(dp), intent(in) :: x
-      !> The contact.
       type(wave_contact_t), intent(out) :: contact
       !> Have all sums come to rest, and is the system solved?
       logical, intent(out) :: is_converged
@@ -135,7 +134,6 @@ contains
    pure subroutine get_arcs(x, arc, gap)
       !> ln tan(w/2).
       real(dp), intent(in) :: x
-      !> The contact and the gap.
       type(arc_t), intent(out) :: arc, gap
       real(dp) :: tangent
 
@@ -148,7 +146,6 @@ contains
 
    !> Exchange two arcs.
    pure subroutine exchange(first, second)
-      !> The arcs.
       type(arc_t), intent(inout) :: first, second
       type(arc_t) :: third
 
@@ -159,13 +156,10 @@ contains
 
    !> Mean pressure, penetration and friction of a contact whose shift is known.
    pure subroutine complete(solid, gap, excess, contact)
-      !> The solid.
       type(sliding_solid_t), intent(in) :: solid
-      !> The gap.
       type(arc_t), intent(in) :: gap
       !> Excess of the means over the gap; shape `(n)`.
       real(dp), intent(in) :: excess(:)
-      !> The contact.
       type(wave_contact_t), intent(inout) :: contact
       real(dp) :: open_part, closed_part, raise
 
@@ -195,9 +189,7 @@ contains
       type(sliding_solid_t), intent(in) :: solid
       !> Mean pressure [p*], >= 0; below 1e-250 there is no contact.
       real(dp), intent(in) :: q
-      !> The contact.
       type(wave_contact_t), intent(out) :: contact
-      !> Was it found?
       logical, intent(out) :: is_converged
       type(width_equation_t) :: equation
       real(dp) :: full
@@ -223,9 +215,7 @@ contains
       type(sliding_solid_t), intent(in) :: solid
       !> Approach of the mean planes since first touch [D]; no contact belongs to more than 1, and a negative one to none.
       real(dp), intent(in) :: penetration
-      !> The contact.
       type(wave_contact_t), intent(out) :: contact
-      !> Was it found?
       logical, intent(out) :: is_converged
       type(width_equation_t) :: equation
       real(dp) :: q, gap
@@ -246,15 +236,12 @@ contains
 
    !> Find the width, and the contact that has it.
    pure subroutine find_width(equation, closed_part, slope, contact, is_converged)
-      !> The equation of what is wanted.
       type(width_equation_t), intent(in) :: equation
       !> A guess of sin^2(w/2), 0 to 1.
       real(dp), intent(in) :: closed_part
       !> A guess of the slope of the equation.
       real(dp), intent(in) :: slope
-      !> The contact.
       type(wave_contact_t), intent(out) :: contact
-      !> Was it found?
       logical, intent(out) :: is_converged
       real(dp) :: x
 
@@ -265,7 +252,6 @@ contains
 
    !> See `rising_equation_t`.
    pure subroutine evaluate(self, x, value)
-      !> The equation with the solid and what is wanted.
       class(width_equation_t), intent(in) :: self
       !> ln tan(w/2).
       real(dp), intent(in) :: x

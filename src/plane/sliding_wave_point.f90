@@ -6,10 +6,7 @@ module adfric_plane_sliding_wave_point
    use adfric_base_unset, only: is_set, unset
    use adfric_plane_sliding_wave_survey, only: wave_survey_t
    use adfric_plane_sliding_wave_units, only: wave_slide_t, wave_slide_state_t, new_wave_slide
-   use adfric_plane_wave_variables, only: v_amplitude, v_material, v_mean_pressure, v_penetration, v_period, v_temperature, &
-      & v_velocity, r_contact_fraction, r_contact_shift, r_contact_width, r_dissipation, r_energy_imbalance, &
-      & r_friction_coefficient, r_friction_stress, r_full_contact_pressure, r_largest_gap, r_mean_gap, r_mean_pressure, &
-      & r_peak_pressure, r_penetration, r_regime, r_violation, regime_full, regime_none, regime_partial
+   use adfric_plane_wave_variables, only: regime_full, regime_none, regime_partial, in => wave_input, out => wave_output
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_prony, only: prony_t
    use adfric_solid_spectrum_rows, only: get_spectrum, is_same_spectrum, n_spectrum_rows, shift_factor_of
@@ -41,22 +38,20 @@ contains
 
    !> What slides on what.
    pure subroutine resolve_slide(values, given, point, is_possible)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> In: what the point before has left. Out: spectrum, wave and speed of this one.
       type(slide_point_t), intent(inout) :: point
       !> Is the speed one that double precision can handle?
       logical, intent(out) :: is_possible
 
-      associate (material => values(v_material:v_temperature))
+      associate (material => values(in%material(1):in%temperature))
          if (.not. is_same_spectrum(material, point%material)) then
             call get_spectrum(material, given, point%prony)
             point%material = material
          end if
-         call new_wave_slide(point%slide, values(v_period), values(v_amplitude), point%prony, &
-            & values(v_velocity)*shift_factor_of(material, given), is_possible)
+         call new_wave_slide(point%slide, values(in%period), values(in%amplitude), point%prony, &
+            & values(in%velocity)*shift_factor_of(material, given), is_possible)
       end associate
    end subroutine resolve_slide
 
@@ -64,7 +59,6 @@ contains
    pure logical function is_possible_slide(values, given) result(is_possible)
       !> Values of the variables, which have been checked one by one; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       type(slide_point_t) :: point
 
@@ -73,9 +67,7 @@ contains
 
    !> Solve a point. Beyond full contact the penetration of a half-plane is undefined.
    pure subroutine solve_slide(values, given, point, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> In: what the point before has left. Out: what this one leaves.
       type(slide_point_t), intent(inout) :: point
@@ -93,13 +85,13 @@ contains
       call resolve_slide(values, given, point, is_solved)
       if (.not. is_solved) return
       call point%slide%full_contact(full)
-      results(r_full_contact_pressure) = full%mean_pressure
-      if (is_set(values(v_mean_pressure))) then
-         call point%slide%solve_pressure(values(v_mean_pressure), point%contact, is_solved)
+      results(out%full_contact_pressure) = full%mean_pressure
+      if (is_set(values(in%mean_pressure))) then
+         call point%slide%solve_pressure(values(in%mean_pressure), point%contact, is_solved)
       else
-         if (values(v_penetration) > values(v_amplitude)) status = status_no_equilibrium
+         if (values(in%penetration) > values(in%amplitude)) status = status_no_equilibrium
          if (status == status_no_equilibrium) return
-         call point%slide%solve_penetration(values(v_penetration), point%contact, is_solved)
+         call point%slide%solve_penetration(values(in%penetration), point%contact, is_solved)
       end if
       if (.not. is_solved) return
       status = status_solved
@@ -108,9 +100,7 @@ contains
 
    !> Results of a contact.
    pure subroutine store(values, point, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its contact.
       type(slide_point_t), intent(in) :: point
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -119,32 +109,31 @@ contains
 
       call point%slide%get_survey(point%contact, survey)
       associate (contact => point%contact)
-         results([r_mean_pressure, r_penetration]) = [contact%mean_pressure, contact%penetration]
+         results([out%mean_pressure, out%penetration]) = [contact%mean_pressure, contact%penetration]
          ! what is given keeps its bits
-         if (is_set(values(v_mean_pressure))) results(r_mean_pressure) = values(v_mean_pressure)
-         if (is_set(values(v_penetration))) results(r_penetration) = values(v_penetration)
-         results(r_contact_fraction) = contact%contact_fraction
-         results(r_contact_width) = contact%contact_fraction*values(v_period)
-         results([r_peak_pressure, r_violation]) = [survey%peak_pressure, survey%violation]
-         results([r_mean_gap, r_largest_gap]) = [contact%mean_gap, survey%largest_gap]
-         results(r_regime) = regime_partial
-         if (.not. contact%contact_fraction > 0) results(r_regime) = regime_none
-         if (contact%is_full) results(r_regime) = regime_full
-         results(r_friction_stress) = contact%friction_stress
-         results(r_friction_coefficient) = contact%friction_coefficient
-         if (nint(results(r_regime)) == regime_partial) results(r_contact_shift) = contact%contact_shift
-         results(r_dissipation) = abs(contact%friction_stress)
-         losses = max(results(r_dissipation), small_share*contact%mean_pressure*two_pi*values(v_amplitude)/values(v_period))
-         results(r_energy_imbalance) = 0
-         if (losses > 0) results(r_energy_imbalance) = (abs(survey%friction) - results(r_dissipation))/losses
+         if (is_set(values(in%mean_pressure))) results(out%mean_pressure) = values(in%mean_pressure)
+         if (is_set(values(in%penetration))) results(out%penetration) = values(in%penetration)
+         results(out%contact_fraction) = contact%contact_fraction
+         results(out%contact_width) = contact%contact_fraction*values(in%period)
+         results([out%peak_pressure, out%violation]) = [survey%peak_pressure, survey%violation]
+         results([out%mean_gap, out%largest_gap]) = [contact%mean_gap, survey%largest_gap]
+         results(out%regime) = regime_partial
+         if (.not. contact%contact_fraction > 0) results(out%regime) = regime_none
+         if (contact%is_full) results(out%regime) = regime_full
+         results(out%friction_stress) = contact%friction_stress
+         results(out%friction_coefficient) = contact%friction_coefficient
+         if (nint(results(out%regime)) == regime_partial) results(out%contact_shift) = contact%contact_shift
+         results(out%dissipation) = abs(contact%friction_stress)
+         losses = max(results(out%dissipation), small_share*contact%mean_pressure*two_pi*values(in%amplitude)/values(in%period))
+         results(out%energy_imbalance) = 0
+         if (losses > 0) results(out%energy_imbalance) = (abs(survey%friction) - results(out%dissipation))/losses
       end associate
    end subroutine store
 
    !> Pressure and gap along the wave.
    pure subroutine get_slide_profiles(point, coordinates, pressure, gap)
-      !> The point with its contact.
       type(slide_point_t), intent(in) :: point
-      !> Places along the wave, from a crest [m]; shape `(n)`.
+      !> Positions along the wave, from a crest [m]; shape `(n)`.
       real(dp), intent(in) :: coordinates(:)
       !> Pressure [Pa] and gap [m]; shape `(n)`.
       real(dp), intent(out) :: pressure(:), gap(:)

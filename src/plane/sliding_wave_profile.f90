@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Pressure and gap of a wave that slides over a viscoelastic half-plane, at a place. Units and symbols as in `sliding_wave`; y =
+!> Pressure and gap of a wave that slides over a viscoelastic half-plane, at a position. Units and symbols as in `sliding_wave`; y =
 !> x - m.
 !>
 !> In the contact, with the sums sigma_i and G_i of the shift and the mean rho_i,
@@ -29,29 +29,30 @@ module adfric_plane_sliding_wave_profile
    !> A wave whose s is less is not loaded.
    real(dp), parameter :: least_sine = 1.0e-140_dp
    !> Exponent whose decay is nothing.
-   real(dp), parameter :: long_way = 45
+   real(dp), parameter :: long_path = 45
 
-   !> What a relaxation length adds to the pressure at a place in the contact.
-   type, extends(integrand_t) :: contact_integrand_t
-      !> Half-widths w of the contact and pi - w of the gap, and the place y.
-      real(dp) :: half_width = 0, half_gap = 0, place = 0
+   !> What a relaxation length adds to the pressure at a position in the contact.
+   type, extends(integrand_t) :: wave_contact_integrand_t
+      !> Half-widths w of the contact and pi - w of the gap, and the position y.
+      real(dp) :: half_width = 0, half_gap = 0, position = 0
       !> Relaxation length a, and the mean rho.
       real(dp) :: length = 1, rho = 1
       !> C^2.
       real(dp) :: open_part = 1
-      !> What is left from the end of the range to the leading edge.
+      !> What remains from the end of the range to the leading edge.
       real(dp) :: rest = 0
       !> Is A = cos m - sigma?
       logical :: is_long = .false.
    contains
       procedure :: evaluate => contact_term
-   end type contact_integrand_t
+   end type wave_contact_integrand_t
 
-   !> What a retardation length adds to the gap at a place.
-   type, extends(integrand_t) :: gap_integrand_t
-      !> Half-widths w of the contact and pi - w of the gap, s = sin(w/2), and the way from the leading edge to the place, y - w.
-      real(dp) :: half_width = 0, half_gap = 0, sine = 0, way = 0
-      !> What is left from the end of the range to the trailing edge.
+   !> What a retardation length adds to the gap at a position.
+   type, extends(integrand_t) :: wave_gap_integrand_t
+      !> Half-widths w of the contact and pi - w of the gap, s = sin(w/2), and the path from the leading edge to the position, y -
+      !> w.
+      real(dp) :: half_width = 0, half_gap = 0, sine = 0, path = 0
+      !> What remains from the end of the range to the trailing edge.
       real(dp) :: rest = 0
       !> Retardation length b, and s^2 + 2 (1 + 1/b^2) rho'.
       real(dp) :: length = 1, factor = 0
@@ -59,7 +60,7 @@ module adfric_plane_sliding_wave_profile
       real(dp) :: open_part = 1
    contains
       procedure :: evaluate => gap_term
-   end type gap_integrand_t
+   end type wave_gap_integrand_t
 
 contains
 
@@ -67,9 +68,8 @@ contains
    pure real(dp) function sliding_wave_pressure(solid, contact, x) result(p)
       !> The solid, with lengths in 1/k.
       type(sliding_solid_t), intent(in) :: solid
-      !> The contact.
       type(wave_contact_t), intent(in) :: contact
-      !> Place along the wave, from a crest [1/k].
+      !> Position along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
 
       p = signed_pressure(solid, contact, x)
@@ -80,22 +80,21 @@ contains
    pure real(dp) function signed_pressure(solid, contact, x) result(p)
       !> The solid, with lengths in 1/k.
       type(sliding_solid_t), intent(in) :: solid
-      !> The contact.
       type(wave_contact_t), intent(in) :: contact
-      !> Place along the wave, from a crest [1/k].
+      !> Position along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
       real(dp) :: y, root, factor, part, range, amplitude, round_off
-      type(contact_integrand_t) :: integrand
+      type(wave_contact_integrand_t) :: integrand
       integer :: i
       logical :: is_converged
 
-      y = place_in_period(x - contact%shift%shift)
+      y = position_in_period(x - contact%shift%shift)
       p = 0
       if (contact%is_full) p = (contact%mean_pressure - contact%stiffness) + 2*contact%stiffness*cos(y/2)**2
       if (contact%is_full .or. abs(y) >= contact%half_width) return
       integrand%half_width = contact%half_width
       integrand%half_gap = half_gap(contact)
-      integrand%place = y
+      integrand%position = y
       integrand%open_part = contact%cosine**2
       factor = contact%shift%cosine
       do i = 1, solid%n_arms
@@ -108,7 +107,7 @@ contains
       round_off = 2*epsilon(p)*contact%sine*abs(factor)
       do i = 1, solid%n_arms
          call choose_form(solid, contact, i, integrand, part)
-         range = min(contact%half_width - y, long_way*integrand%length)
+         range = min(contact%half_width - y, long_path*integrand%length)
          integrand%rest = (contact%half_width - y) - range
          amplitude = 2*solid%ratios(i)*contact%shift%edge_pressures(i)
          if (.not. abs(amplitude) > 0) cycle
@@ -120,14 +119,11 @@ contains
 
    !> The form of the pressure of one arm that does not cancel.
    pure subroutine choose_form(solid, contact, i, integrand, part)
-      !> The solid.
       type(sliding_solid_t), intent(in) :: solid
-      !> The contact.
       type(wave_contact_t), intent(in) :: contact
       !> Number of the arm.
       integer, intent(in) :: i
-      !> The integrand of the arm.
-      type(contact_integrand_t), intent(inout) :: integrand
+      type(wave_contact_integrand_t), intent(inout) :: integrand
       !> A_i.
       real(dp), intent(out) :: part
       real(dp) :: long_part
@@ -144,16 +140,15 @@ contains
 
    !> The integrand of the pressure, see `integrand_t`.
    pure real(dp) function contact_term(self, from_left, from_right) result(term)
-      !> The arm and the place.
-      class(contact_integrand_t), intent(in) :: self
-      !> Distance from the place.
+      class(wave_contact_integrand_t), intent(in) :: self
+      !> Distance from the position.
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
       real(dp) :: to_leading, to_trailing, near, square, sine, cosine
 
       to_leading = from_right + self%rest
-      to_trailing = (self%half_width + self%place) + from_left
+      to_trailing = (self%half_width + self%position) + from_left
       near = min(to_leading, to_trailing)
       if (self%half_width < self%half_gap) then
          square = sin(near/2)*sin(self%half_width - near/2)
@@ -177,9 +172,8 @@ contains
    pure real(dp) function sliding_wave_gap(solid, contact, x) result(g)
       !> The solid, with lengths in 1/k.
       type(sliding_solid_t), intent(in) :: solid
-      !> The contact.
       type(wave_contact_t), intent(in) :: contact
-      !> Place along the wave, from a crest [1/k].
+      !> Position along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
 
       g = signed_gap(solid, contact, x)
@@ -190,25 +184,24 @@ contains
    pure real(dp) function signed_gap(solid, contact, x) result(g)
       !> The solid, with lengths in 1/k.
       type(sliding_solid_t), intent(in) :: solid
-      !> The contact.
       type(wave_contact_t), intent(in) :: contact
-      !> Place along the wave, from a crest [1/k].
+      !> Position along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
-      real(dp) :: y, way, root, part, range, round_off
-      type(gap_integrand_t) :: integrand
+      real(dp) :: y, path, root, part, range, round_off
+      type(wave_gap_integrand_t) :: integrand
       integer :: j
       logical :: is_converged
 
-      y = place_in_period(x - contact%shift%shift)
+      y = position_in_period(x - contact%shift%shift)
       g = 0
       ! without contact the solid is flat
       if (.not. contact%half_width > 0) g = 2*sin(y/2)**2 - contact%penetration
       if (contact%is_full .or. abs(y) <= contact%half_width .or. .not. contact%half_width > 0) return
       if (y < 0) y = y + two_pi
-      integrand = gap_integrand_t(contact%half_width, half_gap(contact), contact%sine, y - contact%half_width, &
+      integrand = wave_gap_integrand_t(contact%half_width, half_gap(contact), contact%sine, y - contact%half_width, &
          & open_part=contact%cosine**2)
-      way = 2*integrand%half_gap - integrand%way
-      root = gap_root(integrand, min(way, integrand%way))
+      path = 2*integrand%half_gap - integrand%path
+      root = gap_root(integrand, min(path, integrand%path))
       g = contact%shift%cosine*elastic_gap(contact%sine, root)
       g = g + 2*contact%shift%sine*cos(y/2)*root
       ! that of these terms where the root is largest
@@ -220,8 +213,8 @@ contains
             integrand%length = b
             integrand%factor = contact%sine**2 + 2*(1 + 1/b**2)*contact%gap_rho(j)
          end associate
-         range = min(way, long_way*integrand%length)
-         integrand%rest = way - range
+         range = min(path, long_path*integrand%length)
+         integrand%rest = path - range
          call integrate(integrand, range, part, is_converged, round_off/abs(contact%shift%shares(j)))
          g = g + contact%shift%shares(j)*part
          if (.not. is_converged) g = not_a_number()
@@ -230,16 +223,14 @@ contains
 
    !> Half-width pi - w of the gap.
    pure real(dp) function half_gap(contact)
-      !> The contact.
       type(wave_contact_t), intent(in) :: contact
 
       half_gap = 2*atan2(contact%cosine, contact%sine)
    end function half_gap
 
-   !> R at a place in the gap.
+   !> R at a position in the gap.
    pure real(dp) function gap_root(integrand, near)
-      !> The half-widths.
-      class(gap_integrand_t), intent(in) :: integrand
+      class(wave_gap_integrand_t), intent(in) :: integrand
       !> Way to the nearer edge, 0 to pi - w.
       real(dp), intent(in) :: near
 
@@ -266,15 +257,14 @@ contains
 
    !> The integrand of the gap, see `integrand_t`.
    pure real(dp) function gap_term(self, from_left, from_right) result(term)
-      !> The arm and the place.
-      class(gap_integrand_t), intent(in) :: self
-      !> Distance from the place.
+      class(wave_gap_integrand_t), intent(in) :: self
+      !> Distance from the position.
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
       real(dp) :: near, root
 
-      near = min(from_right + self%rest, self%way + from_left)
+      near = min(from_right + self%rest, self%path + from_left)
       root = gap_root(self, near)
       term = self%open_part*sin((self%half_width + near)/2)/root - 2*self%factor*asinh(root/self%sine)
       term = exp(-from_left/self%length)*term
@@ -284,20 +274,19 @@ contains
    pure real(dp) function sliding_wave_displacement(solid, contact, x) result(u)
       !> The solid, with lengths in 1/k.
       type(sliding_solid_t), intent(in) :: solid
-      !> The contact.
       type(wave_contact_t), intent(in) :: contact
-      !> Place along the wave, from a crest [1/k].
+      !> Position along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
 
-      u = contact%penetration - 2*sin(place_in_period(x)/2)**2 + sliding_wave_gap(solid, contact, x)
+      u = contact%penetration - 2*sin(position_in_period(x)/2)**2 + sliding_wave_gap(solid, contact, x)
    end function sliding_wave_displacement
 
-   !> The same place within half a wave of the middle.
-   pure real(dp) function place_in_period(x)
-      !> A place [1/k].
+   !> The same position within half a wave of the middle.
+   pure real(dp) function position_in_period(x)
+      !> A position [1/k].
       real(dp), intent(in) :: x
 
-      place_in_period = x - two_pi*anint(x/two_pi)
-   end function place_in_period
+      position_in_period = x - two_pi*anint(x/two_pi)
+   end function position_in_period
 
 end module adfric_plane_sliding_wave_profile

@@ -59,7 +59,6 @@ contains
 
    !> What slides on what.
    pure subroutine new_wave_slide(self, period, amplitude, prony, velocity, is_possible)
-      !> What slides on what.
       type(wave_slide_t), intent(out) :: self
       !> Length of the wave [m], > 0.
       real(dp), intent(in) :: period
@@ -86,9 +85,7 @@ contains
 
    !> Full contact at this velocity, under the least mean pressure that makes it.
    pure subroutine full_contact(self, state)
-      !> What slides on what.
       class(wave_slide_t), intent(in) :: self
-      !> The contact.
       type(wave_slide_state_t), intent(out) :: state
 
       call get_full_contact(self%solid, state%contact)
@@ -97,11 +94,9 @@ contains
 
    !> The contact under a mean pressure.
    pure subroutine solve_pressure(self, mean_pressure, state, is_converged)
-      !> What slides on what.
       class(wave_slide_t), intent(in) :: self
       !> Mean pressure [Pa], >= 0.
       real(dp), intent(in) :: mean_pressure
-      !> The contact.
       type(wave_slide_state_t), intent(out) :: state
       !> Was it found? There is none under a tension.
       logical, intent(out) :: is_converged
@@ -112,13 +107,11 @@ contains
 
    !> The contact at a penetration.
    pure subroutine solve_penetration(self, penetration, state, is_converged)
-      !> What slides on what.
       class(wave_slide_t), intent(in) :: self
       !> Penetration since first touch [m], at most the amplitude; there is no contact at a negative one.
       real(dp), intent(in) :: penetration
       !> The contact; of full contacts, the one under the least mean pressure.
       type(wave_slide_state_t), intent(out) :: state
-      !> Was it found?
       logical, intent(out) :: is_converged
 
       call wave_of_penetration(self%solid, penetration/self%amplitude, state%contact, is_converged)
@@ -127,9 +120,7 @@ contains
 
    !> Give the results of a contact their units and the direction.
    pure subroutine give_units(self, state)
-      !> What slides on what.
       type(wave_slide_t), intent(in) :: self
-      !> The contact.
       type(wave_slide_state_t), intent(inout) :: state
       real(dp) :: length
 
@@ -152,9 +143,7 @@ contains
 
    !> What is found by going over the profiles of a contact.
    pure subroutine get_survey(self, state, survey)
-      !> What slides on what.
       class(wave_slide_t), intent(in) :: self
-      !> The contact.
       type(wave_slide_state_t), intent(in) :: state
       !> Pressures [Pa], gap [m] and tangential stress with the sign of the velocity [Pa]; violations in p* and the amplitude.
       type(wave_survey_t), intent(out) :: survey
@@ -167,48 +156,41 @@ contains
 
    !> Pressure at x [Pa].
    pure real(dp) function pressure_at(self, state, x)
-      !> What slides on what.
       class(wave_slide_t), intent(in) :: self
-      !> The contact.
       type(wave_slide_state_t), intent(in) :: state
-      !> Place along the wave, from a crest [m].
+      !> Position along the wave, from a crest [m].
       real(dp), intent(in) :: x
 
-      pressure_at = self%pressure_unit*sliding_wave_pressure(self%solid, state%contact, reduced_place(self, x))
+      pressure_at = self%pressure_unit*sliding_wave_pressure(self%solid, state%contact, reduced_position(self, x))
    end function pressure_at
 
    !> Gap at x [m].
    pure real(dp) function gap_at(self, state, x)
-      !> What slides on what.
       class(wave_slide_t), intent(in) :: self
-      !> The contact.
       type(wave_slide_state_t), intent(in) :: state
-      !> Place along the wave, from a crest [m].
+      !> Position along the wave, from a crest [m].
       real(dp), intent(in) :: x
 
-      gap_at = self%amplitude*sliding_wave_gap(self%solid, state%contact, reduced_place(self, x))
+      gap_at = self%amplitude*sliding_wave_gap(self%solid, state%contact, reduced_position(self, x))
    end function gap_at
 
    !> Displacement of the solid's surface at x [m], into the solid, of which the mean is 0.
    pure real(dp) function displacement_at(self, state, x)
-      !> What slides on what.
       class(wave_slide_t), intent(in) :: self
-      !> The contact.
       type(wave_slide_state_t), intent(in) :: state
-      !> Place along the wave, from a crest [m].
+      !> Position along the wave, from a crest [m].
       real(dp), intent(in) :: x
 
-      displacement_at = self%amplitude*sliding_wave_displacement(self%solid, state%contact, reduced_place(self, x))
+      displacement_at = self%amplitude*sliding_wave_displacement(self%solid, state%contact, reduced_position(self, x))
    end function displacement_at
 
-   !> A place in l/(2 pi), as seen in the direction of the motion.
-   pure real(dp) function reduced_place(self, x)
-      !> What slides on what.
+   !> A position in l/(2 pi), as seen in the direction of the motion.
+   pure real(dp) function reduced_position(self, x)
       type(wave_slide_t), intent(in) :: self
-      !> Place along the wave, from a crest [m].
+      !> Position along the wave, from a crest [m].
       real(dp), intent(in) :: x
 
-      reduced_place = self%direction*two_pi*(x/self%period)
-   end function reduced_place
+      reduced_position = self%direction*two_pi*(x/self%period)
+   end function reduced_position
 
 end module adfric_plane_sliding_wave_units

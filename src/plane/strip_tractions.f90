@@ -28,7 +28,7 @@ contains
       real(dp), intent(in) :: p
       !> Shear traction on the strip, along +x; in the unit of p.
       real(dp), intent(in) :: q
-      !> Coordinates of the place, from the middle of the strip, in half-widths, y >= 0.
+      !> Coordinates of the position, from the middle of the strip, in half-widths, y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3)
       real(dp) :: r1, r2, alpha, beta, sine, along, across, mixed
@@ -46,13 +46,13 @@ contains
       stress = -[p*along + q*(2*log_ratio(x, y, r1, r2) - mixed), p*across + q*mixed, p*mixed + q*along]/pi
    end function uniform_strip_stress
 
-   !> ln(r1/r2), with the distances r1 and r2 of the place (x, y) from (-1, 0) and (1, 0).
+   !> ln(r1/r2), with the distances r1 and r2 of the position (x, y) from (-1, 0) and (1, 0).
    pure real(dp) function log_ratio(x, y, r1, r2)
-      !> Coordinates of the place, from the middle of the strip, in half-widths.
+      !> Coordinates of the position, from the middle of the strip, in half-widths.
       real(dp), intent(in) :: x, y
-      !> Distance of the place from (-1, 0), > 0.
+      !> Distance of the position from (-1, 0), > 0.
       real(dp), intent(in) :: r1
-      !> Distance of the place from (1, 0), > 0.
+      !> Distance of the position from (1, 0), > 0.
       real(dp), intent(in) :: r2
       real(dp) :: w
 
@@ -76,7 +76,7 @@ contains
       real(dp), intent(in) :: p0
       !> Largest shear traction on the strip, along +x; in the unit of p0.
       real(dp), intent(in) :: q0
-      !> Coordinates of the place, from the middle of the strip, in half-widths, y >= 0.
+      !> Coordinates of the position, from the middle of the strip, in half-widths, y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3)
       complex(dp) :: root

@@ -12,7 +12,7 @@ module adfric_plane_viscoelastic_model
 
    !> A model with rows of a spectrum, of which alone it has lists and datasets.
    type, abstract, extends(halfspace_model_t) :: viscoelastic_model_t
-      !> Place of the first row of the material.
+      !> Index of the first row of the material.
       integer :: first_material = 0
       !> Lists and datasets of the material.
       type(given_spectrum_t) :: given
@@ -24,35 +24,32 @@ module adfric_plane_viscoelastic_model
 contains
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which keeps the values.
+   subroutine take_dataset(self, index, values, problems)
       class(viscoelastic_model_t), intent(inout) :: self
-      !> Place of the variable, one of the rows of the material.
-      integer, intent(in) :: place
+      !> Index of the variable, one of the rows of the material.
+      integer, intent(in) :: index
       !> The values in SI units; shape `(n, n_columns)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the values; nothing here.
       type(problems_t), intent(inout) :: problems
 
-      call take_spectrum(self%given, place - self%first_material + 1, values)
+      call take_spectrum(self%given, index - self%first_material + 1, values)
       associate (unused => problems)
       end associate
    end subroutine take_dataset
 
    !> See `model_t`.
-   subroutine take_attribute(self, place, name, value, problems)
-      !> The model, which keeps the value.
+   subroutine take_attribute(self, index, name, value, problems)
       class(viscoelastic_model_t), intent(inout) :: self
-      !> Place of the variable, one of the rows of the material.
-      integer, intent(in) :: place
-      !> Name of the attribute.
+      !> Index of the variable, one of the rows of the material.
+      integer, intent(in) :: index
       character(*), intent(in) :: name
       !> Its value in SI units.
       real(dp), intent(in) :: value
       !> Receives what is wrong with it.
       type(problems_t), intent(inout) :: problems
 
-      call take_spectrum_attribute(self%given, self%variables(place), place - self%first_material + 1, name, value, problems)
+      call take_spectrum_attribute(self%given, self%variables(index), index - self%first_material + 1, name, value, problems)
    end subroutine take_attribute
 
 end module adfric_plane_viscoelastic_model

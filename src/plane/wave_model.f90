@@ -12,10 +12,7 @@ module adfric_plane_wave_model
    use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
    use adfric_plane_wave_check, only: check_wave, is_adhesive, is_sliding
    use adfric_plane_wave_slip_point, only: add_slip, slip_tractions
-   use adfric_plane_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_amplitude, v_coefficient, &
-      & v_contact_modulus, v_material, v_period, v_pressure_factor, v_second_poisson_ratio, v_shear_strength, &
-      & v_tangential_stress, v_temperature, v_velocity, r_adhesion_fraction, r_contact_fraction, r_contact_width, &
-      & r_friction_coefficient, r_friction_stress, r_mean_pressure
+   use adfric_plane_wave_variables, only: get_wave_variables, get_wave_results, in => wave_input, out => wave_output
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_interface_coulomb_rows, only: has_coulomb
    use adfric_interface_shear_strength_rows, only: get_friction_of_area, has_shear, p_shear_stress, shear_profiles, shear_stress
@@ -52,14 +49,13 @@ contains
       call self%set_tables(name='wave_1d', summary='a sinusoidal wave on an elastic half-plane, also with adhesion, or sliding ' &
          & //'over a viscoelastic one, up to full contact', &
          & variables=get_wave_variables(), results=get_wave_results(), profiles=shear_profiles(), axes='x', is_depth=.false.)
-      self%first_material = v_material
+      self%first_material = in%material(1)
       self%references = self%references//'; Int. J. Solids Struct. 32 (1995); N. Menga, C. Putignano, G. Carbone, G. P. Demelio, ' &
          & //'Proc. R. Soc. A 470 (2014)'
    end subroutine new_wave_model
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -71,36 +67,33 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(list)
-      !> The model, for the rows of its moduli.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
 
       if (is_sliding(values)) then
-         call derive_spectrum(list, values(v_material:v_temperature), self%given)
+         call derive_spectrum(list, values(in%material(1):in%temperature), self%given)
       else
-         list = derive_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
-            & values(v_contact_modulus:v_second_poisson_ratio))
+         list = derive_contact_modulus(self%variables(in%contact_modulus:in%second_poisson_ratio), &
+            & values(in%contact_modulus:in%second_poisson_ratio))
          if (is_adhesive(values)) call derive_adhesion(list, values)
       end if
    end function derive_quantities
 
    !> See `model_t`.
    function describe_case(self, values) result(text)
-      !> The model with its lists and datasets.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
       text = ''
-      if (is_sliding(values)) text = describe_spectrum(values(v_material:v_temperature), self%given)
+      if (is_sliding(values)) text = describe_spectrum(values(in%material(1):in%temperature), self%given)
    end function describe_case
 
    !> See `model_t`.
    function describe_doubts(self, values) result(text)
-      !> The model with its lists and datasets.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -109,13 +102,12 @@ contains
 
       text = ''
       if (.not. is_sliding(values)) return
-      frequency = two_pi*abs(values(v_velocity))/values(v_period)
-      text = doubt_spectrum(values(v_material:v_temperature), self%given, [frequency, frequency])
+      frequency = two_pi*abs(values(in%velocity))/values(in%period)
+      text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
    end function describe_doubts
 
    !> See `model_t`: the steepest slope of the wave.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -124,14 +116,13 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      measures(doubt_slope_too_steep) = two_pi*values(v_amplitude)/values(v_period)
+      measures(doubt_slope_too_steep) = two_pi*values(in%amplitude)/values(in%period)
       associate (unused => self, unused_results => results)
       end associate
    end subroutine measure
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model with its lists and datasets.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -145,7 +136,7 @@ contains
       integer, intent(out) :: status
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
-      logical :: is_held
+      logical :: is_sustained
 
       if (is_sliding(values)) then
          if (.not. allocated(state)) allocate (slide_point_t :: state)
@@ -167,10 +158,10 @@ contains
          call solve_elastic_wave(values, results, error_estimate, status)
       end if
       if (status == status_solved .and. .not. is_sliding(values)) call store_friction(values, results)
-      if (status == status_solved .and. has_coulomb(values(v_tangential_stress:v_coefficient))) then
-         call add_slip(values, results, is_held)
-         if (.not. is_held) status = status_no_equilibrium
-         if (.not. is_held) results(:) = not_a_number()
+      if (status == status_solved .and. has_coulomb(values(in%tangential_stress:in%coefficient))) then
+         call add_slip(values, results, is_sustained)
+         if (.not. is_sustained) status = status_no_equilibrium
+         if (.not. is_sustained) results(:) = not_a_number()
       end if
       associate (unused => counts)
       end associate
@@ -178,27 +169,25 @@ contains
 
    !> Friction of a shear strength.
    pure subroutine store_friction(values, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: results of a solved point. Out: with friction; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       real(dp) :: tension
 
       tension = 0
-      if (is_adhesive(values)) tension = values(v_adhesion)*results(r_adhesion_fraction)
-      call get_friction_of_area(values(v_shear_strength:v_pressure_factor), results(r_contact_fraction), &
-         & results(r_mean_pressure), tension, results(r_friction_stress), results(r_friction_coefficient))
+      if (is_adhesive(values)) tension = values(in%adhesion)*results(out%adhesion_fraction)
+      call get_friction_of_area(values(in%shear_strength:in%pressure_factor), results(out%contact_fraction), &
+         & results(out%mean_pressure), tension, results(out%friction_stress), results(out%friction_coefficient))
    end subroutine store_friction
 
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
-      !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       count_profiles = p_shear_stress - 1
-      if (has_shear(values(v_shear_strength:v_pressure_factor)) .or. has_coulomb(values(v_tangential_stress:v_coefficient))) &
+      if (has_shear(values(in%shear_strength:in%pressure_factor)) .or. has_coulomb(values(in%tangential_stress:in%coefficient))) &
          & count_profiles = p_shear_stress
       associate (unused => self)
       end associate
@@ -206,7 +195,6 @@ contains
 
    !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -221,11 +209,11 @@ contains
 
       call fill_pressure_and_gap(values, results, state, axes, profiles)
       if (size(profiles, 3) < p_shear_stress) return
-      if (has_coulomb(values(v_tangential_stress:v_coefficient))) then
+      if (has_coulomb(values(in%tangential_stress:in%coefficient))) then
          profiles(:, 1, p_shear_stress) = slip_tractions(values, results, axes(1)%coordinates)
       else
-         profiles(:, 1, p_shear_stress) = shear_stress(values(v_shear_strength:v_pressure_factor), profiles(:, 1, 1), &
-            & results(r_contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
+         profiles(:, 1, p_shear_stress) = shear_stress(values(in%shear_strength:in%pressure_factor), profiles(:, 1, 1), &
+            & results(out%contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
       end if
       associate (unused => self)
       end associate
@@ -233,13 +221,11 @@ contains
 
    !> Pressure and gap.
    subroutine fill_pressure_and_gap(values, results, state, axes, profiles)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
       !> What `solve_point` has left: the contact of a sliding or of an adhesive wave.
       class(point_state_t), allocatable, intent(in) :: state
-      !> Axes of the profiles, the slowest first.
       type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: with pressure and gap; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)

@@ -41,7 +41,6 @@ contains
       real(dp), intent(in) :: q
       !> Tangential force over mu times the load, 0 to 1.
       real(dp), intent(in) :: tau
-      !> Receives the slip.
       type(wave_slip_t), intent(out) :: slip
       real(dp) :: top, fall, x
 
@@ -65,7 +64,7 @@ contains
       end associate
    end subroutine find_wave_slip
 
-   !> Shear traction p(q) - p(r) at a place, in mu p*.
+   !> Shear traction p(q) - p(r) at a position, in mu p*.
    elemental real(dp) function wave_shear(q, tau, x) result(traction)
       !> Mean pressure in p*, > 0.
       real(dp), intent(in) :: q

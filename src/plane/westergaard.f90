@@ -80,7 +80,7 @@ contains
       end if
    end function wave_gap
 
-   !> psi of the same place within half a wave of the nearest crest, 0 <= psi <= pi/2.
+   !> psi of the same position within half a wave of the nearest crest, 0 <= psi <= pi/2.
    elemental real(dp) function phase_of(x)
       !> Coordinate along the wave, from a crest, in wavelengths [-].
       real(dp), intent(in) :: x
@@ -138,7 +138,6 @@ contains
       real(dp), intent(in) :: penetration
       !> Mean pressure, in p* [-], >= 0.
       real(dp), intent(out) :: q
-      !> Was a mean pressure found?
       logical, intent(out) :: is_converged
       type(penetration_equation_t) :: equation
       real(dp) :: x
@@ -154,7 +153,6 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
-      !> Equation with its ln(penetration).
       class(penetration_equation_t), intent(in) :: self
       !> Logarithm of the mean pressure, ln q, < 0.
       real(dp), intent(in) :: x

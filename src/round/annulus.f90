@@ -9,7 +9,7 @@
 !>     dx g' = dv dg/dv,   v = V cos(t),  y = V sin(t),   0 < t < arctan(s/v_a),   s = sqrt(c^2 - a^2)
 !>
 !> c is given by s, which has all digits where the annulus is narrow. All integrands are positive. Where dg/dv is analytic for |v| < V
-!> one range of Gauss's rule does; else t ends at 1.1, and what is left is integrated over ln v, and over v where dg/dv is analytic.
+!> one range of Gauss's rule does; else t ends at 1.1, and what remains is integrated over ln v, and over v where dg/dv is analytic.
 !> Where t ends at 0.7, 10 nodes do: the nearest singularities are at cos(t) = 0 or i b/V, outside the ellipse around the range whose
 !> axes sum up to 6.8 times half of it, and 6.8^-20 is round-off.
 !> Where the shape has closed forms of J and I (`adfric_round_closed_annulus`) they are taken.
@@ -35,9 +35,7 @@ contains
 
    !> J and I, and K where it is asked for.
    pure subroutine get_annulus(shape, spot, is_beyond, s, opening, intensity, moment)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> What the shape is at the contact.
       type(spot_t), intent(in) :: spot
       !> Does the contact reach beyond the corner?
       logical, intent(in) :: is_beyond
@@ -75,7 +73,6 @@ contains
    !> What lies within the corner, where g' = q x and x = c cos(t):
    !> q c^2 int cos(t) [t sin(t), cos(t), c^2 (t - sin(t) cos(t)) sin(t)/2] dt.
    pure subroutine add_inner(shape, a, c, largest, s, sums)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> Radii of contact and of adhesion.
       real(dp), intent(in) :: a, c
@@ -100,7 +97,6 @@ contains
 
    !> What lies beyond the corner.
    pure subroutine add_outer(shape, first, largest, angle, sums)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> v_a, where the range begins; 0 for a contact within the corner.
       real(dp), intent(in) :: first
@@ -136,11 +132,10 @@ contains
    end subroutine add_outer
 
    !> Add the integrals along a range, by panels of bounded length.
-   pure subroutine add_range(shape, way, scale, largest, low, high, sums)
-      !> The shape of the indenter.
+   pure subroutine add_range(shape, path, scale, largest, low, high, sums)
       class(shape_t), intent(in) :: shape
       !> One of `along_...`.
-      integer, intent(in) :: way
+      integer, intent(in) :: path
       !> The number k along the edge; the largest v along the logarithm.
       real(dp), intent(in) :: scale
       !> V.
@@ -149,16 +144,16 @@ contains
       real(dp), intent(in) :: low, high
       !> The integrals, to which is added.
       real(dp), intent(inout) :: sums(3)
-      real(dp) :: half, place, v, y, x, slope, angle, part(3), nodes(size(gauss_nodes)), weights(size(gauss_nodes))
+      real(dp) :: half, position, v, y, x, slope, angle, part(3), nodes(size(gauss_nodes)), weights(size(gauss_nodes))
       integer :: panel, n_panels, node, n_nodes
 
       n_panels = 1
-      if (way == along_edge .or. way == along_logarithm) n_panels = max(1, ceiling((high - low)/longest))
+      if (path == along_edge .or. path == along_logarithm) n_panels = max(1, ceiling((high - low)/longest))
       half = (high - low)/(2*n_panels)
       n_nodes = size(gauss_nodes)
       nodes = gauss_nodes
       weights = gauss_weights
-      if (way == along_angle .and. high <= narrow_angle) then
+      if (path == along_angle .and. high <= narrow_angle) then
          n_nodes = size(gauss_nodes_10)
          nodes(:n_nodes) = gauss_nodes_10
          weights(:n_nodes) = gauss_weights_10
@@ -166,31 +161,31 @@ contains
       part = 0
       do panel = 1, n_panels
          do node = 1, n_nodes
-            place = low + half*(2*panel - 1 + nodes(node))
+            position = low + half*(2*panel - 1 + nodes(node))
             ! slope is -dv over that of the variable, which falls with v along all ways but the last
-            select case (way)
+            select case (path)
             case (along_angle)
-               y = largest*sin(place)
-               v = largest*cos(place)
+               y = largest*sin(position)
+               v = largest*cos(position)
                slope = y
             case (along_edge)
-               y = largest*scale*sinh(place)
+               y = largest*scale*sinh(position)
                v = sqrt((largest - y)*(largest + y))
-               slope = y/v*largest*scale*cosh(place)
+               slope = y/v*largest*scale*cosh(position)
             case (along_logarithm)
-               v = scale*exp(-place)
+               v = scale*exp(-position)
                y = sqrt((largest - v)*(largest + v))
                slope = v
             case default
-               v = place
+               v = position
                y = sqrt((largest - v)*(largest + v))
                slope = 1
             end select
             ! without a corner t itself is the angle
             x = v
-            angle = place
+            angle = position
             if (shape%corner > 0) x = sqrt(shape%corner**2 + v*v)
-            if (shape%corner > 0 .or. way /= along_angle) angle = atan2(y, x)
+            if (shape%corner > 0 .or. path /= along_angle) angle = atan2(y, x)
             part = part + weights(node)*shape%rise(v)*slope*[angle, x/y, ((x**2 + y**2)*angle - x*y)/2]
          end do
       end do

@@ -7,13 +7,13 @@
 !>
 !> for a depth of 1 (from Boussinesq's V = 2 int y z/(z^2 + x^2) dx). In Maugis's theory y is that of a uniform tension S on r < c, which
 !> has closed forms, and of -dy = g' dx + 2 S x/sqrt(c^2 - x^2) dx on x < a. Poles are at x = +-i z, which the logarithm of x keeps
-!> pi/2 away from all places.
+!> pi/2 away from all positions.
 module adfric_round_axis_stress
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_round_contact_state, only: contact_t
    use adfric_round_shape, only: shape_t, spot_t
-   use adfric_numerics_panels, only: integrand_t, integrate
+   use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
    public :: get_axis_stress
@@ -22,10 +22,10 @@ module adfric_round_axis_stress
    real(dp), parameter :: decayed = 40.0_dp
 
    !> One of the two functions of x, times dg/dt along u = high exp(-t).
-   type, extends(integrand_t) :: profile_integrand_t
+   type, extends(panel_integrand_t) :: profile_integrand_t
       !> The shape.
       class(shape_t), allocatable :: shape
-      !> Do the places lie beyond the corner?
+      !> Do the positions lie beyond the corner?
       logical :: is_beyond = .true.
       !> The largest u, and the depth z.
       real(dp) :: high = 1, depth = 1
@@ -36,22 +36,20 @@ module adfric_round_axis_stress
    end type profile_integrand_t
 
    !> The same times 2 S x/sqrt(c^2 - x^2) dx/dt along x = c sin(y), y = high exp(-t).
-   type, extends(integrand_t) :: zone_integrand_t
+   type, extends(panel_integrand_t) :: axis_zone_integrand_t
       !> arcsin(a/c), c, and the depth z.
       real(dp) :: high = 1, radius = 1, depth = 1
       !> Is it x/(x^2 + z^2)?
       logical :: is_simple = .true.
    contains
       procedure :: value_at => zone_value
-   end type zone_integrand_t
+   end type axis_zone_integrand_t
 
 contains
 
    !> The stresses at a depth below the middle of a contact.
    pure subroutine get_axis_stress(shape, contact, poisson_ratio, depth, s_zz, s_rr)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> Poisson's ratio of the half-space.
       real(dp), intent(in) :: poisson_ratio
@@ -95,9 +93,7 @@ contains
 
    !> The integral over g.
    pure real(dp) function profile_integral(shape, contact, depth, is_simple) result(total)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> z.
       real(dp), intent(in) :: depth
@@ -120,29 +116,27 @@ contains
       total = total + integrate(integrand, 0.0_dp, decayed/2)
    end function profile_integral
 
-   !> See `integrand_t`.
-   pure real(dp) function profile_value(self, place)
-      !> The integrand with its shape.
+   !> See `panel_integrand_t`.
+   pure real(dp) function profile_value(self, position)
       class(profile_integrand_t), intent(in) :: self
       !> t > 0.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
       type(spot_t) :: spot
       real(dp) :: u
 
-      u = self%high*exp(-place)
+      u = self%high*exp(-position)
       call self%shape%evaluate(u, self%is_beyond, spot)
       profile_value = punch(spot%radius, self%depth, self%is_simple)*spot%depth_slope*u
    end function profile_value
 
    !> The integral over the tension.
    pure real(dp) function zone_integral(contact, depth, is_simple) result(total)
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> z.
       real(dp), intent(in) :: depth
       !> Which of the two functions.
       logical, intent(in) :: is_simple
-      type(zone_integrand_t) :: integrand
+      type(axis_zone_integrand_t) :: integrand
 
       total = 0
       if (.not. (contact%stress > 0 .and. contact%spot%radius > 0)) return
@@ -153,15 +147,14 @@ contains
       total = 2*contact%stress*integrate(integrand, 0.0_dp, decayed/2)
    end function zone_integral
 
-   !> See `integrand_t`.
-   pure real(dp) function zone_value(self, place)
-      !> The integrand with its radius.
-      class(zone_integrand_t), intent(in) :: self
+   !> See `panel_integrand_t`.
+   pure real(dp) function zone_value(self, position)
+      class(axis_zone_integrand_t), intent(in) :: self
       !> t > 0.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
       real(dp) :: angle, x
 
-      angle = self%high*exp(-place)
+      angle = self%high*exp(-position)
       x = self%radius*sin(angle)
       zone_value = punch(x, self%depth, self%is_simple)*x*angle
    end function zone_value

@@ -13,7 +13,7 @@
 !> h >= 1), and Z rises with a: for sums of powers since h rises, for the sphere and the rounded punch since h > 1, for the other kinds
 !> beyond the corner, where Z is a function of a/b without parameter (seen by its values over eight decades). Within the tip of a rounded
 !> cone h = 1. So beyond the corner k falls and then rises, if it falls at all, and within it rises: there is one root at most to the
-!> right of the place where k is least. Where k > 0 down to a face T^2 grows up to its edge, which lets go as a whole.
+!> right of the position where k is least. Where k > 0 down to a face T^2 grows up to its edge, which lets go as a whole.
 !>
 !> A flat face sticks as a whole until T^2 = (4 t^2 - P^2)/m under tension, and 4 t^2/m under pressure, which does not open its edge.
 module adfric_round_brittle_peeling
@@ -60,15 +60,12 @@ contains
 
    !> A contact at rest, and where it snaps off.
    pure subroutine new_brittle(self, curve, load, compliance, rest)
-      !> Receives the contact that peels.
       type(brittle_t), intent(out) :: self
-      !> The curve of JKR.
       class(curve_t), intent(in) :: curve
       !> P.
       real(dp), intent(in) :: load
       !> m.
       real(dp), intent(in) :: compliance
-      !> The contact at rest, stable under the load.
       type(contact_t), intent(in) :: rest
       type(spot_t) :: spot
       real(dp) :: square
@@ -91,7 +88,7 @@ contains
 
    !> The largest root of k below the contact at rest.
    pure subroutine find_snap_off(self)
-      !> The contact that peels, which receives the place.
+      !> The contact that peels, which receives the position.
       type(brittle_t), intent(inout) :: self
       real(dp), parameter :: next_to_nothing = 1.0e-9_dp
       real(dp) :: low, high, turn
@@ -108,7 +105,7 @@ contains
             self%last = sign_change(self, turn, high, .true., .true.)
             return
          end if
-         ! a face is held down to its edge
+         ! a face is prescribed down to its edge
          self%last = 0
          if (.not. self%curve%shape%corner > 0 .or. self%curve%shape%has_face) return
          high = self%curve%shape%corner
@@ -119,11 +116,9 @@ contains
 
    !> k dg/du, > 0 where T^2 grows as a falls.
    pure real(dp) function reserve_of(self, u, is_beyond) result(reserve)
-      !> The contact that peels.
       type(brittle_t), intent(in) :: self
       !> The unknown.
       real(dp), intent(in) :: u
-      !> Does it lie beyond the corner?
       logical, intent(in) :: is_beyond
       type(spot_t) :: spot
 
@@ -133,11 +128,9 @@ contains
 
    !> What has the sign of dk/da: (2 a g'^3 - 3 t^2 (g' - a g'')) (da/du)^3.
    pure real(dp) function rise_of(self, u, is_beyond) result(rise)
-      !> The contact that peels.
       type(brittle_t), intent(in) :: self
       !> The unknown.
       real(dp), intent(in) :: u
-      !> Does it lie beyond the corner?
       logical, intent(in) :: is_beyond
       type(spot_t) :: spot
 
@@ -148,12 +141,10 @@ contains
    end function rise_of
 
    !> Where k or its derivative becomes positive: halving, in the logarithm where that is possible. The upper end if it does not.
-   pure real(dp) function sign_change(self, first, last, is_beyond, is_of_reserve) result(place)
-      !> The contact that peels.
+   pure real(dp) function sign_change(self, first, last, is_beyond, is_of_reserve) result(position)
       type(brittle_t), intent(in) :: self
       !> The ends.
       real(dp), intent(in) :: first, last
-      !> Do they lie beyond the corner?
       logical, intent(in) :: is_beyond
       !> Is it k that changes its sign?
       logical, intent(in) :: is_of_reserve
@@ -165,32 +156,29 @@ contains
       high = last
       do k = 1, most_steps
          if (high - low <= 2*epsilon(high)*high) exit
-         place = low + (high - low)/2
-         if (low < 0.1_dp*high) place = max(sqrt(low)*sqrt(high), 1.0e-3_dp*high)
+         position = low + (high - low)/2
+         if (low < 0.1_dp*high) position = max(sqrt(low)*sqrt(high), 1.0e-3_dp*high)
          if (is_of_reserve) then
-            value = reserve_of(self, place, is_beyond)
+            value = reserve_of(self, position, is_beyond)
          else
-            value = rise_of(self, place, is_beyond)
+            value = rise_of(self, position, is_beyond)
          end if
-         if (value < 0) low = place
-         if (.not. value < 0) high = place
+         if (value < 0) low = position
+         if (.not. value < 0) high = position
       end do
-      place = high
+      position = high
    end function sign_change
 
    !> The contact under a force.
    pure subroutine find_peeled(self, force, contact, ratio, stiffness, is_converged)
-      !> The contact that peels.
       type(brittle_t), intent(in) :: self
       !> T, from 0 to that of snap-off.
       real(dp), intent(in) :: force
-      !> Receives the contact.
       type(contact_t), intent(out) :: contact
       !> Receives N^2/(4 t^2 a^3), the share of the energy release that opens the edge.
       real(dp), intent(out) :: ratio
       !> Receives dT/du, while T grows.
       real(dp), intent(out) :: stiffness
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       type(peeled_equation_t) :: equation
       class(curve_t), allocatable :: curve
@@ -235,7 +223,6 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation.
       class(peeled_equation_t), intent(in) :: self
       !> The unknown u.
       real(dp), intent(in) :: x

@@ -16,13 +16,15 @@ module adfric_round_case
    use adfric_round_edge_slope, only: slope_of
    use adfric_round_power_shape, only: power_shape_t, new_power_shape, depth_factor
    use adfric_round_sphere_shape, only: sphere_shape_t, new_sphere_shape
-   use adfric_round_variables
+   use adfric_round_variables, only: choose_auto, choose_none, kind_cone, kind_flat_cone, kind_flat_paraboloid, &
+      & kind_paraboloid, kind_polynomial, kind_power, kind_rounded_cone, kind_rounded_punch, kind_sphere, theory_dmt, &
+      & theory_jkr, theory_maugis_dugdale, theory_none, in => indenter_input
    use adfric_solid_contact_modulus, only: contact_modulus_of, poisson_compliance_of
    implicit none (type, external)
    private
    public :: indenter_case_t, resolve_case, is_possible, tangential_compliance, theory_of, has_plain_spring, has_plain_base
 
-   !> Units and what is held must be between these powers of ten, or numbers have no room.
+   !> Units and what is prescribed must be between these powers of ten, or numbers have no space.
    integer, parameter :: largest_unit = 70, largest_number = 30
 
    !> A point in reduced variables.
@@ -33,9 +35,9 @@ module adfric_round_case
       integer :: theory = theory_none
       !> Units L [m] of lengths in the plane and H [m] of heights, and E* [Pa].
       real(dp) :: length_unit = 1, height_unit = 1, modulus = 1
-      !> What is held (`control_...`), and one of `branch_...`.
+      !> What is prescribed (`control_...`), and one of `branch_...`.
       integer :: control = control_load, branch = branch_stable
-      !> Load, approach (of the base of a spring, too) or unknown u that is held, reduced.
+      !> Load, approach (of the base of a spring, too) or unknown u that is prescribed, reduced.
       real(dp) :: given = 0
       !> Does a given u lie beyond the corner?
       logical :: is_beyond = .true.
@@ -54,7 +56,6 @@ contains
 
    !> E* L H [N].
    pure real(dp) function force_unit(self)
-      !> The case with its units.
       class(indenter_case_t), intent(in) :: self
 
       force_unit = self%modulus*self%length_unit*self%height_unit
@@ -62,7 +63,6 @@ contains
 
    !> E* L [N/m].
    pure real(dp) function stiffness_unit(self)
-      !> The case with its units.
       class(indenter_case_t), intent(in) :: self
 
       stiffness_unit = self%modulus*self%length_unit
@@ -72,7 +72,6 @@ contains
    pure subroutine resolve_case(values, self)
       !> Values of the variables, in the order of `adfric_round_variables`.
       real(dp), intent(in) :: values(:)
-      !> Receives the point.
       type(indenter_case_t), intent(out) :: self
       type(sphere_shape_t), allocatable :: sphere
       real(dp) :: work
@@ -83,23 +82,23 @@ contains
          deallocate (self%curve)
          allocate (dugdale_curve_t :: self%curve)
       end if
-      self%modulus = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+      self%modulus = contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio))
       work = 0
-      if (self%theory /= theory_none) work = values(v_work_of_adhesion)
-      self%branch = nint(values(v_branch))
+      if (self%theory /= theory_none) work = values(in%work_of_adhesion)
+      self%branch = nint(values(in%branch))
       self%control = control_radius
-      if (is_set(values(v_load))) self%control = control_load
-      if (is_set(values(v_approach))) self%control = control_approach
-      if (is_set(values(v_base_approach))) self%control = control_spring
-      select case (nint(values(v_kind)))
+      if (is_set(values(in%load))) self%control = control_load
+      if (is_set(values(in%approach))) self%control = control_approach
+      if (is_set(values(in%base_approach))) self%control = control_spring
+      select case (nint(values(in%kind)))
       case (kind_cone, kind_paraboloid, kind_power, kind_polynomial)
          call resolve_powers(values, work/self%modulus, self)
       case (kind_sphere)
          allocate (sphere)
          call new_sphere_shape(sphere)
          call move_alloc(sphere, self%curve%shape)
-         self%length_unit = values(v_radius)
-         self%height_unit = values(v_radius)
+         self%length_unit = values(in%radius)
+         self%height_unit = values(in%radius)
       case default
          call resolve_corner(values, self)
       end select
@@ -109,29 +108,27 @@ contains
       call resolve_adhesion(values, work, self%theory, self%modulus*(self%height_unit/self%length_unit), self%height_unit, &
          & self%curve)
       call resolve_given(values, self)
-      if (is_set(values(v_lateral_stiffness))) self%lateral_stiffness = values(v_lateral_stiffness)/self%stiffness_unit()
-      if (is_set(values(v_base_displacement))) self%base_displacement = values(v_base_displacement)/self%height_unit
+      if (is_set(values(in%lateral_stiffness))) self%lateral_stiffness = values(in%lateral_stiffness)/self%stiffness_unit()
+      if (is_set(values(in%base_displacement))) self%base_displacement = values(in%base_displacement)/self%height_unit
    end subroutine resolve_case
 
    !> The theory of a case: without adhesion none, and without a range JKR.
    pure integer function theory_of(values) result(theory)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
 
       theory = theory_none
-      if (.not. is_set(values(v_work_of_adhesion))) return
-      if (.not. values(v_work_of_adhesion) > 0 .or. nint(values(v_theory)) == choose_none) return
+      if (.not. is_set(values(in%work_of_adhesion))) return
+      if (.not. values(in%work_of_adhesion) > 0 .or. nint(values(in%theory)) == choose_none) return
       theory = theory_jkr
-      if (nint(values(v_theory)) == choose_auto) then
-         if (any(is_set(values(v_adhesion_stress:v_lambda)))) theory = theory_maugis_dugdale
+      if (nint(values(in%theory)) == choose_auto) then
+         if (any(is_set(values(in%adhesion_stress:in%lambda)))) theory = theory_maugis_dugdale
       else
-         theory = nint(values(v_theory)) - choose_none
+         theory = nint(values(in%theory)) - choose_none
       end if
    end function theory_of
 
    !> Adhesion of a curve.
    pure subroutine resolve_adhesion(values, work, theory, stress_unit, height_unit, curve)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
       !> W, the reduced work of adhesion.
       real(dp), intent(in) :: work
@@ -139,7 +136,6 @@ contains
       integer, intent(in) :: theory
       !> Units of stresses [Pa] and heights [m].
       real(dp), intent(in) :: stress_unit, height_unit
-      !> Receives its adhesion.
       class(curve_t), intent(inout) :: curve
       real(dp) :: n, exponent
 
@@ -151,17 +147,17 @@ contains
       end if
       select type (curve)
       type is (dugdale_curve_t)
-         if (is_set(values(v_adhesion_stress))) then
-            curve%stress = values(v_adhesion_stress)/stress_unit
-         else if (is_set(values(v_adhesion_range))) then
-            curve%stress = work/(values(v_adhesion_range)/height_unit)
+         if (is_set(values(in%adhesion_stress))) then
+            curve%stress = values(in%adhesion_stress)/stress_unit
+         else if (is_set(values(in%adhesion_range))) then
+            curve%stress = work/(values(in%adhesion_range)/height_unit)
          else
             ! lambda = (3/2) sigma0 a0/(E* D), D = a0^n in these units, 2 pi W a0 = (8/3) D^2
             exponent = 2
-            if (nint(values(v_kind)) == kind_cone) exponent = 1
-            if (nint(values(v_kind)) == kind_power) exponent = values(v_exponent)
+            if (nint(values(in%kind)) == kind_cone) exponent = 1
+            if (nint(values(in%kind)) == kind_power) exponent = values(in%exponent)
             n = (0.75_dp*pi*work)**((exponent - 1)/(2*exponent - 1))
-            curve%stress = 2*values(v_lambda)/3*n
+            curve%stress = 2*values(in%lambda)/3*n
          end if
          curve%range = work/curve%stress
       end select
@@ -169,29 +165,27 @@ contains
 
    !> A shape with a corner.
    pure subroutine resolve_corner(values, self)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
-      !> Receives shape and units.
       type(indenter_case_t), intent(inout) :: self
       type(corner_shape_t), allocatable :: shape
       real(dp) :: b
       integer :: kind
 
-      b = values(v_face_radius)
+      b = values(in%face_radius)
       allocate (shape)
-      select case (nint(values(v_kind)))
+      select case (nint(values(in%kind)))
       case (kind_flat_cone)
          kind = flat_cone
          self%height_unit = slope_of(values)*b
       case (kind_flat_paraboloid)
          kind = flat_paraboloid
-         self%height_unit = b*(b/values(v_radius))
+         self%height_unit = b*(b/values(in%radius))
       case (kind_rounded_punch)
          kind = rounded_punch
-         self%height_unit = b*(b/values(v_radius))
+         self%height_unit = b*(b/values(in%radius))
       case (kind_rounded_cone)
          kind = rounded_cone
-         b = slope_of(values)*values(v_radius)
+         b = slope_of(values)*values(in%radius)
          self%height_unit = slope_of(values)*b
       case default
          kind = flat_face
@@ -204,11 +198,9 @@ contains
 
    !> A sum of powers.
    pure subroutine resolve_powers(values, length, self)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
       !> w/E* [m].
       real(dp), intent(in) :: length
-      !> Receives shape and units.
       type(indenter_case_t), intent(inout) :: self
       type(power_shape_t), allocatable :: shape
       real(dp), allocatable :: exponents(:), logarithms(:)
@@ -235,7 +227,6 @@ contains
 
    !> Exponents of the terms, and the logarithms of their K C.
    pure subroutine get_terms(values, exponents, logarithms)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
       !> Receives the exponents; one or more.
       real(dp), allocatable, intent(out) :: exponents(:)
@@ -243,26 +234,25 @@ contains
       real(dp), allocatable, intent(out) :: logarithms(:)
       integer :: k
 
-      select case (nint(values(v_kind)))
+      select case (nint(values(in%kind)))
       case (kind_cone)
          exponents = [1.0_dp]
          logarithms = [log(half_pi*slope_of(values))]
       case (kind_paraboloid)
          exponents = [2.0_dp]
-         logarithms = [-log(values(v_radius))]
+         logarithms = [-log(values(in%radius))]
       case (kind_power)
-         exponents = [values(v_exponent)]
-         logarithms = [log(depth_factor(values(v_exponent))) + log(values(v_coefficient))]
+         exponents = [values(in%exponent)]
+         logarithms = [log(depth_factor(values(in%exponent))) + log(values(in%coefficient))]
       case default
-         exponents = pack([(real(k, dp), k=1, 8)], values(v_coefficient_1:v_coefficient_8) > 0)
-         logarithms = log(pack(values(v_coefficient_1:v_coefficient_8), values(v_coefficient_1:v_coefficient_8) > 0))
+         exponents = pack([(real(k, dp), k=1, 8)], values(in%coefficient_1:in%coefficient_8) > 0)
+         logarithms = log(pack(values(in%coefficient_1:in%coefficient_8), values(in%coefficient_1:in%coefficient_8) > 0))
          logarithms = logarithms + log(depth_factor(exponents))
       end select
    end subroutine get_terms
 
    !> Logarithm of the radius of contact of each term alone, without adhesion; that of a height of 1 where nothing is in contact.
    pure function radius_logarithm(values, modulus, exponents, logarithms) result(radius)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
       !> E* [Pa].
       real(dp), intent(in) :: modulus
@@ -271,38 +261,37 @@ contains
       real(dp) :: radius(size(exponents))
 
       radius = -logarithms/exponents
-      if (is_set(values(v_load))) then
-         if (values(v_load) > 0) radius = (log(values(v_load)/(2*modulus)) + log(1 + 1/exponents) - logarithms)/(exponents + 1)
-      else if (is_set(values(v_approach))) then
-         if (values(v_approach) > 0) radius = (log(values(v_approach)) - logarithms)/exponents
-      else if (is_set(values(v_base_approach))) then
+      if (is_set(values(in%load))) then
+         if (values(in%load) > 0) radius = (log(values(in%load)/(2*modulus)) + log(1 + 1/exponents) - logarithms)/(exponents + 1)
+      else if (is_set(values(in%approach))) then
+         if (values(in%approach) > 0) radius = (log(values(in%approach)) - logarithms)/exponents
+      else if (is_set(values(in%base_approach))) then
          ! delta and P/k are each at most their sum
-         if (values(v_base_approach) > 0) radius = min((log(values(v_base_approach)) - logarithms)/exponents, &
-            & (log(values(v_base_approach)) + log(values(v_machine_stiffness)/modulus/2) + log(1 + 1/exponents) &
+         if (values(in%base_approach) > 0) radius = min((log(values(in%base_approach)) - logarithms)/exponents, &
+            & (log(values(in%base_approach)) + log(values(in%machine_stiffness)/modulus/2) + log(1 + 1/exponents) &
             & - logarithms)/(exponents + 1))
       else
-         radius = log(values(v_contact_radius))
+         radius = log(values(in%contact_radius))
       end if
    end function radius_logarithm
 
-   !> What is held.
+   !> What is prescribed.
    pure subroutine resolve_given(values, self)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
-      !> In: with shape and units. Out: with what is held, too.
+      !> In: with shape and units. Out: with what is prescribed, too.
       type(indenter_case_t), intent(inout) :: self
 
       if (self%control == control_load) then
-         self%given = values(v_load)/self%force_unit()
+         self%given = values(in%load)/self%force_unit()
       else if (self%control == control_approach) then
-         self%given = values(v_approach)/self%height_unit
+         self%given = values(in%approach)/self%height_unit
       else if (self%control == control_spring) then
-         self%given = values(v_base_approach)/self%height_unit
-         self%curve%compliance = self%modulus*self%length_unit/values(v_machine_stiffness)
-      else if (is_set(values(v_face_angle))) then
-         self%given = tan(values(v_face_angle))
+         self%given = values(in%base_approach)/self%height_unit
+         self%curve%compliance = self%modulus*self%length_unit/values(in%machine_stiffness)
+      else if (is_set(values(in%face_angle))) then
+         self%given = tan(values(in%face_angle))
       else
-         self%radius = values(v_contact_radius)/self%length_unit
+         self%radius = values(in%contact_radius)/self%length_unit
          self%is_beyond = self%radius >= self%curve%shape%corner
          self%given = self%radius
          if (is_inside(self, self%radius)) self%given = self%curve%shape%unknown_of(self%radius)
@@ -311,7 +300,6 @@ contains
 
    !> Is a radius less than that of a sphere?
    pure logical function is_inside(self, radius)
-      !> The case with its shape.
       type(indenter_case_t), intent(in) :: self
       !> Radius a of contact, reduced.
       real(dp), intent(in) :: radius
@@ -339,7 +327,6 @@ contains
 
    !> Is the stiffness of a lateral spring within the numbers?
    pure logical function has_plain_spring(self)
-      !> The case with its spring.
       type(indenter_case_t), intent(in) :: self
       real(dp), parameter :: most = 10.0_dp**largest_number
 
@@ -348,7 +335,6 @@ contains
 
    !> Is the displacement of the base of a lateral spring within the numbers?
    pure logical function has_plain_base(self)
-      !> The case with its spring.
       type(indenter_case_t), intent(in) :: self
 
       has_plain_base = self%base_displacement < 10.0_dp**largest_number
@@ -357,9 +343,7 @@ contains
    !> Is there such a contact? Without adhesion a contact of given radius is not smaller than a face, and none is larger than a
    !> sphere; and all has to be within the numbers.
    pure logical function is_possible(values, self)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
-      !> The case that they describe.
       type(indenter_case_t), intent(in) :: self
       real(dp), parameter :: most = 10.0_dp**largest_unit
 
@@ -372,12 +356,12 @@ contains
       type is (dugdale_curve_t)
          is_possible = curve%stress < most .and. curve%range < most .and. curve%stress > 1/most .and. curve%range > 1/most
          if (is_possible .and. is_inside(self, self%radius)) then
-            is_possible = curve%has_room(merge(self%given, 0.0_dp, self%radius > 0), self%is_beyond)
+            is_possible = curve%has_space(merge(self%given, 0.0_dp, self%radius > 0), self%is_beyond)
          end if
       end select
-      if (is_set(values(v_lateral_stiffness))) is_possible = is_possible .and. has_plain_spring(self) &
+      if (is_set(values(in%lateral_stiffness))) is_possible = is_possible .and. has_plain_spring(self) &
          & .and. has_plain_base(self)
-      if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
+      if (.not. is_possible .or. .not. is_set(values(in%contact_radius))) return
       is_possible = has_depth(self) .and. is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &
          & .or. self%theory /= theory_none)
@@ -385,12 +369,10 @@ contains
 
    !> m, the ratio of the tangential to the normal compliance: 1 + (E*/4) sum of nu/G.
    pure real(dp) function tangential_compliance(values, case) result(ratio)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its modulus.
       type(indenter_case_t), intent(in) :: case
 
-      ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
+      ratio = 1 + case%modulus*poisson_compliance_of(values(in%contact_modulus:in%second_poisson_ratio))/4
    end function tangential_compliance
 
 end module adfric_round_case

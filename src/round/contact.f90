@@ -2,12 +2,12 @@
 !> The contact of an indenter under a given load, approach or radius, from the survey of its curve.
 module adfric_round_contact
    use adfric_base_kinds, only: dp
-   use adfric_round_contact_state, only: contact_t, set_contact, set_disc, terms_of, held_of
-   use adfric_round_curve, only: curve_t, state_t, interval_t, disc_range_t, control_load, control_approach, &
+   use adfric_round_contact_state, only: contact_t, set_contact, set_disc, terms_of, prescribed_of
+   use adfric_round_curve, only: curve_t, state_t, curve_interval_t, disc_range_t, control_load, control_approach, &
       & control_spring, control_radius
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_face_contact, only: find_face_contact
-   use adfric_round_prescribed, only: find_held
+   use adfric_round_prescribed, only: find_prescribed
    use adfric_round_survey, only: survey_t
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
@@ -21,7 +21,7 @@ module adfric_round_contact
    type, extends(equation_t) :: disc_equation_t
       !> The curve.
       class(curve_t), allocatable :: curve
-      !> What is held.
+      !> What is prescribed.
       integer :: control = control_approach
       !> What is given.
       real(dp) :: given = 0
@@ -31,13 +31,11 @@ module adfric_round_contact
 
 contains
 
-   !> The contact under what is held.
+   !> The contact under what is prescribed.
    pure subroutine find_contact(curve, survey, control, given, is_beyond, branch, contact)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> Its parts under this control.
       type(survey_t), intent(in) :: survey
-      !> What is held, one of `control_...`.
+      !> What is prescribed, one of `control_...`.
       integer, intent(in) :: control
       !> Load, approach or unknown u that is given, reduced.
       real(dp), intent(in) :: given
@@ -45,9 +43,8 @@ contains
       logical, intent(in) :: is_beyond
       !> One of `branch_...`.
       integer, intent(in) :: branch
-      !> Receives the contact.
       type(contact_t), intent(out) :: contact
-      integer :: k, place
+      integer :: k, position
 
       if (curve%shape%n_pieces == 0 .and. branch /= branch_unstable) then
          call find_face_contact(curve, control, given, contact)
@@ -59,9 +56,9 @@ contains
          if (branch == branch_inner) call try_discs(curve, survey, control, given, branch, contact)
          do k = 1, survey%n
             if (contact%is_found) return
-            place = merge(k, survey%n + 1 - k, branch == branch_inner)
-            if (survey%intervals(place)%is_stable .eqv. branch == branch_unstable) cycle
-            call try_interval(curve, control, given, survey%intervals(place), contact)
+            position = merge(k, survey%n + 1 - k, branch == branch_inner)
+            if (survey%intervals(position)%is_stable .eqv. branch == branch_unstable) cycle
+            call try_interval(curve, control, given, survey%intervals(position), contact)
          end do
          if (.not. contact%is_found .and. branch == branch_stable) call try_discs(curve, survey, control, given, branch, contact)
       end if
@@ -70,9 +67,8 @@ contains
    !> Bodies apart, where no contact has been found that is stable: below the approach of all of them, and of all attraction, there
    !> is no load. Without a range that begins at 0, with one at -h0. DMT has no such state: its pull ends nowhere.
    pure subroutine part_bodies(curve, control, given, contact)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held; a load or a radius parts nothing.
+      !> What is prescribed; a load or a radius parts nothing.
       integer, intent(in) :: control
       !> Approach, or that of the base of a spring, reduced.
       real(dp), intent(in) :: given
@@ -94,22 +90,18 @@ contains
       contact%approach = given
    end subroutine part_bodies
 
-   !> The contact within one interval, if it has what is held.
+   !> The contact within one interval, if it has what is prescribed.
    pure subroutine try_interval(curve, control, given, interval, contact)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> What is given, reduced.
       real(dp), intent(in) :: given
-      !> The interval.
-      type(interval_t), intent(in) :: interval
+      type(curve_interval_t), intent(in) :: interval
       !> Receives the contact, with `is_found`.
       type(contact_t), intent(inout) :: contact
       real(dp) :: u
       logical :: is_found, is_converged
 
-      call find_held(curve, control, interval, given, u, is_found, is_converged)
+      call find_prescribed(curve, control, interval, given, u, is_found, is_converged)
       if (.not. is_found) return
       call set_contact(curve, control, u, interval%is_beyond, contact)
       contact%is_found = .true.
@@ -120,11 +112,8 @@ contains
 
    !> What is given has all of its digits.
    pure subroutine take_given(curve, control, given, contact)
-      !> The curve with the compliance of its spring.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> What is given, reduced.
       real(dp), intent(in) :: given
       !> The contact, whose load or approach may be replaced.
       type(contact_t), intent(inout) :: contact
@@ -136,7 +125,6 @@ contains
 
    !> Of load and approach, both differences, the one with fewer digits follows from the other and from the base of the spring.
    pure subroutine share_digits(curve, given, contact)
-      !> The curve with the compliance of its spring.
       class(curve_t), intent(in) :: curve
       !> Approach of the base.
       real(dp), intent(in) :: given
@@ -154,13 +142,9 @@ contains
 
    !> The state without touch, if there is one.
    pure subroutine try_discs(curve, survey, control, given, branch, contact)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> Its parts under this control.
       type(survey_t), intent(in) :: survey
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> What is given, reduced.
       real(dp), intent(in) :: given
       !> `branch_inner` for the smallest disc, else the largest.
       integer, intent(in) :: branch
@@ -174,15 +158,11 @@ contains
       end do
    end subroutine try_discs
 
-   !> The disc within one range, if it has what is held.
+   !> The disc within one range, if it has what is prescribed.
    pure subroutine try_disc_range(curve, control, given, range, contact)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> What is given, reduced.
       real(dp), intent(in) :: given
-      !> The range.
       type(disc_range_t), intent(in) :: range
       !> Receives the state, with `is_found`.
       type(contact_t), intent(inout) :: contact
@@ -193,11 +173,11 @@ contains
 
       call curve%get_disc(range%low, first)
       call curve%get_disc(range%high, last)
-      contact%is_found = given >= held_of(curve, control, first) .and. given < held_of(curve, control, last)
+      contact%is_found = given >= prescribed_of(curve, control, first) .and. given < prescribed_of(curve, control, last)
       if (.not. contact%is_found) return
       c = range%low
       is_converged = .true.
-      if (given > held_of(curve, control, first)) then
+      if (given > prescribed_of(curve, control, first)) then
          c = (range%low + range%high)/2
          allocate (equation%curve, source=curve)
          equation%control = control
@@ -212,7 +192,6 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate_disc(self, x, value, slope)
-      !> The equation with its curve.
       class(disc_equation_t), intent(in) :: self
       !> Radius c of the disc.
       real(dp), intent(in) :: x
@@ -223,7 +202,7 @@ contains
       type(state_t) :: state
 
       call self%curve%get_disc(x, state)
-      value = held_of(self%curve, self%control, state) - self%given
+      value = prescribed_of(self%curve, self%control, state) - self%given
       slope = state%approach_slope
       if (self%control == control_spring) slope = slope + self%curve%compliance*state%load_slope
    end subroutine evaluate_disc

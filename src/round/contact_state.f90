@@ -1,18 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact as a state of its curve, and what is held in it.
+!> A contact as a state of its curve, and what is prescribed in it.
 module adfric_round_contact_state
    use adfric_base_kinds, only: dp
    use adfric_round_curve, only: curve_t, state_t, stability_control, control_load, control_spring
    use adfric_round_shape, only: spot_t
    implicit none (type, external)
    private
-   public :: contact_t, set_contact, set_disc, terms_of, held_of, held_by, held_slope
+   public :: contact_t, set_contact, set_disc, terms_of, prescribed_of, prescribed_by, prescribed_slope
 
    !> A state of contact, reduced.
    type :: contact_t
       !> Does it exist, and was it found to round-off?
       logical :: is_found = .false., is_converged = .true.
-      !> Is it stable under what is held?
+      !> Is it stable under what is prescribed?
       logical :: is_stable = .false.
       !> The unknown, and whether it lies beyond the corner.
       real(dp) :: u = 0
@@ -38,13 +38,10 @@ contains
 
    !> What follows from the unknown.
    pure subroutine set_contact(curve, control, u, is_beyond, contact)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held.
       integer, intent(in) :: control
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       !> Receives radius, load, approach and stiffness.
       type(contact_t), intent(inout) :: contact
@@ -58,13 +55,10 @@ contains
 
    !> A state without touch.
    pure subroutine set_disc(curve, control, c, contact)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held.
       integer, intent(in) :: control
       !> Radius of the disc, >= 0.
       real(dp), intent(in) :: c
-      !> Receives the state.
       type(contact_t), intent(inout) :: contact
       type(state_t) :: state
 
@@ -75,9 +69,7 @@ contains
 
    !> Take a state over.
    pure subroutine take_state(state, control, contact)
-      !> The state.
       type(state_t), intent(in) :: state
-      !> What is held.
       integer, intent(in) :: control
       !> Receives radii, load, approach and stiffness.
       type(contact_t), intent(inout) :: contact
@@ -97,7 +89,6 @@ contains
 
    !> Sizes of the terms whose differences are load and approach.
    pure function terms_of(contact) result(terms)
-      !> The contact.
       type(contact_t), intent(in) :: contact
       real(dp) :: terms(2)
 
@@ -106,54 +97,42 @@ contains
       terms = [contact%spot%load + 2*contact%spot%radius*abs(contact%neck), contact%spot%depth + abs(contact%neck)]
    end function terms_of
 
-   !> What is held in a state: its load, its approach, or that of the base of the spring.
-   pure real(dp) function held_of(curve, control, state)
-      !> The curve with the compliance of its spring.
+   !> What is prescribed in a state: its load, its approach, or that of the base of the spring.
+   pure real(dp) function prescribed_of(curve, control, state)
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> The state.
       type(state_t), intent(in) :: state
 
-      held_of = held_part(curve, control, state%load, state%approach)
-   end function held_of
+      prescribed_of = prescribed_part(curve, control, state%load, state%approach)
+   end function prescribed_of
 
-   !> What is held by a contact, see `held_of`.
-   pure real(dp) function held_by(curve, control, contact)
-      !> The curve with the compliance of its spring.
+   !> What is held by a contact, see `prescribed_of`.
+   pure real(dp) function prescribed_by(curve, control, contact)
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> The contact.
       type(contact_t), intent(in) :: contact
 
-      held_by = held_part(curve, control, contact%load, contact%approach)
-   end function held_by
+      prescribed_by = prescribed_part(curve, control, contact%load, contact%approach)
+   end function prescribed_by
 
-   !> Derivative of what is held by u along the curve, see `held_of`.
-   pure real(dp) function held_slope(curve, control, state)
-      !> The curve with the compliance of its spring.
+   !> Derivative of what is held by u along the curve, see `prescribed_of`.
+   pure real(dp) function prescribed_slope(curve, control, state)
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> The state.
       type(state_t), intent(in) :: state
 
-      held_slope = held_part(curve, control, state%load_slope, state%approach_slope)
-   end function held_slope
+      prescribed_slope = prescribed_part(curve, control, state%load_slope, state%approach_slope)
+   end function prescribed_slope
 
-   !> What is held of a load and an approach, or of changes of both.
-   pure real(dp) function held_part(curve, control, load, approach)
-      !> The curve with the compliance of its spring.
+   !> What is prescribed of a load and an approach, or of changes of both.
+   pure real(dp) function prescribed_part(curve, control, load, approach)
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> Load and approach.
       real(dp), intent(in) :: load, approach
 
-      held_part = load
-      if (control /= control_load) held_part = approach
-      if (control == control_spring) held_part = held_part + curve%compliance*load
-   end function held_part
+      prescribed_part = load
+      if (control /= control_load) prescribed_part = approach
+      if (control == control_spring) prescribed_part = prescribed_part + curve%compliance*load
+   end function prescribed_part
 
 end module adfric_round_contact_state

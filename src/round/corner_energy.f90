@@ -12,7 +12,7 @@ module adfric_round_corner_energy
    use adfric_base_kinds, only: dp
    use adfric_round_corner_kinds, only: flat_face, flat_cone, flat_paraboloid, rounded_punch, rounded_cone, depth_beyond
    use adfric_numerics_gauss, only: gauss_nodes_10, gauss_weights_10
-   use adfric_numerics_panels, only: integrand_t, integrate
+   use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
    public :: corner_energy
@@ -21,14 +21,14 @@ module adfric_round_corner_energy
    real(dp), parameter :: least_closed = 0.7_dp
 
    !> [g(a) - g(x)]^2 dx/dt, v = sinh(t).
-   type, extends(integrand_t) :: energy_integrand_t
+   type, extends(panel_integrand_t) :: corner_energy_integrand_t
       !> The kind of the shape.
       integer :: kind = flat_cone
       !> g(a).
       real(dp) :: depth = 0
    contains
       procedure :: value_at
-   end type energy_integrand_t
+   end type corner_energy_integrand_t
 
 contains
 
@@ -58,7 +58,7 @@ contains
       integer, intent(in) :: kind
       !> v, >= 0.
       real(dp), intent(in) :: v
-      type(energy_integrand_t) :: integrand
+      type(corner_energy_integrand_t) :: integrand
 
       integrand%kind = kind
       integrand%depth = depth_beyond(kind, v, sqrt(1 + v*v))
@@ -73,31 +73,29 @@ contains
 
    !> What lies beyond the corner as an integral over v. Its singularities are at v = i, so 10 nodes do.
    pure real(dp) function short_energy(integrand, v) result(energy)
-      !> The integrand with its kind and g(a).
-      type(energy_integrand_t), intent(in) :: integrand
+      type(corner_energy_integrand_t), intent(in) :: integrand
       !> v of the contact, < `least_closed`.
       real(dp), intent(in) :: v
-      real(dp) :: place, x
+      real(dp) :: position, x
       integer :: node
 
       energy = 0
       do node = 1, size(gauss_nodes_10)
-         place = v*(1 + gauss_nodes_10(node))/2
-         x = sqrt(1 + place*place)
-         energy = energy + gauss_weights_10(node)*place/x*(integrand%depth - depth_beyond(integrand%kind, place, x))**2
+         position = v*(1 + gauss_nodes_10(node))/2
+         x = sqrt(1 + position*position)
+         energy = energy + gauss_weights_10(node)*position/x*(integrand%depth - depth_beyond(integrand%kind, position, x))**2
       end do
       energy = energy*v/2
    end function short_energy
 
-   !> See `integrand_t`.
-   pure real(dp) function value_at(self, place)
-      !> The integrand with its kind and g(a).
-      class(energy_integrand_t), intent(in) :: self
+   !> See `panel_integrand_t`.
+   pure real(dp) function value_at(self, position)
+      class(corner_energy_integrand_t), intent(in) :: self
       !> t > 0 of a radius inside the contact.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
       real(dp) :: v
 
-      v = sinh(place)
+      v = sinh(position)
       value_at = (self%depth - depth_beyond(self%kind, v, sqrt(1 + v*v)))**2*v
    end function value_at
 
@@ -122,7 +120,7 @@ contains
 
       a = sqrt(1 + v*v)
       depth = a*v
-      energy = depth*(depth*a - 2*v**3/3) + square_of_way(v, a)
+      energy = depth*(depth*a - 2*v**3/3) + square_of_path(v, a)
    end function paraboloid_energy
 
    !> That of a punch with a rounded edge.
@@ -138,16 +136,16 @@ contains
       less = v*v/(1 + a)
       depth = a*(v - phi)
       mixed = phi*(a**3*v/4 - (a*v + t)/8) - less*(a*a + a + 1)/12 + (less + q)/8
-      energy = depth*(depth*a - 2*v**3/3 + a*a*phi - v) + square_of_way(v, a) - 2*mixed + square_of_angle(v, a, phi, t, q)
+      energy = depth*(depth*a - 2*v**3/3 + a*a*phi - v) + square_of_path(v, a) - 2*mixed + square_of_angle(v, a, phi, t, q)
    end function punch_energy
 
    !> int x^2 v^2 dx.
-   pure real(dp) function square_of_way(v, a) result(square)
+   pure real(dp) function square_of_path(v, a) result(square)
       !> v, and the radius a.
       real(dp), intent(in) :: v, a
 
       square = (v*v/(1 + a))**2*(2 + a*(4 + a*(6 + 3*a)))/15
-   end function square_of_way
+   end function square_of_path
 
    !> int x^2 phi^2 dx.
    pure real(dp) function square_of_angle(v, a, phi, t, q) result(square)

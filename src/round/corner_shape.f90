@@ -47,7 +47,6 @@ contains
 
    !> The shape of a kind.
    pure subroutine new_corner_shape(self, kind)
-      !> Receives the shape.
       type(corner_shape_t), intent(out) :: self
       !> One of the kinds of this file.
       integer, intent(in) :: kind
@@ -85,11 +84,9 @@ contains
 
    !> See `shape_t`.
    pure subroutine evaluate(self, u, is_beyond, spot)
-      !> The shape that is evaluated.
       class(corner_shape_t), intent(in) :: self
       !> v beyond the corner, within it a, or a/sqrt(1 - a^2) on a flat face; >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       !> Receives what the shape is there.
       type(spot_t), intent(out) :: spot
@@ -155,7 +152,6 @@ contains
 
    !> See `shape_t`.
    elemental real(dp) function unknown_of(self, radius)
-      !> The shape with its corner.
       class(corner_shape_t), intent(in) :: self
       !> Radius a of contact, >= 0.
       real(dp), intent(in) :: radius
@@ -170,7 +166,6 @@ contains
 
    !> See `shape_t`: sqrt(a) g' is above sqrt(a) phi, 2 v^(3/2) and v^(3/2).
    pure real(dp) function get_end(self, target)
-      !> The shape with its kind.
       class(corner_shape_t), intent(in) :: self
       !> The number, > 0.
       real(dp), intent(in) :: target
@@ -189,7 +184,6 @@ contains
 
    !> See `shape_t`.
    elemental real(dp) function rise(self, v)
-      !> The shape with its kind.
       class(corner_shape_t), intent(in) :: self
       !> v = sqrt(x^2 - 1), > 0.
       real(dp), intent(in) :: v
@@ -212,7 +206,6 @@ contains
 
    !> See `shape_t`.
    pure real(dp) function inner_rise(self)
-      !> The shape with its kind.
       class(corner_shape_t), intent(in) :: self
 
       inner_rise = 0
@@ -221,11 +214,9 @@ contains
 
    !> See `shape_t`.
    pure real(dp) function energy(self, u, is_beyond)
-      !> The shape that is evaluated.
       class(corner_shape_t), intent(in) :: self
       !> v beyond the corner, a within it; >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
 
       energy = 0
@@ -238,7 +229,6 @@ contains
 
    !> See `shape_t`.
    pure subroutine get_profile(self, r, height, slope)
-      !> The shape with its kind.
       class(corner_shape_t), intent(in) :: self
       !> Distance from the axis, >= 0.
       real(dp), intent(in) :: r
@@ -263,7 +253,6 @@ contains
 
    !> See `shape_t`.
    pure real(dp) function radius_of_height(self, height)
-      !> The shape with its kind.
       class(corner_shape_t), intent(in) :: self
       !> The height, > 0.
       real(dp), intent(in) :: height
@@ -284,9 +273,7 @@ contains
 
    !> See `shape_t`: beside small contacts those of `rounded_punch` and `rounded_cone` lose digits.
    pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
-      !> The shape with its kind.
       class(corner_shape_t), intent(in) :: self
-      !> What the shape is at the contact.
       type(spot_t), intent(in) :: spot
       !> Does the contact reach beyond the corner?
       logical, intent(in) :: is_beyond
@@ -294,7 +281,6 @@ contains
       real(dp), intent(in) :: s
       !> Receive J and I.
       real(dp), intent(out) :: opening, intensity
-      !> Are they closed forms here?
       logical, intent(out) :: is_closed
       ! J is smaller than its terms by V, and of a punch by V^2
       real(dp), parameter :: least_square_of_cone = 0.04_dp, least_square_of_punch = 0.4_dp

@@ -8,8 +8,8 @@
 !> sqrt(a) g'(a) rises or falls, so each piece has at most one fold, which is bracketed by its ends: no fold is missed.
 !> Within a flat face g' = 0, so all contacts there are unstable.
 !>
-!> A spring of compliance s between the indenter and a base that is held at delta + s P has q = (1 + 3 y)/(2 (1 + y)), y = 2 s a
-!> (`adfric_round_spring_pieces` divides its pieces).
+!> A spring of compliance s between the indenter and a base that is prescribed at delta + s P has q = (1 + 3 y)/(2 (1 + y)), y = 2 s
+!> a (`adfric_round_spring_pieces` divides its pieces).
 module adfric_round_curve
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
@@ -18,11 +18,11 @@ module adfric_round_curve
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: curve_t, state_t, interval_t, stability_control, get_stability_factor
+   public :: curve_t, state_t, curve_interval_t, stability_control, get_stability_factor
    public :: control_load, control_approach, control_spring, control_radius, most_intervals, endless, at_corner, disc_range_t, &
       & most_disc_ranges
 
-   !> What is held; that of a spring is the approach of its base.
+   !> What is prescribed; that of a spring is the approach of its base.
    integer, parameter :: control_load = 1, control_approach = 2, control_spring = 3, control_radius = 4
    !> Most intervals of a curve; in JKR each piece has at most one fold, so there are ten, and one within a face.
    integer, parameter :: most_intervals = 16
@@ -65,14 +65,14 @@ module adfric_round_curve
       real(dp) :: compliance = 0
    contains
       procedure :: get_state
-      procedure :: get_held
+      procedure :: get_prescribed
       procedure :: get_sums
       procedure :: find_intervals
       procedure :: find_discs
       procedure :: get_disc
    end type curve_t
 
-   !> Radii of discs of adhesion without touch that are stable; what is held rises with the radius.
+   !> Radii of discs of adhesion without touch that are stable; what is prescribed rises with the radius.
    type :: disc_range_t
       !> Ends of the range.
       real(dp) :: low = 0, high = 0
@@ -80,8 +80,8 @@ module adfric_round_curve
       logical :: touches = .false.
    end type disc_range_t
 
-   !> A part of the curve where all states are stable, or all are unstable. Along it what is held rises, or falls.
-   type :: interval_t
+   !> A part of the curve where all states are stable, or all are unstable. Along it what is prescribed rises, or falls.
+   type :: curve_interval_t
       !> Does it lie beyond the corner?
       logical :: is_beyond = .true.
       !> Are its states stable?
@@ -90,15 +90,15 @@ module adfric_round_curve
       logical :: begins_at_fold = .false., ends_at_fold = .false.
       !> Range of the unknown u; `endless` without an end.
       real(dp) :: low = 0, high = endless
-      !> What is held at the ends, see `adfric_round_prescribed`.
+      !> What is prescribed at the ends, see `adfric_round_prescribed`.
       real(dp) :: first = 0, last = 0
-   end type interval_t
+   end type curve_interval_t
 
    !> sqrt(a) g_u - q sqrt(2 pi W) a_u = 0.
    type, extends(equation_t) :: fold_equation_t
       !> The curve.
       class(curve_t), allocatable :: curve
-      !> What is held.
+      !> What is prescribed.
       integer :: control = control_load
       !> Does u lie beyond the corner?
       logical :: is_beyond = .true.
@@ -110,13 +110,10 @@ contains
 
    !> The state at an unknown.
    pure subroutine get_state(self, u, is_beyond, state)
-      !> The curve.
       class(curve_t), intent(in) :: self
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
-      !> Receives the state, reduced.
       type(state_t), intent(out) :: state
       real(dp) :: gain, loss
 
@@ -140,39 +137,34 @@ contains
       end associate
    end subroutine get_state
 
-   !> What is held, and its derivative by u.
-   pure subroutine get_held(self, control, u, is_beyond, held, slope)
-      !> The curve.
+   !> What is prescribed, and its derivative by u.
+   pure subroutine get_prescribed(self, control, u, is_beyond, prescribed, slope)
       class(curve_t), intent(in) :: self
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       !> Load, approach, or approach of the base of the spring, reduced.
-      real(dp), intent(out) :: held
+      real(dp), intent(out) :: prescribed
       !> Derivative by u; of no meaning at a radius of 0.
       real(dp), intent(out) :: slope
       real(dp) :: load, load_slope
 
-      call self%get_sums(u, is_beyond, load, load_slope, held, slope)
+      call self%get_sums(u, is_beyond, load, load_slope, prescribed, slope)
       if (control == control_load) then
-         held = load
+         prescribed = load
          slope = load_slope
       else if (control == control_spring) then
-         held = held + self%compliance*load
+         prescribed = prescribed + self%compliance*load
          slope = slope + self%compliance*load_slope
       end if
-   end subroutine get_held
+   end subroutine get_prescribed
 
    !> Load and approach at an unknown, and their derivatives by u, which take less time than a state.
    pure subroutine get_sums(self, u, is_beyond, load, load_slope, approach, approach_slope)
-      !> The curve.
       class(curve_t), intent(in) :: self
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       !> Receive the load and its derivative.
       real(dp), intent(out) :: load, load_slope
@@ -186,9 +178,7 @@ contains
 
    !> Load and approach at a spot, and their derivatives by u.
    pure subroutine sum_terms(curve, spot, load, load_slope, approach, approach_slope)
-      !> The curve.
       class(curve_t), intent(in) :: curve
-      !> What the shape is there.
       type(spot_t), intent(in) :: spot
       !> Receive the load and its derivative.
       real(dp), intent(out) :: load, load_slope
@@ -206,9 +196,7 @@ contains
 
    !> The states without touch that are stable, as ranges of their radii: a theory without range has none.
    pure subroutine find_discs(self, control, discs, n)
-      !> The curve.
       class(curve_t), intent(in) :: self
-      !> What is held.
       integer, intent(in) :: control
       !> Receives the ranges, from the smallest discs to the largest.
       type(disc_range_t), intent(out) :: discs(most_disc_ranges)
@@ -222,11 +210,9 @@ contains
 
    !> A state without touch; a theory without range has none.
    pure subroutine get_disc(self, c, state)
-      !> The curve.
       class(curve_t), intent(in) :: self
       !> Radius of the disc, >= 0.
       real(dp), intent(in) :: c
-      !> Receives the state.
       type(state_t), intent(out) :: state
 
       associate (unused => self, unused_too => c)
@@ -236,7 +222,6 @@ contains
 
    !> The control whose stability a state has: a given radius counts as a given load.
    elemental integer function stability_control(control)
-      !> What is held.
       integer, intent(in) :: control
 
       stability_control = merge(control_load, control, control == control_radius)
@@ -244,9 +229,8 @@ contains
 
    !> q of a control, and its derivative by a: a state is stable where a g' > q Dl.
    pure subroutine get_stability_factor(curve, control, radius, factor, slope)
-      !> The curve with the compliance of its spring.
       class(curve_t), intent(in) :: curve
-      !> What is held; a given radius counts as a given load.
+      !> What is prescribed; a given radius counts as a given load.
       integer, intent(in) :: control
       !> Radius a of contact.
       real(dp), intent(in) :: radius
@@ -264,11 +248,8 @@ contains
 
    !> Is the state at a spot stable?
    pure logical function is_stable_at(curve, spot, control)
-      !> The curve.
       class(curve_t), intent(in) :: curve
-      !> What the shape is at the state.
       type(spot_t), intent(in) :: spot
-      !> What is held.
       integer, intent(in) :: control
       real(dp) :: target, factor, slope
 
@@ -286,12 +267,9 @@ contains
 
    !> The stable and the unstable parts of the curve, from the smallest contacts to the largest.
    pure subroutine find_intervals(self, control, intervals, n, is_converged)
-      !> The curve.
       class(curve_t), intent(in) :: self
-      !> What is held.
       integer, intent(in) :: control
-      !> Receives the intervals.
-      type(interval_t), intent(out) :: intervals(most_intervals)
+      type(curve_interval_t), intent(out) :: intervals(most_intervals)
       !> Receives their number.
       integer, intent(out) :: n
       !> Have all folds been found to round-off?
@@ -304,7 +282,7 @@ contains
       ! within a flat face g' = 0, and what adhesion holds falls with the contact
       if (self%shape%has_face .and. self%tension > 0) then
          n = 1
-         intervals(n) = interval_t(.false., .false., .false., .false., 0.0_dp, at_corner)
+         intervals(n) = curve_interval_t(.false., .false., .false., .false., 0.0_dp, at_corner)
       end if
       n_pieces = self%shape%n_pieces
       if (n_pieces == 0) return
@@ -317,14 +295,11 @@ contains
 
    !> Add the intervals of a piece.
    pure subroutine split_piece(curve, control, piece, intervals, n, is_converged)
-      !> The curve.
       class(curve_t), intent(in) :: curve
-      !> What is held.
       integer, intent(in) :: control
-      !> A piece where sqrt(a) g'/q rises, or falls.
       type(piece_t), intent(in) :: piece
       !> The intervals; those of the piece are added.
-      type(interval_t), intent(inout) :: intervals(:)
+      type(curve_interval_t), intent(inout) :: intervals(:)
       !> Number of intervals.
       integer, intent(inout) :: n
       !> Becomes false if a fold is not found to round-off.
@@ -342,7 +317,7 @@ contains
          ends_stable = is_stable_at(curve, spot, control)
       end if
       n = n + 1
-      intervals(n) = interval_t(piece%is_beyond, is_stable, .false., .false., piece%low, piece%high)
+      intervals(n) = curve_interval_t(piece%is_beyond, is_stable, .false., .false., piece%low, piece%high)
       if (is_stable .eqv. ends_stable) return
       largest = merge(0.5_dp, 1.5_dp, control == control_approach)
       if (.not. high < endless) high = max(2*piece%low, curve%shape%get_end(largest*curve%tension))
@@ -351,14 +326,12 @@ contains
       intervals(n)%high = fold
       intervals(n)%ends_at_fold = .true.
       n = n + 1
-      intervals(n) = interval_t(piece%is_beyond, ends_stable, .true., .false., fold, piece%high)
+      intervals(n) = curve_interval_t(piece%is_beyond, ends_stable, .true., .false., fold, piece%high)
    end subroutine split_piece
 
-   !> The fold between two places of a piece.
+   !> The fold between two indices of a piece.
    pure subroutine find_fold(curve, control, is_beyond, low, high, rises, fold, is_converged)
-      !> The curve.
       class(curve_t), intent(in) :: curve
-      !> What is held.
       integer, intent(in) :: control
       !> Does the piece lie beyond the corner?
       logical, intent(in) :: is_beyond
@@ -368,7 +341,6 @@ contains
       logical, intent(in) :: rises
       !> Receives the unknown u of the fold.
       real(dp), intent(out) :: fold
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       real(dp), parameter :: near_end = 1.0_dp - 1.0e-6_dp
       type(fold_equation_t) :: equation
@@ -383,7 +355,6 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate_fold(self, x, value, slope)
-      !> The equation with its curve.
       class(fold_equation_t), intent(in) :: self
       !> The unknown u, > 0.
       real(dp), intent(in) :: x

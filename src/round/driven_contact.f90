@@ -1,27 +1,29 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact whose lateral spring is driven: the place of its way where h = D + T/k first reaches a value, with the states themselves.
+!> A contact whose lateral spring is driven: the position of its path where h = D + T/k first reaches a value, with the states
+!> themselves.
 !>
-!> The polynomials of the way know h to the round-off of its largest value. That says which place is the first one; of a small h it leaves
-!> few digits, so the place is found again with the states themselves, between places of which the polynomials are certain.
+!> The polynomials of the path know h to the round-off of its largest value. That says which position is the first one; of a small h
+!> it leaves few digits, so the position is found again with the states themselves, between positions of which the polynomials are
+!> certain.
 module adfric_round_driven_contact
    use adfric_base_kinds, only: dp
-   use adfric_round_pulled_contact, only: extension_at, first_reach, pulled_contact_t, pulled_curve_t, spot_t
+   use adfric_round_pulled_contact, only: extension_at, first_reach, pulled_contact_t, pulled_curve_t, pulled_spot_t
    use adfric_round_stick_slip, only: stick_slip_t
    use adfric_numerics_secant_root, only: find_rising_root, rising_equation_t
    implicit none (type, external)
    private
-   public :: find_driven_place, driven_error
+   public :: find_driven_position, driven_error
 
-   !> How far the place of the polynomials is looked for at first, relative, how much farther each time, and how often.
+   !> How far the position of the polynomials is looked for at first, relative, how much farther each time, and how often.
    real(dp), parameter :: first_width = 1.0e-13_dp, wider = 16.0_dp
    integer, parameter :: most_widenings = 60
    !> What the polynomials know of h, relative to its largest value.
    real(dp), parameter :: certain = 1.0e-11_dp
-   !> At a small place h is about the second to fourth power of it: a guess of the slope of its logarithm.
+   !> At a small position h is about the second to fourth power of it: a guess of the slope of its logarithm.
    real(dp), parameter :: usual_power = 2.0_dp
 
-   !> h over the value that it has to have, less 1, as a function of the logarithm of the place in a piece.
-   type, extends(rising_equation_t) :: driven_place_t
+   !> h over the value that it has to have, less 1, as a function of the logarithm of the position in a piece.
+   type, extends(rising_equation_t) :: driven_position_t
       !> The contact.
       class(pulled_contact_t), allocatable :: contact
       !> The piece.
@@ -30,49 +32,45 @@ module adfric_round_driven_contact
       real(dp) :: stiffness = 1, extension = 1
    contains
       procedure :: evaluate => excess_extension
-   end type driven_place_t
+   end type driven_position_t
 
 contains
 
-   !> The place at a displacement of the base that has grown from rest. Beyond the largest h it slides, or in stick-slip the same places
-   !> come again and again, from the force of sliding up to the jump.
-   pure subroutine find_driven_place(contact, curve, jump, stiffness, base, piece, place, is_reached)
-      !> The contact.
+   !> The position at a displacement of the base that has grown from rest. Beyond the largest h it slides, or in stick-slip the same
+   !> positions come again and again, from the force of sliding up to the jump.
+   pure subroutine find_driven_position(contact, curve, jump, stiffness, base, piece, position, is_reached)
       class(pulled_contact_t), intent(in) :: contact
-      !> Its way as polynomials.
       type(pulled_curve_t), intent(in) :: curve
-      !> What happens on the spring.
       type(stick_slip_t), intent(in) :: jump
       !> Stiffness of the spring, > 0, and displacement of its base, >= 0.
       real(dp), intent(in) :: stiffness, base
-      !> Receives the piece of the way.
+      !> Receives the piece of the path.
       integer, intent(out) :: piece
-      !> Receives the place in it, 0 to 1.
-      real(dp), intent(out) :: place
-      !> Is it one of the way?
+      !> Receives the position in it, 0 to 1.
+      real(dp), intent(out) :: position
       logical, intent(out) :: is_reached
-      type(spot_t) :: spot
+      type(pulled_spot_t) :: spot
       real(dp) :: extension
 
       piece = 1
-      place = 0
+      position = 0
       extension = base
       if (jump%slides) then
          if (base > jump%base_displacement) extension = jump%base_displacement - jump%period &
             & + modulo(base - jump%base_displacement, jump%period)
       end if
-      spot = spot_t(1, -1.0_dp)
+      spot = pulled_spot_t(1, -1.0_dp)
       is_reached = .true.
       ! the largest h itself is reached
-      if (extension > 0) call first_reach(curve, 1.0_dp, 1/stiffness, extension*(1 - 8*epsilon(extension)), spot_t(1, -1.0_dp), &
+      if (extension > 0) call first_reach(curve, 1.0_dp, 1/stiffness, extension*(1 - 8*epsilon(extension)), pulled_spot_t(1, &
+         & -1.0_dp), &
          & spot, is_reached)
-      if (is_reached) call settle(contact, curve, stiffness, extension, spot, piece, place)
-   end subroutine find_driven_place
+      if (is_reached) call settle(contact, curve, stiffness, extension, spot, piece, position)
+   end subroutine find_driven_position
 
    !> Relative error of the force on a driven spring: in stick-slip round-off of the displacement of the base is as much for a
    !> short way as for a long one, and each jump before adds what its own period is off.
    pure real(dp) function driven_error(jump, stiffness, base, force) result(error)
-      !> What happens on the spring.
       type(stick_slip_t), intent(in) :: jump
       !> Stiffness of the spring, > 0, and displacement of its base, >= 0.
       real(dp), intent(in) :: stiffness, base
@@ -92,57 +90,52 @@ contains
       error = error/max(error, force)
    end function driven_error
 
-   !> The place with a given h, next to one that the polynomials have found.
-   pure subroutine settle(contact, curve, stiffness, extension, spot, piece, place)
-      !> The contact.
+   !> The position with a given h, next to one that the polynomials have found.
+   pure subroutine settle(contact, curve, stiffness, extension, spot, piece, position)
       class(pulled_contact_t), intent(in) :: contact
-      !> Its way.
       type(pulled_curve_t), intent(in) :: curve
       !> Stiffness of the spring, and h.
       real(dp), intent(in) :: stiffness, extension
-      !> The place of the polynomials.
-      type(spot_t), intent(in) :: spot
+      type(pulled_spot_t), intent(in) :: spot
       !> Receives the piece.
       integer, intent(out) :: piece
-      !> Receives the place in it.
-      real(dp), intent(out) :: place
-      type(driven_place_t) :: equation
+      !> Receives the position in it.
+      real(dp), intent(out) :: position
+      type(driven_position_t) :: equation
       real(dp) :: x, ends(2)
       logical :: is_between, is_converged
 
       associate (panel => curve%panels(spot%panel))
          piece = panel%piece
-         place = panel%low + (panel%high - panel%low)*(1 + spot%x)/2
+         position = panel%low + (panel%high - panel%low)*(1 + spot%x)/2
          if (.not. extension > 0) return
-         ! next to rest the polynomials do not tell one place from another
-         place = max(place, epsilon(place)*panel%high)
+         ! next to rest the polynomials do not tell one position from another
+         position = max(position, epsilon(position)*panel%high)
          allocate (equation%contact, source=contact)
          equation%piece = piece
          equation%stiffness = stiffness
          equation%extension = extension
-         x = log(place)
+         x = log(position)
          call find_bracket(curve, equation, spot%panel, x, ends, is_between)
          if (.not. is_between) return
          call find_rising_root(equation, ends(1), ends(2), usual_power, 2*epsilon(x), x, is_converged)
-         if (is_converged) place = min(exp(x), 1.0_dp)
+         if (is_converged) position = min(exp(x), 1.0_dp)
       end associate
    end subroutine settle
 
-   !> Places around one of the polynomials, before and behind the one of a given h.
+   !> Positions around one of the polynomials, before and behind the one of a given h.
    pure subroutine find_bracket(curve, equation, number, x, ends, is_between)
-      !> The way.
       type(pulled_curve_t), intent(in) :: curve
-      !> The equation.
-      type(driven_place_t), intent(in) :: equation
+      type(driven_position_t), intent(in) :: equation
       !> Number of the panel.
       integer, intent(in) :: number
-      !> Logarithm of the place.
+      !> Logarithm of the position.
       real(dp), intent(in) :: x
-      !> Receive logarithms of the places.
+      !> Receive logarithms of the positions.
       real(dp), intent(out) :: ends(2)
-      !> Are there such places, of which the polynomials are certain?
+      !> Are there such positions, of which the polynomials are certain?
       logical, intent(out) :: is_between
-      real(dp) :: value, width, margin, place, within
+      real(dp) :: value, width, margin, position, within
       integer :: k
 
       ends = x
@@ -159,24 +152,24 @@ contains
          margin = certain*sum(abs(panel%displacement) + abs(panel%force)/equation%stiffness)
          width = first_width
          do k = 1, most_widenings
-            place = min(exp(x + width), panel%high)
-            ends(2) = log(place)
+            position = min(exp(x + width), panel%high)
+            ends(2) = log(position)
             call equation%evaluate(ends(2), value)
             is_between = value > 0
-            if (is_between .or. .not. place < panel%high) return
-            ! beyond what the polynomials leave open there would be another place
-            within = 2*(place - panel%low)/(panel%high - panel%low) - 1
-            if (extension_at(curve, 1.0_dp, 1/equation%stiffness, spot_t(number, within)) > equation%extension + margin) return
+            if (is_between .or. .not. position < panel%high) return
+            ! beyond what the polynomials leave open there would be another position
+            within = 2*(position - panel%low)/(panel%high - panel%low) - 1
+            if (extension_at(curve, 1.0_dp, 1/equation%stiffness, pulled_spot_t(number, &
+               & within)) > equation%extension + margin) return
             width = wider*width
          end do
       end associate
    end subroutine find_bracket
 
-   !> See `driven_place_t`.
+   !> See `driven_position_t`.
    pure subroutine excess_extension(self, x, value)
-      !> The equation.
-      class(driven_place_t), intent(in) :: self
-      !> Logarithm of the place.
+      class(driven_position_t), intent(in) :: self
+      !> Logarithm of the position.
       real(dp), intent(in) :: x
       !> Receives h over its value, less 1.
       real(dp), intent(out) :: value

@@ -18,7 +18,7 @@ module adfric_round_dugdale_curve
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_annulus, only: get_annulus
-   use adfric_round_curve, only: curve_t, state_t, interval_t, disc_range_t, most_intervals, most_disc_ranges, control_load, &
+   use adfric_round_curve, only: curve_t, state_t, curve_interval_t, disc_range_t, most_intervals, most_disc_ranges, control_load, &
       & control_approach, control_spring, control_radius, stability_control
    use adfric_round_dugdale_discs, only: find_stable_discs
    use adfric_round_dugdale_folds, only: find_stable_parts
@@ -38,7 +38,7 @@ module adfric_round_dugdale_curve
       procedure :: find_intervals
       procedure :: find_discs
       procedure :: get_disc
-      procedure :: has_room
+      procedure :: has_space
    end type dugdale_curve_t
 
    !> The differences that make folds, along the curve.
@@ -53,13 +53,10 @@ contains
 
    !> See `curve_t`.
    pure subroutine get_state(self, u, is_beyond, state)
-      !> The curve.
       class(dugdale_curve_t), intent(in) :: self
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
-      !> Receives the state, reduced.
       type(state_t), intent(out) :: state
       real(dp) :: s, c, th, opening, intensity, f_load, f_approach, n, q, one_less
 
@@ -89,11 +86,9 @@ contains
 
    !> See `curve_t`.
    pure subroutine get_sums(self, u, is_beyond, load, load_slope, approach, approach_slope)
-      !> The curve.
       class(dugdale_curve_t), intent(in) :: self
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       !> Receive the load and its derivative.
       real(dp), intent(out) :: load, load_slope
@@ -111,9 +106,7 @@ contains
    !> The zone of adhesion of a contact: s, with J and I. ln of the right side is almost linear in ln s, so Newton's method comes
    !> from anywhere.
    pure subroutine find_zone(self, spot, is_beyond, s, opening, intensity, is_converged)
-      !> The curve.
       class(dugdale_curve_t), intent(in) :: self
-      !> What the shape is at the contact.
       type(spot_t), intent(in) :: spot
       !> Does the contact reach beyond the corner?
       logical, intent(in) :: is_beyond
@@ -121,7 +114,6 @@ contains
       real(dp), intent(out) :: s
       !> Receive J and I.
       real(dp), intent(out) :: opening, intensity
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       integer, parameter :: most_steps = 200
       real(dp), parameter :: small_step = 1.0e-8_dp, largest_step = 5.0_dp
@@ -164,31 +156,27 @@ contains
    end subroutine find_zone
 
    !> Does the zone of a contact end before the vertical edge of the profile?
-   pure logical function has_room(self, u, is_beyond)
-      !> The curve.
+   pure logical function has_space(self, u, is_beyond)
       class(dugdale_curve_t), intent(in) :: self
       !> The unknown of the contact, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       type(spot_t) :: spot
       real(dp) :: value, slope, opening, intensity
 
-      has_room = .true.
+      has_space = .true.
       if (.not. self%shape%edge < huge(u)) return
       call self%shape%evaluate(u, is_beyond, spot)
-      has_room = spot%radius < within_edge*self%shape%edge
-      if (.not. has_room) return
+      has_space = spot%radius < within_edge*self%shape%edge
+      if (.not. has_space) return
       call get_range(self, spot, is_beyond, within_edge*sqrt((self%shape%edge - spot%radius)*(self%shape%edge + spot%radius)), &
          & value, slope, opening, intensity)
-      has_room = value > self%range
-   end function has_room
+      has_space = value > self%range
+   end function has_space
 
    !> The range of adhesion that a zone needs, and the derivative of its logarithm by that of s.
    pure subroutine get_range(self, spot, is_beyond, s, value, slope, opening, intensity)
-      !> The curve.
       class(dugdale_curve_t), intent(in) :: self
-      !> What the shape is at the contact.
       type(spot_t), intent(in) :: spot
       !> Does the contact reach beyond the corner?
       logical, intent(in) :: is_beyond
@@ -212,9 +200,7 @@ contains
    !> A zone that is not too narrow, from the stress alone: its opening is about (4 S/pi) s^2/2a for a narrow zone, and
    !> (4 S/pi) (pi/2 - 1) s for a wide one.
    pure real(dp) function guess_zone(self, spot) result(s)
-      !> The curve.
       class(dugdale_curve_t), intent(in) :: self
-      !> What the shape is at the contact.
       type(spot_t), intent(in) :: spot
       real(dp) :: gap, narrow
 
@@ -229,12 +215,9 @@ contains
 
    !> See `curve_t`.
    pure subroutine find_intervals(self, control, intervals, n, is_converged)
-      !> The curve.
       class(dugdale_curve_t), intent(in) :: self
-      !> What is held.
       integer, intent(in) :: control
-      !> Receives the intervals.
-      type(interval_t), intent(out) :: intervals(most_intervals)
+      type(curve_interval_t), intent(out) :: intervals(most_intervals)
       !> Receives their number, at least 1.
       integer, intent(out) :: n
       !> Have all folds been found to round-off?
@@ -251,9 +234,7 @@ contains
 
    !> See `curve_t`.
    pure subroutine find_discs(self, control, discs, n)
-      !> The curve.
       class(dugdale_curve_t), intent(in) :: self
-      !> What is held.
       integer, intent(in) :: control
       !> Receives the ranges, from the smallest discs to the largest.
       type(disc_range_t), intent(out) :: discs(most_disc_ranges)
@@ -273,11 +254,9 @@ contains
 
    !> See `curve_t`: P = -pi S c^2, delta = f(c) - 4 S c/pi - h.
    pure subroutine get_disc(self, c, state)
-      !> The curve.
       class(dugdale_curve_t), intent(in) :: self
       !> Radius of the disc, >= 0.
       real(dp), intent(in) :: c
-      !> Receives the state.
       type(state_t), intent(out) :: state
       real(dp) :: height, slope
 
@@ -299,15 +278,12 @@ contains
 
    !> See `margins_t`.
    pure subroutine get_margin(self, u, is_beyond, margin, is_converged)
-      !> The curve and what is held.
       class(dugdale_margins_t), intent(in) :: self
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       !> F_P, F_d or F_d + 2 s F_P over the sum of its terms, between -1 and 1.
       real(dp), intent(out) :: margin
-      !> Was the zone found?
       logical, intent(out) :: is_converged
       type(spot_t) :: spot
       real(dp) :: s, c, th, opening, intensity, gain, loss, shares(2)

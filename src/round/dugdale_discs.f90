@@ -34,7 +34,6 @@ contains
 
    !> The discs that are stable.
    pure subroutine find_stable_discs(shape, constant, pull, largest, discs, n)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> 4 S/pi and 2 pi s S.
       real(dp), intent(in) :: constant, pull
@@ -61,22 +60,20 @@ contains
 
    !> F at a radius.
    pure real(dp) function at(self, c)
-      !> The function.
       class(margin_t), intent(in) :: self
       !> Radius of the disc.
       real(dp), intent(in) :: c
-      real(dp) :: height, slope, place
+      real(dp) :: height, slope, position
 
-      place = c
-      if (.not. self%is_beyond) place = min(c, self%shape%corner*(1 - epsilon(c)))
-      if (self%is_beyond .and. self%shape%corner > 0) place = max(c, self%shape%corner*(1 + epsilon(c)))
-      call self%shape%get_profile(place, height, slope)
+      position = c
+      if (.not. self%is_beyond) position = min(c, self%shape%corner*(1 - epsilon(c)))
+      if (self%is_beyond .and. self%shape%corner > 0) position = max(c, self%shape%corner*(1 + epsilon(c)))
+      call self%shape%get_profile(position, height, slope)
       at = slope - self%constant - self%pull*c
    end function at
 
    !> Add the ranges of one side of a corner.
    pure subroutine add_ranges(margin, low, high, discs, n)
-      !> F.
       type(margin_t), intent(in) :: margin
       !> Ends of the side.
       real(dp), intent(in) :: low, high
@@ -127,12 +124,10 @@ contains
    end subroutine add_range
 
    !> Where F changes its sign.
-   pure real(dp) function change_between(margin, first, last, begins) result(place)
-      !> F.
+   pure real(dp) function change_between(margin, first, last, begins) result(position)
       type(margin_t), intent(in) :: margin
       !> Ends of a range where its sign changes once.
       real(dp), intent(in) :: first, last
-      !> Is F positive at the beginning?
       logical, intent(in) :: begins
       real(dp) :: low, high
       integer :: k
@@ -140,22 +135,21 @@ contains
       low = first
       high = last
       do k = 1, most_halvings
-         place = (low + high)/2
-         if (.not. (place > low .and. place < high)) exit
-         if ((margin%at(place) > 0) .eqv. begins) then
-            low = place
+         position = (low + high)/2
+         if (.not. (position > low .and. position < high)) exit
+         if ((margin%at(position) > 0) .eqv. begins) then
+            low = position
          else
-            high = place
+            high = position
          end if
          if (.not. high > smallest_disc*last) exit
       end do
-      place = merge(low, high, begins)
-      if (.not. high > smallest_disc*last) place = 0
+      position = merge(low, high, begins)
+      if (.not. high > smallest_disc*last) position = 0
    end function change_between
 
    !> Where F, or -F, is largest, by the golden section.
-   pure real(dp) function extreme_between(margin, first, last, sign_of_f) result(place)
-      !> F.
+   pure real(dp) function extreme_between(margin, first, last, sign_of_f) result(position)
       type(margin_t), intent(in) :: margin
       !> Ends of a range where it is convex or concave.
       real(dp), intent(in) :: first, last
@@ -163,25 +157,25 @@ contains
       real(dp), intent(in) :: sign_of_f
       real(dp), parameter :: golden = 0.6180339887498949_dp
       integer, parameter :: most_steps = 80
-      real(dp) :: low, high, places(2), values(2)
+      real(dp) :: low, high, positions(2), values(2)
       integer :: k
 
       low = first
       high = last
-      places = [high - golden*(high - low), low + golden*(high - low)]
-      values = sign_of_f*[margin%at(places(1)), margin%at(places(2))]
+      positions = [high - golden*(high - low), low + golden*(high - low)]
+      values = sign_of_f*[margin%at(positions(1)), margin%at(positions(2))]
       do k = 1, most_steps
          if (values(1) > values(2)) then
-            high = places(2)
-            places = [high - golden*(high - low), places(1)]
-            values = [sign_of_f*margin%at(places(1)), values(1)]
+            high = positions(2)
+            positions = [high - golden*(high - low), positions(1)]
+            values = [sign_of_f*margin%at(positions(1)), values(1)]
          else
-            low = places(1)
-            places = [places(2), low + golden*(high - low)]
-            values = [values(2), sign_of_f*margin%at(places(2))]
+            low = positions(1)
+            positions = [positions(2), low + golden*(high - low)]
+            values = [values(2), sign_of_f*margin%at(positions(2))]
          end if
       end do
-      place = places(1)
+      position = positions(1)
    end function extreme_between
 
 end module adfric_round_dugdale_discs

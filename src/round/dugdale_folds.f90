@@ -34,18 +34,18 @@
 !>
 !> **Beyond the corner of `flat_cone`, `flat_paraboloid` and `rounded_cone` R falls, and then it rises; in the tip of `rounded_cone` it
 !> rises, and may then fall** (a zone that ends in the tip meets a g' that rises). The direction of the curve is linear in 2 S, so for
-!> each place (a, th, Y) R turns at one S at most, and the sign of its second derivative there tells which turn it is. That sign
+!> each position (a, th, Y) R turns at one S at most, and the sign of its second derivative there tells which turn it is. That sign
 !> was evaluated, by steps along the imaginary axis, in the whole space: v from 1e-5 to 10, th from 0.001 to pi/2 - 1e-4, Y from 0 to 1.
-!> Of 15 million random places 460 000 have such an S, and the sign is the stated one in all; v < 3 b in all. For th -> 0 R
+!> Of 15 million random positions 460 000 have such an S, and the sign is the stated one in all; v < 3 b in all. For th -> 0 R
 !> is a power of sqrt(a) g'/(1/2 + Y), whose turns are those of `adfric_round_spring_pieces`, where they are proved.
 !>
 !> So the signs of R - 2 S at the ends of a stretch tell its folds, and where both are the same the extreme value at the turn does.
-!> Round-off hides two folds that are closer together than about 1e-7 of their distance from the corner. Between them what is held is
-!> constant to round-off; both count as none.
+!> Round-off hides two folds that are closer together than about 1e-7 of their distance from the corner. Between them what is
+!> prescribed is constant to round-off; both count as none.
 module adfric_round_dugdale_folds
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
-   use adfric_round_curve, only: at_corner, interval_t, endless
+   use adfric_round_curve, only: at_corner, curve_interval_t, endless
    use adfric_round_dugdale_stretch, only: margins_t, stretch_t, get_logarithm, divide_stretch, last_turn
    use adfric_round_shape, only: shape_t, within_edge
    implicit none (type, external)
@@ -56,17 +56,13 @@ contains
 
    !> The parts of a curve.
    pure subroutine find_stable_parts(margins, shape, stress, range, intervals, n, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> Stress and range of adhesion, reduced.
       real(dp), intent(in) :: stress, range
-      !> Receives the intervals.
-      type(interval_t), intent(out) :: intervals(:)
+      type(curve_interval_t), intent(out) :: intervals(:)
       !> Receives their number.
       integer, intent(out) :: n
-      !> Have all folds been found?
       logical, intent(out) :: is_converged
       type(stretch_t) :: outer, inner
       real(dp) :: edge
@@ -77,7 +73,7 @@ contains
       if (shape%has_face) edge = contact_at_edge(stress, range)
       if (edge > 0) then
          n = 1
-         intervals(n) = interval_t(.false., .false., .false., .false., 0.0_dp, edge)
+         intervals(n) = curve_interval_t(.false., .false., .false., .false., 0.0_dp, edge)
       end if
       if (shape%n_pieces == 0) return
       call lay_outer(margins, shape, stress, range, outer, is_converged)
@@ -90,17 +86,14 @@ contains
       call divide_stretch(margins, outer, shape%corner, intervals, n, is_converged)
    end subroutine find_stable_parts
 
-   !> The stretch beyond the corner, up to a contact that is stable; beside a vertical edge up to the last one that has room for its zone.
+   !> The stretch beyond the corner, up to a contact that is stable; beside a vertical edge up to the last one that has space for
+   !> its zone.
    pure subroutine lay_outer(margins, shape, stress, range, outer, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> Stress and range of adhesion, reduced.
       real(dp), intent(in) :: stress, range
-      !> Receives the stretch.
       type(stretch_t), intent(out) :: outer
-      !> Were its ends found?
       logical, intent(out) :: is_converged
       real(dp), parameter :: factor = 4.0_dp
       integer, parameter :: most_steps = 40
@@ -112,7 +105,7 @@ contains
       ! that of JKR under load, which is the largest one
       outer%guess = max(shape%get_end(1.5_dp*sqrt(two_pi*stress*range)), sqrt(stress*range))
       if (shape%edge < endless) then
-         call find_room(margins, shape%unknown_of(within_edge*shape%edge), outer%high, outer%at_high)
+         call find_space(margins, shape%unknown_of(within_edge*shape%edge), outer%high, outer%at_high)
          outer%last = outer%high
          outer%guess = min(outer%guess, outer%high/2)
          return
@@ -126,9 +119,8 @@ contains
       is_converged = .false.
    end subroutine lay_outer
 
-   !> The last contact beside a vertical edge that has room for its zone; c rises along the curve, so all smaller ones have, too.
-   pure subroutine find_room(margins, most, u, logarithm)
-      !> The difference that makes folds.
+   !> The last contact beside a vertical edge that has space for its zone; c rises along the curve, so all smaller ones have, too.
+   pure subroutine find_space(margins, most, u, logarithm)
       class(margins_t), intent(in) :: margins
       !> The contact that reaches the edge.
       real(dp), intent(in) :: most
@@ -155,21 +147,17 @@ contains
          if (.not. is_found) high = u
       end do
       u = low
-   end subroutine find_room
+   end subroutine find_space
 
    !> The stretch within the corner.
    pure subroutine lay_inner(margins, shape, edge, at_high, inner, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> The contact of a flat face whose zone ends at the corner; 0 if all zones end beyond.
       real(dp), intent(in) :: edge
       !> ln(R/2 S) at the corner.
       real(dp), intent(in) :: at_high
-      !> Receives the stretch.
       type(stretch_t), intent(out) :: inner
-      !> Was its first end found?
       logical, intent(out) :: is_converged
 
       inner%is_beyond = .false.

@@ -62,7 +62,6 @@ contains
 
    !> See `integrand_t`.
    pure real(dp) function evaluate(self, from_left, from_right)
-      !> The integrand with its radii.
       class(zone_integrand_t), intent(in) :: self
       !> Distances of x from a and from min(r, c), > 0.
       real(dp), intent(in) :: from_left, from_right

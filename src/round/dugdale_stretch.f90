@@ -3,7 +3,7 @@
 !> once at most, and its folds: the signs of the logarithm at its ends tell of one fold, and its least or largest value of two.
 module adfric_round_dugdale_stretch
    use adfric_base_kinds, only: dp
-   use adfric_round_curve, only: interval_t, endless, control_load
+   use adfric_round_curve, only: curve_interval_t, endless, control_load
    implicit none (type, external)
    private
    public :: margins_t, stretch_t, get_logarithm, divide_stretch, last_turn
@@ -15,18 +15,18 @@ module adfric_round_dugdale_stretch
 
    !> The difference that makes folds, along a curve.
    type, abstract :: margins_t
-      !> What is held; not `control_radius`.
+      !> What is prescribed; not `control_radius`.
       integer :: control = control_load
    contains
       procedure(get_margin_i), deferred :: get_margin
    end type margins_t
 
    abstract interface
-      !> The margin at a place: > 0 where the state is stable.
+      !> The margin at a position: > 0 where the state is stable.
       pure subroutine get_margin_i(self, u, is_beyond, margin, is_converged)
          import :: margins_t, dp
          implicit none (type, external)
-         !> The curve and what is held.
+         !> The curve and what is prescribed.
          class(margins_t), intent(in) :: self
          !> The unknown, >= 0.
          real(dp), intent(in) :: u
@@ -55,17 +55,14 @@ module adfric_round_dugdale_stretch
 
 contains
 
-   !> ln(R/2 S) at a place.
+   !> ln(R/2 S) at a position.
    pure subroutine get_logarithm(margins, u, is_beyond, logarithm, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       !> Receives the logarithm, cut off where R and 2 S are alike in no digit.
       real(dp), intent(out) :: logarithm
-      !> Was the state found?
       logical, intent(out) :: is_converged
       real(dp) :: margin
 
@@ -75,14 +72,12 @@ contains
 
    !> Divide a stretch at its folds.
    pure subroutine divide_stretch(margins, stretch, corner, intervals, n, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
-      !> The stretch.
       type(stretch_t), intent(in) :: stretch
       !> Radius of the corner.
       real(dp), intent(in) :: corner
       !> The intervals; those of the stretch are added.
-      type(interval_t), intent(inout) :: intervals(:)
+      type(curve_interval_t), intent(inout) :: intervals(:)
       !> Their number.
       integer, intent(inout) :: n
       !> Becomes false if a state is not found.
@@ -90,7 +85,7 @@ contains
       real(dp) :: turn, at_turn
 
       n = n + 1
-      intervals(n) = interval_t(stretch%is_beyond, stretch%at_low > 0, .false., .false., stretch%low, stretch%last)
+      intervals(n) = curve_interval_t(stretch%is_beyond, stretch%at_low > 0, .false., .false., stretch%low, stretch%last)
       if ((stretch%at_low > 0) .neqv. (stretch%at_high > 0)) then
          call add_fold(margins, stretch, [stretch%low, stretch%high], [stretch%at_low, stretch%at_high], stretch%guess, intervals, &
             & n, is_converged)
@@ -106,13 +101,12 @@ contains
    !> corner: by parabolas, and by the golden section where they fail (R. P. Brent, Algorithms for minimization without derivatives, 1973). The search ends where a
    !> fold has been passed.
    pure subroutine find_turn(margins, stretch, corner, turn, at_turn, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
       !> The stretch, one end of which is the corner.
       type(stretch_t), intent(in) :: stretch
       !> Radius of the corner.
       real(dp), intent(in) :: corner
-      !> Receives the place.
+      !> Receives the position.
       real(dp), intent(out) :: turn
       !> Receives ln(R/2 S) there.
       real(dp), intent(out) :: at_turn
@@ -120,81 +114,80 @@ contains
       logical, intent(inout) :: is_converged
       real(dp), parameter :: close_enough = 1.0e-7_dp
       integer, parameter :: most_steps = 100
-      ! the best place so far comes first, then the next best ones; the last two steps
-      real(dp) :: places(3), values(3), ends(2), steps(2), place, value
+      ! the best position so far comes first, then the next best ones; the last two steps
+      real(dp) :: positions(3), values(3), ends(2), steps(2), position, value
       integer :: k
 
       ends = log(corner*[merge(least_beyond, least_within, stretch%is_beyond), merge(last_turn, 1.0_dp, stretch%is_beyond)])
       steps = 0
-      places = ends(2) - small_share*(ends(2) - ends(1))
-      call get_value(margins, stretch, corner, places(1), values(1), is_converged)
+      positions = ends(2) - small_share*(ends(2) - ends(1))
+      call get_value(margins, stretch, corner, positions(1), values(1), is_converged)
       values(2:3) = values(1)
       do k = 1, most_steps
-         if (.not. values(1) > 0 .or. abs(places(1) - sum(ends)/2) <= 2*close_enough - (ends(2) - ends(1))/2) exit
-         call choose_step(places, values, ends, steps)
-         place = places(1) + sign(max(abs(steps(1)), close_enough), steps(1))
-         call get_value(margins, stretch, corner, place, value, is_converged)
-         call take_value(place, value, places, values, ends)
+         if (.not. values(1) > 0 .or. abs(positions(1) - sum(ends)/2) <= 2*close_enough - (ends(2) - ends(1))/2) exit
+         call choose_step(positions, values, ends, steps)
+         position = positions(1) + sign(max(abs(steps(1)), close_enough), steps(1))
+         call get_value(margins, stretch, corner, position, value, is_converged)
+         call take_value(position, value, positions, values, ends)
       end do
-      turn = place_of(stretch, corner, places(1))
+      turn = position_of(stretch, corner, positions(1))
       at_turn = stretch%turn*values(1)
    end subroutine find_turn
 
    !> The next step of a search for the least value.
-   pure subroutine choose_step(places, values, ends, steps)
-      !> The three best places, the best one first, and their values.
-      real(dp), intent(in) :: places(3), values(3)
-      !> Ends of what is left.
+   pure subroutine choose_step(positions, values, ends, steps)
+      !> The three best positions, the best one first, and their values.
+      real(dp), intent(in) :: positions(3), values(3)
+      !> Ends of what remains.
       real(dp), intent(in) :: ends(2)
       !> In: the last step and the one before. Out: the next step and the last.
       real(dp), intent(inout) :: steps(2)
       real(dp) :: p, q, before
       logical :: is_parabola
 
-      p = (places(1) - places(2))*(values(1) - values(3))
-      q = (places(1) - places(3))*(values(1) - values(2))
+      p = (positions(1) - positions(2))*(values(1) - values(3))
+      q = (positions(1) - positions(3))*(values(1) - values(2))
       before = steps(2)
       steps(2) = steps(1)
-      steps(1) = (places(1) - places(2))*p - (places(1) - places(3))*q
+      steps(1) = (positions(1) - positions(2))*p - (positions(1) - positions(3))*q
       ! where the parabola has its least value
       is_parabola = abs(steps(1)) < abs(before*(q - p))
       if (is_parabola) then
          steps(1) = steps(1)/(2*(q - p))
-         is_parabola = places(1) + steps(1) > ends(1) .and. places(1) + steps(1) < ends(2)
+         is_parabola = positions(1) + steps(1) > ends(1) .and. positions(1) + steps(1) < ends(2)
       end if
       if (is_parabola) return
-      steps(2) = merge(ends(1), ends(2), places(1) >= sum(ends)/2) - places(1)
+      steps(2) = merge(ends(1), ends(2), positions(1) >= sum(ends)/2) - positions(1)
       steps(1) = small_share*steps(2)
    end subroutine choose_step
 
-   !> Take a place of a search for the least value over.
-   pure subroutine take_value(place, value, places, values, ends)
-      !> The place and its value.
-      real(dp), intent(in) :: place, value
-      !> The three best places, the best one first, and their values.
-      real(dp), intent(inout) :: places(3), values(3)
-      !> Ends of what is left.
+   !> Take a position of a search for the least value over.
+   pure subroutine take_value(position, value, positions, values, ends)
+      real(dp), intent(in) :: position, value
+      !> The three best positions, the best one first, and their values.
+      real(dp), intent(inout) :: positions(3), values(3)
+      !> Ends of what remains.
       real(dp), intent(inout) :: ends(2)
 
       if (value <= values(1)) then
-         ends(merge(1, 2, place >= places(1))) = places(1)
-         places = [place, places(1:2)]
+         ends(merge(1, 2, position >= positions(1))) = positions(1)
+         positions = [position, positions(1:2)]
          values = [value, values(1:2)]
          return
       end if
-      ends(merge(2, 1, place >= places(1))) = place
-      if (value <= values(2) .or. .not. abs(places(2) - places(1)) > 0) then
-         places(2:3) = [place, places(2)]
+      ends(merge(2, 1, position >= positions(1))) = position
+      if (value <= values(2) .or. .not. abs(positions(2) - positions(1)) > 0) then
+         positions(2:3) = [position, positions(2)]
          values(2:3) = [value, values(2)]
-      else if (value <= values(3) .or. .not. abs(places(3) - places(1)) > 0 .or. .not. abs(places(3) - places(2)) > 0) then
-         places(3) = place
+      else if (value <= values(3) .or. .not. abs(positions(3) - positions(1)) > 0 .or. .not. abs(positions(3) &
+         & - positions(2)) > 0) then
+         positions(3) = position
          values(3) = value
       end if
    end subroutine take_value
 
    !> The unknown of a distance from the corner.
-   pure real(dp) function place_of(stretch, corner, logarithm) result(u)
-      !> The stretch.
+   pure real(dp) function position_of(stretch, corner, logarithm) result(u)
       type(stretch_t), intent(in) :: stretch
       !> Radius of the corner.
       real(dp), intent(in) :: corner
@@ -203,13 +196,11 @@ contains
 
       u = exp(logarithm)
       if (.not. stretch%is_beyond) u = max(corner - u, 0.0_dp)
-   end function place_of
+   end function position_of
 
    !> ln(R/2 S) at a distance from the corner, with the sign that makes it positive at the ends of the stretch.
    pure subroutine get_value(margins, stretch, corner, logarithm, value, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
-      !> The stretch.
       type(stretch_t), intent(in) :: stretch
       !> Radius of the corner.
       real(dp), intent(in) :: corner
@@ -221,50 +212,46 @@ contains
       logical, intent(inout) :: is_converged
       logical :: is_found
 
-      call get_logarithm(margins, place_of(stretch, corner, logarithm), stretch%is_beyond, value, is_found)
+      call get_logarithm(margins, position_of(stretch, corner, logarithm), stretch%is_beyond, value, is_found)
       value = stretch%turn*value
       is_converged = is_converged .and. is_found
    end subroutine get_value
 
-   !> Find the fold between two places of different signs, and divide the last interval there.
-   pure subroutine add_fold(margins, stretch, places, values, guess, intervals, n, is_converged)
-      !> The difference that makes folds.
+   !> Find the fold between two positions of different signs, and divide the last interval there.
+   pure subroutine add_fold(margins, stretch, positions, values, guess, intervals, n, is_converged)
       class(margins_t), intent(in) :: margins
-      !> The stretch.
       type(stretch_t), intent(in) :: stretch
-      !> The two places, with one fold between them.
-      real(dp), intent(in) :: places(2)
+      !> The two positions, with one fold between them.
+      real(dp), intent(in) :: positions(2)
       !> ln(R/2 S) there.
       real(dp), intent(in) :: values(2)
       !> A distance from the first end of the stretch where it is sought first.
       real(dp), intent(in) :: guess
       !> The intervals; the last one is divided.
-      type(interval_t), intent(inout) :: intervals(:)
+      type(curve_interval_t), intent(inout) :: intervals(:)
       !> Their number, which grows by 1.
       integer, intent(inout) :: n
       !> Becomes false if a state is not found.
       logical, intent(inout) :: is_converged
       real(dp) :: ends(2), at_ends(2), fold
 
-      ends = places
+      ends = positions
       at_ends = values
       call close_in(margins, stretch, guess, ends, at_ends, is_converged)
       call find_root_between(margins, stretch, ends, at_ends, fold, is_converged)
-      intervals(n + 1) = interval_t(stretch%is_beyond, values(2) > 0, .true., .false., fold, intervals(n)%high)
+      intervals(n + 1) = curve_interval_t(stretch%is_beyond, values(2) > 0, .true., .false., fold, intervals(n)%high)
       intervals(n)%high = fold
       intervals(n)%ends_at_fold = .true.
       n = n + 1
    end subroutine add_fold
 
-   !> Close in on a fold until the distances of two places from the first end of their stretch are a decade apart.
+   !> Close in on a fold until the distances of two positions from the first end of their stretch are a decade apart.
    pure subroutine close_in(margins, stretch, guess, ends, values, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
-      !> The stretch.
       type(stretch_t), intent(in) :: stretch
       !> A distance from the first end of the stretch to begin with.
       real(dp), intent(in) :: guess
-      !> The two places, with one fold between them.
+      !> The two positions, with one fold between them.
       real(dp), intent(inout) :: ends(2)
       !> ln(R/2 S) there.
       real(dp), intent(inout) :: values(2)
@@ -292,13 +279,11 @@ contains
       end do
    end subroutine close_in
 
-   !> The fold between two places, by the method of Illinois.
+   !> The fold between two positions, by the method of Illinois.
    pure subroutine find_root_between(margins, stretch, ends, at_ends, fold, is_converged)
-      !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
-      !> The stretch.
       type(stretch_t), intent(in) :: stretch
-      !> The two places.
+      !> The two positions.
       real(dp), intent(in) :: ends(2)
       !> ln(R/2 S) there, of different signs.
       real(dp), intent(in) :: at_ends(2)
@@ -330,11 +315,10 @@ contains
       end do
    end subroutine find_root_between
 
-   !> A place between two, at a share of the way, evenly in the logarithm of the distance from an origin.
+   !> A position between two, at a share of the path, evenly in the logarithm of the distance from an origin.
    pure real(dp) function between(ends, origin, share)
-      !> The two places.
+      !> The two positions.
       real(dp), intent(in) :: ends(2)
-      !> The origin.
       real(dp), intent(in) :: origin
       !> The share, between 0 and 1.
       real(dp), intent(in) :: share

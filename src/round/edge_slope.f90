@@ -4,7 +4,8 @@ module adfric_round_edge_slope
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_round_variables
+   use adfric_round_variables, only: kind_cone, kind_flat_cone, kind_flat_paraboloid, kind_paraboloid, &
+      & kind_polynomial, kind_power, kind_rounded_cone, kind_rounded_punch, kind_sphere, in => indenter_input
    use adfric_describe_doubt, only: doubt_contact_too_wide, doubt_slope_too_steep
    implicit none (type, external)
    private
@@ -25,7 +26,7 @@ contains
       real(dp), intent(inout) :: measures(:)
       integer :: kind
 
-      kind = nint(values(v_kind))
+      kind = nint(values(in%kind))
       if (ieee_is_nan(radius)) then
          if (kind == kind_cone) measures(doubt_slope_too_steep) = slope_of(values)
          return
@@ -34,21 +35,21 @@ contains
       if (.not. radius > 0) return
       select case (kind)
       case (kind_paraboloid, kind_sphere)
-         measures(doubt_contact_too_wide) = radius/values(v_radius)
+         measures(doubt_contact_too_wide) = radius/values(in%radius)
       case (kind_flat_paraboloid)
-         if (radius > values(v_face_radius)) measures(doubt_contact_too_wide) = radius/values(v_radius)
+         if (radius > values(in%face_radius)) measures(doubt_contact_too_wide) = radius/values(in%radius)
       case (kind_rounded_punch)
-         measures(doubt_contact_too_wide) = max(0.0_dp, radius - values(v_face_radius))/values(v_radius)
+         measures(doubt_contact_too_wide) = max(0.0_dp, radius - values(in%face_radius))/values(in%radius)
       case (kind_cone)
          measures(doubt_slope_too_steep) = slope_of(values)
       case (kind_flat_cone)
-         if (radius > values(v_face_radius)) measures(doubt_slope_too_steep) = slope_of(values)
+         if (radius > values(in%face_radius)) measures(doubt_slope_too_steep) = slope_of(values)
       case (kind_rounded_cone)
-         measures(doubt_slope_too_steep) = min(radius/values(v_radius), slope_of(values))
+         measures(doubt_slope_too_steep) = min(radius/values(in%radius), slope_of(values))
       case (kind_power)
-         measures(doubt_slope_too_steep) = slope_of_power(values(v_coefficient), values(v_exponent), radius)
+         measures(doubt_slope_too_steep) = slope_of_power(values(in%coefficient), values(in%exponent), radius)
       case (kind_polynomial)
-         measures(doubt_slope_too_steep) = slope_of_polynomial(values(v_coefficient_1:v_coefficient_8), radius)
+         measures(doubt_slope_too_steep) = slope_of_polynomial(values(in%coefficient_1:in%coefficient_8), radius)
       end select
    end subroutine measure_edge
 
@@ -78,11 +79,10 @@ contains
 
    !> k of a cone.
    pure real(dp) function slope_of(values)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
 
-      slope_of = values(v_slope)
-      if (.not. is_set(slope_of)) slope_of = 1/tan(values(v_half_angle))
+      slope_of = values(in%slope)
+      if (.not. is_set(slope_of)) slope_of = 1/tan(values(in%half_angle))
    end function slope_of
 
 end module adfric_round_edge_slope

@@ -24,9 +24,7 @@ contains
 
    !> Elastic energy of a state.
    pure real(dp) function elastic_energy(curve, contact) result(energy)
-      !> The curve with its shape.
       class(curve_t), intent(in) :: curve
-      !> The state.
       type(contact_t), intent(in) :: contact
 
       energy = inner_energy(curve, contact) + outer_energy(contact)
@@ -35,9 +33,7 @@ contains
    !> Energy of a state with that of adhesion, less that of the bodies apart. That of DMT, whose pull outside the contact ends nowhere,
    !> is NaN.
    pure real(dp) function adhesive_energy(curve, contact) result(energy)
-      !> The curve with its shape.
       class(curve_t), intent(in) :: curve
-      !> The state.
       type(contact_t), intent(in) :: contact
       real(dp) :: opening, intensity, moment, s, lift
 
@@ -63,9 +59,7 @@ contains
 
    !> U, of the springs within the contact.
    pure real(dp) function inner_energy(curve, contact) result(energy)
-      !> The curve with its shape.
       class(curve_t), intent(in) :: curve
-      !> The state.
       type(contact_t), intent(in) :: contact
 
       energy = 0
@@ -76,7 +70,6 @@ contains
 
    !> V, of the stress beside the contact.
    pure real(dp) function outer_energy(contact) result(energy)
-      !> The state.
       type(contact_t), intent(in) :: contact
 
       energy = 0

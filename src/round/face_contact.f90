@@ -17,11 +17,8 @@ contains
    pure subroutine find_face_contact(curve, control, given, contact)
       !> The curve of the indenter, which has no piece.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> What is given, reduced.
       real(dp), intent(in) :: given
-      !> Receives the contact.
       type(contact_t), intent(out) :: contact
 
       select type (curve)
@@ -42,9 +39,7 @@ contains
 
    !> What is held by a flat face of approach 1 that is in contact all over.
    pure real(dp) function face_factor(curve, control) result(factor)
-      !> The curve of the face.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
 
       factor = merge(2, 1, control == control_load)
@@ -55,13 +50,9 @@ contains
    !> delta = -2 S sin(th), a = cos(th), until the gap at the edge is the range of adhesion, or until nothing touches. At given
    !> approach a face that does not touch goes on until its edge is out of range.
    pure subroutine find_dugdale_face(curve, control, given, contact)
-      !> The curve of the face.
       type(dugdale_curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> What is given, reduced.
       real(dp), intent(in) :: given
-      !> Receives the contact.
       type(contact_t), intent(inout) :: contact
       real(dp) :: last, th
       logical :: is_found
@@ -107,7 +98,6 @@ contains
 
    !> The angle at which a flat face lets go under load: k(th) = pi h/(4 S), pi/2 if the whole face pulls.
    pure real(dp) function last_angle(curve)
-      !> The curve of the face.
       type(dugdale_curve_t), intent(in) :: curve
 
       call find_edge_angle(pi*curve%range/(4*curve%stress), last_angle)
@@ -116,7 +106,6 @@ contains
 
    !> The approach at which the edge of a face that does not touch is out of range.
    pure real(dp) function detached_approach(curve)
-      !> The curve of the face.
       type(dugdale_curve_t), intent(in) :: curve
 
       detached_approach = -4*curve%stress/pi - curve%range
@@ -157,11 +146,9 @@ contains
 
    !> Where the contact of a flat face ends.
    pure subroutine get_face_end(curve, control, load, approach)
-      !> The curve of the face.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> Receive what is left before it lets go.
+      !> Receive what remains before it lets go.
       real(dp), intent(out) :: load, approach
 
       load = -2*curve%tension

@@ -13,7 +13,8 @@ module adfric_round_history_model
    use adfric_round_survey, only: survey_t, survey_curve
    use adfric_round_curve, only: control_load, control_approach
    use adfric_round_shape, only: spot_t
-   use adfric_round_variables
+   use adfric_round_variables, only: choose_none, get_indenter_variables, indenter_unit_of, n_indenter_variables, &
+      & in => indenter_input
    use adfric_interface_history_model, only: history_model_t, history_units_t
    use adfric_interface_history_path, only: n_path_results, path_approaches, path_coefficient, path_loads, &
       & path_tangential_displacements, path_tangential_forces, set_path_results
@@ -23,11 +24,11 @@ module adfric_round_history_model
    private
    public :: indenter_history_t, new_indenter_history
 
-   !> Places of the variables; up to that of the modulus they are those of the model `indenter`.
-   integer, parameter, public :: h_coefficient = v_second_poisson_ratio + path_coefficient, &
-      & h_loads = v_second_poisson_ratio + path_loads, h_approaches = v_second_poisson_ratio + path_approaches, &
-      & h_tangential_forces = v_second_poisson_ratio + path_tangential_forces, &
-      & h_tangential_displacements = v_second_poisson_ratio + path_tangential_displacements
+   !> Indices of the variables; up to that of the modulus they are those of the model `indenter`.
+   integer, parameter, public :: h_coefficient = in%second_poisson_ratio + path_coefficient, &
+      & h_loads = in%second_poisson_ratio + path_loads, h_approaches = in%second_poisson_ratio + path_approaches, &
+      & h_tangential_forces = in%second_poisson_ratio + path_tangential_forces, &
+      & h_tangential_displacements = in%second_poisson_ratio + path_tangential_displacements
 
    !> The model.
    type, extends(history_model_t) :: indenter_history_t
@@ -60,7 +61,7 @@ contains
       self%name = 'indenter_history'
       self%summary = 'an indenter with friction through a path of normal and tangential forces or displacements'
       allocate (rows, source=get_indenter_variables())
-      call self%set_history_tables(rows(:v_second_poisson_ratio), [v_contact_modulus, v_second_poisson_ratio], &
+      call self%set_history_tables(rows(:in%second_poisson_ratio), [in%contact_modulus, in%second_poisson_ratio], &
          & profile_t(name='contact_radius', unit='m', long_name='radius a of contact'), &
          & profile_t(name='stick_radius', unit='m', long_name='radius within which nothing slips at the end of the step'))
       allocate (self%results(n_path_results))
@@ -69,7 +70,6 @@ contains
 
    !> See `history_model_t`.
    subroutine check_bodies(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(indenter_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -81,7 +81,6 @@ contains
 
    !> See `history_model_t`.
    subroutine find_contacts(self, values, contacts, units, is_possible)
-      !> The model with its path.
       class(indenter_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -113,7 +112,6 @@ contains
 
    !> See `model_t`: the largest contact of the path.
    subroutine measure(self, values, results, measures)
-      !> The model with its path.
       class(indenter_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -138,28 +136,23 @@ contains
 
    !> The values that the model `indenter` would have at the largest load.
    pure function indenter_values(self, values) result(indenter)
-      !> The model with its path.
       class(indenter_history_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       real(dp) :: indenter(n_indenter_variables)
 
       indenter = unset
-      indenter(:v_second_poisson_ratio) = values(:v_second_poisson_ratio)
-      indenter([v_theory, v_branch, v_profiles, v_n_r]) = [choose_none, branch_stable, 0, 2]
-      if (is_set(values(h_loads))) indenter(v_load) = self%largest_of(values, path_loads)
-      if (is_set(values(h_approaches))) indenter(v_approach) = self%largest_of(values, path_approaches)
+      indenter(:in%second_poisson_ratio) = values(:in%second_poisson_ratio)
+      indenter([in%theory, in%branch, in%profiles, in%n_r]) = [choose_none, branch_stable, 0, 2]
+      if (is_set(values(h_loads))) indenter(in%load) = self%largest_of(values, path_loads)
+      if (is_set(values(h_approaches))) indenter(in%approach) = self%largest_of(values, path_approaches)
    end function indenter_values
 
    !> See `normal_contact_t`.
    pure subroutine under_load(self, given, state, is_converged)
-      !> The indenter.
       class(indenter_states_t), intent(in) :: self
       !> Load, reduced.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
 
       call find_state(self, control_load, given, state, is_converged)
@@ -167,13 +160,10 @@ contains
 
    !> See `normal_contact_t`.
    pure subroutine at_approach(self, given, state, is_converged)
-      !> The indenter.
       class(indenter_states_t), intent(in) :: self
       !> Approach, reduced.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
 
       call find_state(self, control_approach, given, state, is_converged)
@@ -181,15 +171,12 @@ contains
 
    !> A normal state, reduced. The elastic energy is the integral of the load over the approach.
    pure subroutine find_state(self, control, given, state, is_converged)
-      !> The indenter.
       type(indenter_states_t), intent(in) :: self
       !> `control_load` or `control_approach`.
       integer, intent(in) :: control
       !> Load or approach.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       type(contact_t) :: contact
 
@@ -207,16 +194,15 @@ contains
    end subroutine find_state
 
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(indenter_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = indenter_unit_of(self%variables, values, place)
+      unit = indenter_unit_of(self%variables, values, index)
    end function unit_of
 
 end module adfric_round_history_model

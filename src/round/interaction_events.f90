@@ -10,7 +10,7 @@ module adfric_round_interaction_events
    use adfric_round_contact_state, only: contact_t
    use adfric_round_survey, only: survey_curve, survey_t
    use adfric_round_curve, only: curve_t
-   use adfric_round_interaction_path, only: complete_waypoint, get_waypoint, path_t, waypoint_t
+   use adfric_round_interaction_path, only: complete_waypoint, get_waypoint, interaction_path_t, waypoint_t
    use adfric_round_interaction_search, only: end_capped, end_no_adhesion, end_sliding, end_snap_off, &
       & find_end, find_peak
    use adfric_round_weak_path, only: weaken
@@ -52,13 +52,11 @@ contains
       call forget_stick_slip(events%jump)
    end subroutine forget_peeling_events
 
-   !> The events of a way.
+   !> The events of a path.
    pure subroutine find_peeling_events(path, stiffness, events)
-      !> The way.
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       !> Stiffness of a lateral spring, reduced; 0 without one.
       real(dp), intent(in) :: stiffness
-      !> Receives the events.
       type(peeling_events_t), intent(out) :: events
       type(waypoint_t) :: finish, onset, peak, sliding
       integer :: ending
@@ -91,8 +89,7 @@ contains
 
    !> Add what happens on a lateral spring.
    pure subroutine add_jump(path, finish, ending, stiffness, events)
-      !> The way, which has interaction.
-      type(path_t), intent(in) :: path
+      type(interaction_path_t), intent(in) :: path
       !> The end of its part where the contact changes.
       type(waypoint_t), intent(in) :: finish
       !> One of `end_...`: how it ends.
@@ -119,11 +116,9 @@ contains
       events%jump%energy = not_a_number()
    end subroutine add_jump
 
-   !> Is there a smaller contact where the one of a way has been lost?
+   !> Is there a smaller contact where the one of a path has been lost?
    pure logical function has_smaller(path, finish)
-      !> The way.
-      type(path_t), intent(in) :: path
-      !> Its last state.
+      type(interaction_path_t), intent(in) :: path
       type(waypoint_t), intent(in) :: finish
       ! share of X that is beyond the last state for certain
       real(dp), parameter :: beyond = 1.0e-8_dp
@@ -131,20 +126,17 @@ contains
       type(survey_t) :: survey
       type(contact_t) :: contact
 
-      allocate (curve, source=path%way%curve)
+      allocate (curve, source=path%retreat%curve)
       call weaken(curve, finish%ratio*(1 - beyond))
-      call survey_curve(curve, path%way%control, survey)
-      call find_contact(curve, survey, path%way%control, path%way%given, .true., branch_stable, contact)
+      call survey_curve(curve, path%retreat%control, survey)
+      call find_contact(curve, survey, path%retreat%control, path%retreat%given, .true., branch_stable, contact)
       has_smaller = contact%is_found .and. contact%spot%radius > 0
    end function has_smaller
 
-   !> The state of sliding, g = g0: that of the way, or, where its contact has been lost, the largest stable one that is left.
+   !> The state of sliding, g = g0: that of the path, or, where its contact has been lost, the largest stable one that remains.
    pure subroutine slide(path, sliding, is_found)
-      !> The way.
-      type(path_t), intent(inout) :: path
-      !> Receives the state.
+      type(interaction_path_t), intent(inout) :: path
       type(waypoint_t), intent(out) :: sliding
-      !> Is there one?
       logical, intent(out) :: is_found
       class(curve_t), allocatable :: curve
       type(survey_t) :: survey
@@ -153,11 +145,11 @@ contains
       if (path%is_weakened .and. path%slip_energy_ratio > path%limit) return
       call get_waypoint(path, path%slip_energy_ratio, sliding)
       if (.not. sliding%is_found) then
-         allocate (curve, source=path%way%curve)
+         allocate (curve, source=path%retreat%curve)
          sliding%ratio = adhesion_ratio(path%slip_energy_ratio, path%law%interaction)
          call weaken(curve, sliding%ratio)
-         call survey_curve(curve, path%way%control, survey)
-         call find_contact(curve, survey, path%way%control, path%way%given, .true., branch_stable, sliding%contact)
+         call survey_curve(curve, path%retreat%control, survey)
+         call find_contact(curve, survey, path%retreat%control, path%retreat%given, .true., branch_stable, sliding%contact)
          sliding%is_found = sliding%contact%is_found .and. sliding%contact%spot%radius > 0
          if (sliding%is_found) call complete_waypoint(path, sliding)
       end if

@@ -1,14 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The way of an indenter from rest to sliding, where friction takes from adhesion what it needs to slip (K. L. Johnson, Proc. R. Soc.
-!> Lond. A 453, 1997, 163: J 4.5-4.9), reduced. With tau the shear strength, m the ratio of the tangential to the normal compliance,
-!> b = a + x (c - a) the radius up to which friction acts, and th = arccos(e/b), e the radius that sticks,
+!> The path of an indenter from rest to sliding, where friction takes from adhesion what it needs to slip (K. L. Johnson, Proc. R.
+!> Soc. Lond. A 453, 1997, 163: J 4.5-4.9), reduced. With tau the shear strength, m the ratio of the tangential to the normal
+!> compliance, b = a + x (c - a) the radius up to which friction acts, and th = arccos(e/b), e the radius that sticks,
 !>
 !>     T = 2 tau b^2 (th + sin th cos th),   u = 2 m tau b sin th,   s = (4 m tau b/pi) (th sin th + cos th - 1)
 !>     g = tau s/W,   X = X(g),   contact = that of X w
 !>
-!> s is the slip at the edge, the mean around it. What is held stays: a load, an approach, or that of the base of a spring. g is the
-!> place on the way: as it grows X falls, with it b (`adfric_round_weak_contact`), so the slip core th sin th + cos th - 1 = g/(K b),
-!> K = 4 m tau^2/(pi W), and th grow: each g has one state, and so has each th. T and u may fall again.
+!> s is the slip at the edge, the mean around it. What is prescribed stays: a load, an approach, or that of the base of a spring. g
+!> is the position on the path: as it grows X falls, with it b (`adfric_round_weak_contact`), so the slip core th sin th + cos th -
+!> 1 = g/(K b), K = 4 m tau^2/(pi W), and th grow: each g has one state, and so has each th. T and u may fall again.
 module adfric_round_interaction_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -16,13 +16,13 @@ module adfric_round_interaction_path
    use adfric_round_contact_state, only: contact_t
    use adfric_round_curve, only: control_approach, control_load, control_spring, curve_t
    use adfric_round_dugdale_curve, only: dugdale_curve_t
-   use adfric_round_weak_contact, only: extend_way, find_known, new_weak_way, weak_way_t
+   use adfric_round_weak_contact, only: extend_path, find_known, new_weak_path, weak_path_t
    use adfric_interface_interaction, only: adhesion_ratio, get_adhesion_ratio, largest_slip_energy
-   use adfric_round_shrinking_path, only: shrinking_way_t, slip_state_t
+   use adfric_round_shrinking_path, only: shrinking_path_t, slip_state_t
    use adfric_round_slip_annulus, only: angle_of_slip, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: friction_law_t, path_t, waypoint_t, new_path, get_waypoint, get_known_waypoint, complete_waypoint
+   public :: friction_law_t, interaction_path_t, waypoint_t, new_path, get_waypoint, get_known_waypoint, complete_waypoint
    public :: slip_of, largest_slip_of, get_rates, work_of
 
    !> The law of friction.
@@ -37,42 +37,37 @@ module adfric_round_interaction_path
       real(dp) :: slip_energy_ratio = huge(1.0_dp)
    end type friction_law_t
 
-   !> A state on the way.
+   !> A state on the path.
    type, extends(slip_state_t) :: waypoint_t
       !> The contact at this X.
       type(contact_t) :: contact
    end type waypoint_t
 
-   !> A way.
-   type, extends(shrinking_way_t) :: path_t
+   !> A path.
+   type, extends(shrinking_path_t) :: interaction_path_t
       !> States of contact as X falls.
-      type(weak_way_t) :: way
+      type(weak_path_t) :: retreat
       !> Law of friction.
       type(friction_law_t) :: law
       !> At rest.
       type(waypoint_t) :: start
    contains
       procedure :: get_state
-   end type path_t
+   end type interaction_path_t
 
    !> A slope where b has fallen to nothing, and next to a fold.
    real(dp), parameter :: steepest = 1.0e30_dp
 
 contains
 
-   !> A way from a contact at rest.
+   !> A path from a contact at rest.
    pure subroutine new_path(self, curve, law, control, given, contact)
-      !> Receives the way; its start is not found without contact.
-      type(path_t), intent(out) :: self
-      !> The curve with all of its adhesion.
+      !> Receives the path; its start is not found without contact.
+      type(interaction_path_t), intent(out) :: self
       class(curve_t), intent(in) :: curve
-      !> Law of friction.
       type(friction_law_t), intent(in) :: law
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> What is given, reduced.
       real(dp), intent(in) :: given
-      !> The contact at rest, stable.
       type(contact_t), intent(in) :: contact
 
       self%law = law
@@ -87,12 +82,11 @@ contains
       self%start%contact = contact
       if (.not. self%start%is_found) return
       call complete_waypoint(self, self%start)
-      call new_weak_way(self%way, curve, control, given, contact)
+      call new_weak_path(self%retreat, curve, control, given, contact)
    end subroutine new_path
 
    !> W, the work of adhesion of a curve.
    pure real(dp) function work_of(curve) result(work)
-      !> The curve.
       class(curve_t), intent(in) :: curve
 
       work = (curve%tension**2 + curve%outer_pull)/(2*pi)
@@ -104,23 +98,21 @@ contains
 
    !> The state of a slip energy.
    pure subroutine get_waypoint(self, slip_energy, waypoint)
-      !> The way, which is followed up to there.
-      class(path_t), intent(inout) :: self
-      !> g, from 0 to the limit of the way.
+      class(interaction_path_t), intent(inout) :: self
+      !> g, from 0 to the limit of the path.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
       type(waypoint_t), intent(out) :: waypoint
 
-      if (self%is_weakened .and. slip_energy > 0) call extend_way(self%way, adhesion_ratio(slip_energy, &
+      if (self%is_weakened .and. slip_energy > 0) call extend_path(self%retreat, adhesion_ratio(slip_energy, &
          & self%law%interaction))
       call get_known_waypoint(self, slip_energy, waypoint)
    end subroutine get_waypoint
 
-   !> See `shrinking_way_t`.
+   !> See `shrinking_path_t`.
    pure subroutine get_state(self, slip_energy, state, rate)
-      !> The way, which is followed up to there.
-      class(path_t), intent(inout) :: self
-      !> g, from 0 to the limit of the way.
+      class(interaction_path_t), intent(inout) :: self
+      !> g, from 0 to the limit of the path.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
       type(slip_state_t), intent(out) :: state
@@ -136,10 +128,9 @@ contains
       if (waypoint%is_found) call get_rates(self, waypoint, rate, others(1), others(2))
    end subroutine get_state
 
-   !> The state of a slip energy up to which the way is known.
+   !> The state of a slip energy up to which the path is known.
    pure subroutine get_known_waypoint(self, slip_energy, waypoint)
-      !> The way.
-      class(path_t), intent(in) :: self
+      class(interaction_path_t), intent(in) :: self
       !> g, from 0 to the largest one that has been looked at.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
@@ -149,7 +140,7 @@ contains
       waypoint%slip_energy = slip_energy
       if (self%is_weakened .and. slip_energy > 0) then
          waypoint%ratio = adhesion_ratio(slip_energy, self%law%interaction)
-         call find_known(self%way, waypoint%ratio, waypoint%contact)
+         call find_known(self%retreat, waypoint%ratio, waypoint%contact)
          waypoint%is_found = waypoint%contact%is_found .and. waypoint%contact%spot%radius > 0
       end if
       if (waypoint%is_found) call complete_waypoint(self, waypoint)
@@ -157,8 +148,7 @@ contains
 
    !> b, slip core and angle of a contact and its g.
    pure subroutine complete_waypoint(self, waypoint)
-      !> The way.
-      class(path_t), intent(in) :: self
+      class(interaction_path_t), intent(in) :: self
       !> In: with its contact and g. Out: with b, slip core and angle, too.
       type(waypoint_t), intent(inout) :: waypoint
 
@@ -179,7 +169,6 @@ contains
 
    !> s, the mean slip at the edge of an annulus.
    pure real(dp) function slip_of(law, radius, angle) result(slip)
-      !> Law of friction.
       type(friction_law_t), intent(in) :: law
       !> b and th.
       real(dp), intent(in) :: radius, angle
@@ -189,7 +178,6 @@ contains
 
    !> The largest slip at the edge: it varies by (4/3 pi) (m - 1) tau b (1 - (e/b)^3) cos 2t around it.
    pure real(dp) function largest_slip_of(law, radius, angle) result(slip)
-      !> Law of friction.
       type(friction_law_t), intent(in) :: law
       !> b and th.
       real(dp), intent(in) :: radius, angle
@@ -202,9 +190,8 @@ contains
 
    !> d ln T/d ln g and d ln u/d ln g, the slip core's differential being th cos(th) dth.
    pure subroutine get_rates(self, waypoint, force_rate, displacement_rate, shrinkage)
-      !> The way.
-      class(path_t), intent(in) :: self
-      !> A state of the way, not an end of slip.
+      class(interaction_path_t), intent(in) :: self
+      !> A state of the path, not an end of slip.
       type(waypoint_t), intent(in) :: waypoint
       !> Receive the rates.
       real(dp), intent(out) :: force_rate, displacement_rate
@@ -224,23 +211,21 @@ contains
 
    !> d ln b/d ln g, at most 0.
    pure real(dp) function radius_rate(self, waypoint) result(rate)
-      !> The way.
-      class(path_t), intent(in) :: self
-      !> A state of the way.
+      class(interaction_path_t), intent(in) :: self
       type(waypoint_t), intent(in) :: waypoint
       real(dp) :: ratio, ratio_slope, by_u(2), by_ratio(2), radius_by_u, radius_by_ratio, shares(2), slope
 
       rate = 0
-      if (.not. self%is_weakened .or. self%way%curve%shape%n_pieces == 0) then
+      if (.not. self%is_weakened .or. self%retreat%curve%shape%n_pieces == 0) then
          rate = face_rate(self, waypoint)
          return
       end if
       call get_adhesion_ratio(waypoint%slip_energy, self%law%interaction, ratio, ratio_slope)
-      associate (contact => waypoint%contact, way => self%way)
+      associate (contact => waypoint%contact, retreat => self%retreat)
          by_u = contact%slopes
          radius_by_u = contact%spot%radius_slope
          radius_by_ratio = 0
-         select type (curve => way%curve)
+         select type (curve => retreat%curve)
          type is (dugdale_curve_t)
             call get_dugdale_slopes(curve, contact, waypoint%ratio, self%law%edge_fraction, by_ratio, radius_by_u, radius_by_ratio)
          class default
@@ -248,8 +233,8 @@ contains
             by_ratio(1) = by_ratio(1) - curve%outer_pull
          end select
          shares = [1.0_dp, 0.0_dp]
-         if (way%control == control_approach) shares = [0.0_dp, 1.0_dp]
-         if (way%control == control_spring) shares = [way%curve%compliance, 1.0_dp]
+         if (retreat%control == control_approach) shares = [0.0_dp, 1.0_dp]
+         if (retreat%control == control_spring) shares = [retreat%curve%compliance, 1.0_dp]
          slope = sum(shares*by_u)
          rate = steepest
          if (slope > 0) rate = min(-radius_by_u*sum(shares*by_ratio)/slope + radius_by_ratio, steepest)
@@ -259,12 +244,10 @@ contains
 
    !> The same of a flat face, from a difference; a contact that is the whole face does not change.
    pure real(dp) function face_rate(self, waypoint) result(rate)
-      !> The way.
-      class(path_t), intent(in) :: self
-      !> A state of the way.
+      class(interaction_path_t), intent(in) :: self
       type(waypoint_t), intent(in) :: waypoint
       real(dp), parameter :: step = 1.0e-6_dp
-      type(path_t) :: copy
+      type(interaction_path_t) :: copy
       type(waypoint_t) :: before
 
       rate = 0
@@ -277,9 +260,7 @@ contains
    !> Derivatives of load and approach by X at given a, and of b by u along a curve and by X at given a. With S the whole stress, Y = X S,
    !> h = (2/pi) J + (4 Y/pi) k, k = s th - s^2/(c + a), P = P1 - 2 Y r, r = c^2 th + a s, delta = g - 2 Y s.
    pure subroutine get_dugdale_slopes(curve, contact, ratio, edge_fraction, by_ratio, radius_by_u, radius_by_ratio)
-      !> The curve with all of its adhesion.
       type(dugdale_curve_t), intent(in) :: curve
-      !> The state.
       type(contact_t), intent(in) :: contact
       !> X, and x of b.
       real(dp), intent(in) :: ratio, edge_fraction

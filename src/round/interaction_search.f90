@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What is looked for on the way of an indenter from rest to sliding: the state of a force, the end of the way, and the largest force
-!> (`adfric_round_shrinking_path`, `adfric_round_largest_force`).
+!> What is looked for on the path of an indenter from rest to sliding: the state of a force, the end of the path, and the largest
+!> force (`adfric_round_shrinking_path`, `adfric_round_largest_force`).
 module adfric_round_interaction_search
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_round_interaction_path, only: complete_waypoint, get_waypoint, path_t, waypoint_t
+   use adfric_round_interaction_path, only: complete_waypoint, get_waypoint, interaction_path_t, waypoint_t
    use adfric_round_weak_contact, only: find_last
    use adfric_interface_interaction, only: slip_energy_of_ratio
    use adfric_round_largest_force, only: find_largest_force
@@ -14,8 +14,8 @@ module adfric_round_interaction_search
    private
    public :: find_force, find_end, find_peak, end_capped, end_sliding, end_snap_off, end_no_adhesion
 
-   !> How the part of the way ends where the contact changes: slip is large enough to take no more, the centre slips, the contact is lost,
-   !> or nothing is left of adhesion.
+   !> How the part of the path ends where the contact changes: slip is large enough to take no more, the centre slips, the contact
+   !> is lost, or nothing is left of adhesion.
    integer, parameter :: end_capped = 1, end_sliding = 2, end_snap_off = 3, end_no_adhesion = 4
    !> A step of ln g that is round-off.
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
@@ -24,13 +24,11 @@ contains
 
    !> The first state that bears a force; not found if the force is not reached before sliding.
    pure subroutine find_force(path, force, waypoint, is_converged)
-      !> The way; its start is found.
-      type(path_t), intent(inout) :: path
+      !> The path; its start is found.
+      type(interaction_path_t), intent(inout) :: path
       !> T >= 0.
       real(dp), intent(in) :: force
-      !> Receives the state.
       type(waypoint_t), intent(out) :: waypoint
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       type(slip_state_t) :: start, state
 
@@ -44,9 +42,7 @@ contains
 
    !> The waypoint of a state that a search has found.
    pure subroutine take_state(path, state, waypoint)
-      !> The way.
-      type(path_t), intent(inout) :: path
-      !> The state.
+      type(interaction_path_t), intent(inout) :: path
       type(slip_state_t), intent(in) :: state
       !> Receives the waypoint, not found where the state is not.
       type(waypoint_t), intent(out) :: waypoint
@@ -55,15 +51,13 @@ contains
       waypoint%slip_state_t = state
    end subroutine take_state
 
-   !> Where the part of the way ends in which the contact changes, and how.
+   !> Where the part of the path ends in which the contact changes, and how.
    pure subroutine find_end(path, finish, ending, is_converged)
-      !> The way; its start is found.
-      type(path_t), intent(inout) :: path
-      !> Receives the last state.
+      !> The path; its start is found.
+      type(interaction_path_t), intent(inout) :: path
       type(waypoint_t), intent(out) :: finish
       !> Receives one of `end_...`.
       integer, intent(out) :: ending
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       real(dp) :: cap, ratio
 
@@ -80,7 +74,7 @@ contains
       call get_waypoint(path, demand_up_to(path, path%start%radius, largest_slip_core, cap), finish)
       if (.not. finish%is_found) then
          ending = end_snap_off
-         call find_last(path%way, finish%ratio, ratio, finish%contact, is_converged)
+         call find_last(path%retreat, finish%ratio, ratio, finish%contact, is_converged)
          finish%ratio = ratio
          finish%slip_energy = min(slip_energy_of_ratio(ratio, path%law%interaction), cap)
          finish%is_found = .true.
@@ -94,11 +88,9 @@ contains
 
    !> The state where the centre begins to slip: K b (pi/2 - 1) = g, of which the left side falls with g.
    pure subroutine find_sliding_onset(path, finish, is_converged)
-      !> The way.
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       !> In: a state at or beyond it. Out: the state.
       type(waypoint_t), intent(inout) :: finish
-      !> Was it found to round-off?
       logical, intent(inout) :: is_converged
       integer, parameter :: most_steps = 100
       type(waypoint_t) :: waypoint
@@ -140,13 +132,11 @@ contains
 
    !> The largest force before the contact is constant, if it is larger than a given one.
    pure subroutine find_peak(path, finish, peak, is_found)
-      !> The way.
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       !> The end of its part where the contact changes.
       type(waypoint_t), intent(in) :: finish
       !> In: the state of the largest force so far. Out: that of a larger one, if there is one.
       type(waypoint_t), intent(inout) :: peak
-      !> Was a larger one found?
       logical, intent(out) :: is_found
       type(slip_state_t) :: start, state
 

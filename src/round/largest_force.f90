@@ -1,12 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The largest force on the way from rest to sliding of a contact that shrinks as slip takes from its adhesion.
+!> The largest force on the path from rest to sliding of a contact that shrinks as slip takes from its adhesion.
 !>
-!> It is that of the end of the way, or one that no stretch from g to g' can hide: its forces are below
+!> It is that of the end of the path, or one that no stretch from g to g' can hide: its forces are below
 !> T0 b(g)^2 (2/pi) (th' + sin th' cos th'). Stretches that may hide more are divided, down to 5 %; there the signs of dT/dg at both ends
 !> show a peak.
 module adfric_round_largest_force
    use adfric_base_kinds, only: dp
-   use adfric_round_shrinking_path, only: force_of, shrinking_way_t, slip_state_t
+   use adfric_round_shrinking_path, only: force_of, shrinking_path_t, slip_state_t
    use adfric_round_slip_annulus, only: force_of_angle
    implicit none (type, external)
    private
@@ -20,41 +20,39 @@ module adfric_round_largest_force
 contains
 
    !> The largest force before the contact is constant, if it is larger than a given one.
-   pure subroutine find_largest_force(way, start, finish, force, state, is_found)
-      !> The way.
-      class(shrinking_way_t), intent(inout) :: way
+   pure subroutine find_largest_force(path, start, finish, force, state, is_found)
+      class(shrinking_path_t), intent(inout) :: path
       !> The state at rest, and the end of the part where the contact changes.
       type(slip_state_t), intent(in) :: start, finish
       !> The force that is to be surpassed.
       real(dp), intent(in) :: force
       !> Receives the state of a larger force, if there is one.
       type(slip_state_t), intent(out) :: state
-      !> Is there one?
       logical, intent(out) :: is_found
       integer, parameter :: most_stretches = 2000
       type(slip_state_t) :: high, low, stack(64)
-      real(dp) :: largest, place, rate
+      real(dp) :: largest, position, rate
       integer :: n, k
 
-      place = -1
+      position = -1
       rate = 0
       is_found = .false.
-      if (.not. way%is_weakened) return
+      if (.not. path%is_weakened) return
       largest = force
       high = finish
       n = 0
       do k = 1, most_stretches
          if (n == 0) then
             ! the next stretch towards the beginning
-            call way%get_state(high%slip_energy/2, low)
+            call path%get_state(high%slip_energy/2, low)
             if (.not. low%is_found) return
          else
             low = stack(n)
          end if
          ! nothing before the end of this stretch bears more
-         if (bound_of(way, start, high) <= largest) return
-         if (bound_of(way, low, high) <= largest .or. log(high%slip_energy/low%slip_energy) <= least_stretch) then
-            if (bound_of(way, low, high) > largest) call find_peak(way, low, high, place, rate, &
+         if (bound_of(path, start, high) <= largest) return
+         if (bound_of(path, low, high) <= largest .or. log(high%slip_energy/low%slip_energy) <= least_stretch) then
+            if (bound_of(path, low, high) > largest) call find_peak(path, low, high, position, rate, &
                & largest, state, is_found)
             high = low
             n = max(n - 1, 0)
@@ -62,36 +60,31 @@ contains
             if (n == 0) stack(1) = low
             n = max(n, 1)
             n = n + 1
-            call way%get_state(sqrt(low%slip_energy)*sqrt(high%slip_energy), stack(n))
+            call path%get_state(sqrt(low%slip_energy)*sqrt(high%slip_energy), stack(n))
          else
             return
          end if
       end do
    end subroutine find_largest_force
 
-   !> No state between two of the way bears more than this.
-   pure real(dp) function bound_of(way, low, high) result(bound)
-      !> The way.
-      class(shrinking_way_t), intent(in) :: way
-      !> The states, in the order of g.
+   !> No state between two of the path bears more than this.
+   pure real(dp) function bound_of(path, low, high) result(bound)
+      class(shrinking_path_t), intent(in) :: path
       type(slip_state_t), intent(in) :: low, high
 
-      bound = way%force_scale*low%radius**2*force_of_angle(high%angle)
+      bound = path%force_scale*low%radius**2*force_of_angle(high%angle)
    end function bound_of
 
    !> The peak between two states close to each other.
-   pure subroutine find_peak(way, first, last, place, known_rate, largest, peak, is_found)
-      !> The way.
-      class(shrinking_way_t), intent(inout) :: way
-      !> The states, in the order of g.
+   pure subroutine find_peak(path, first, last, position, known_rate, largest, peak, is_found)
+      class(shrinking_path_t), intent(inout) :: path
       type(slip_state_t), intent(in) :: first, last
       !> A g whose rate is known. Out: that of the first state.
-      real(dp), intent(inout) :: place
+      real(dp), intent(inout) :: position
       !> Its d ln T/d ln g.
       real(dp), intent(inout) :: known_rate
       !> In: the largest force so far. Out: that of the peak if it is larger.
       real(dp), intent(inout) :: largest
-      !> Receives the state then.
       type(slip_state_t), intent(inout) :: peak
       !> Becomes true then.
       logical, intent(inout) :: is_found
@@ -103,9 +96,9 @@ contains
       integer :: k, side
 
       at_high = known_rate
-      if (abs(last%slip_energy - place) > 0) call way%get_state(last%slip_energy, state, at_high)
-      call way%get_state(first%slip_energy, state, at_low)
-      place = first%slip_energy
+      if (abs(last%slip_energy - position) > 0) call path%get_state(last%slip_energy, state, at_high)
+      call path%get_state(first%slip_energy, state, at_low)
+      position = first%slip_energy
       known_rate = at_low
       if (.not. (at_low > 0 .and. at_high < 0)) return
       low = log(first%slip_energy)
@@ -116,7 +109,7 @@ contains
          if (high - low <= round_off) exit
          y = low + (high - low)*(at_low/(at_low - at_high))
          if (.not. (y > low .and. y < high) .or. modulo(k, 6) == 0) y = low + (high - low)/2
-         call way%get_state(exp(y), state, rate)
+         call path%get_state(exp(y), state, rate)
          if (.not. state%is_found) return
          if (abs(rate) <= flat) exit
          if (rate > 0) then
@@ -131,8 +124,8 @@ contains
             side = 2
          end if
       end do
-      if (.not. force_of(way, state) > largest) return
-      largest = force_of(way, state)
+      if (.not. force_of(path, state) > largest) return
+      largest = force_of(path, state)
       peak = state
       is_found = .true.
    end subroutine find_peak

@@ -12,12 +12,14 @@ module adfric_round_model
    use adfric_round_survey, only: ends_t, survey_t, survey_curve
    use adfric_round_curve, only: stability_control
    use adfric_round_edge_slope, only: measure_edge
-   use adfric_round_friction_point, only: add_friction, add_slip, friction_t, shear_at
+   use adfric_round_friction_point, only: add_friction, add_slip, round_friction_t, shear_at
    use adfric_round_loop, only: find_loop, loop_t
    use adfric_round_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_driven, store_peeled
    use adfric_round_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
    use adfric_round_profiles, only: pressure_at, gap_at
-   use adfric_round_variables
+   use adfric_round_variables, only: get_indenter_profiles, get_indenter_results, get_indenter_variables, &
+      & indenter_unit_of, law_peeling, n_indenter_variables, p_gap, p_pressure, p_shear_stress, state_sliding, &
+      & state_static, theory_maugis_dugdale, in => indenter_input, out => indenter_output
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: pointwise_model_t, point_state_t
@@ -48,17 +50,17 @@ module adfric_round_model
       !> Its contact.
       type(contact_t) :: contact
       !> Its friction, where there is one.
-      type(friction_t) :: friction
+      type(round_friction_t) :: friction
       !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
       type(survey_t) :: survey
       !> Values of the variables up to the theory, the stiffness of the spring, and X in sliding, which the curve follows from where
       !> there is a range of adhesion.
-      real(dp) :: values(v_theory + 2) = 0
+      real(dp) :: values(in%theory + 2) = 0
       !> What happens in a cycle of approach and retraction.
       type(loop_t) :: loop
       !> Has a survey been made?
       logical :: is_surveyed = .false.
-      !> What peeling has done; its events and its way on a driven spring serve the next point, too, if that has another force or
+      !> What peeling has done; its events and its path on a driven spring serve the next point, too, if that has another force or
       !> displacement of the base alone.
       type(peeled_t) :: peeled
       !> All values of the point.
@@ -84,7 +86,6 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model, whose table of variables is read.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -98,19 +99,17 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = values(v_profiles) > 0
+      wants_profiles = values(in%profiles) > 0
       associate (unused => self)
       end associate
    end function wants_profiles
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for the name of its axis.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -122,14 +121,13 @@ contains
       axes(1)%name = self%profile_axes
       axes(1)%unit = 'm'
       axes(1)%long_name = 'distance from the axis'
-      n = nint(values(v_n_r))
+      n = nint(values(in%n_r))
       allocate (axes(1)%coordinates(n), source=0.0_dp)
-      if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
+      if (is_set(values(in%r_max))) axes(1)%coordinates = [(values(in%r_max)*k/(n - 1), k=0, n - 1)]
    end subroutine get_profile_axes
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -138,10 +136,10 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      if (is_set(values(v_contact_radius))) then
-         call measure_edge(values, values(v_contact_radius), measures)
+      if (is_set(values(in%contact_radius))) then
+         call measure_edge(values, values(in%contact_radius), measures)
       else
-         call measure_edge(values, results(r_contact_radius), measures)
+         call measure_edge(values, results(out%contact_radius), measures)
       end if
       associate (unused => self)
       end associate
@@ -149,7 +147,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -174,8 +171,8 @@ contains
       if (.not. is_possible(values, found%case)) return
       associate (case => found%case, contact => found%contact, peeled => found%peeled)
          call take_events(state, values, found)
-         if (nint(values(v_state)) == state_sliding) call begin_sliding(values, case, peeled, results)
-         found%values = [values(:v_theory), values(v_machine_stiffness), peeled%ratio]
+         if (nint(values(in%state)) == state_sliding) call begin_sliding(values, case, peeled, results)
+         found%values = [values(:in%theory), values(in%machine_stiffness), peeled%ratio]
          call take_survey(state, found)
          if (.not. found%is_surveyed) then
             call survey_curve(case%curve, case%control, found%survey)
@@ -187,7 +184,7 @@ contains
          ! the way to u and back is not exact
          if (case%radius > 0) contact%spot%radius = case%radius
          ends = found%survey%ends
-         if (nint(values(v_state)) == state_static) call peel_contact(values, case, contact, peeled, ends, results)
+         if (nint(values(in%state)) == state_static) call peel_contact(values, case, contact, peeled, ends, results)
          if (.not. contact%is_found .and. contact%is_converged .and. may_part(values)) &
             & call part_bodies(case%curve, case%control, case%given, contact)
          call store_ends(case, ends, results)
@@ -197,16 +194,16 @@ contains
             status = status_solved
             error_estimate = min(1.0_dp, estimate_error(case, contact, found%survey%ends) + peeled%error + peeled%spring_error)
             call store_contact(case, contact, values, results)
-            if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
+            if (is_set(values(in%position_z))) call store_stress(case, contact, values, results)
             if (peeled%driven%is_found) then
                moved = values
-               moved(v_tangential_force) = peeled%driven%force*case%force_unit()
+               moved(in%tangential_force) = peeled%driven%force*case%force_unit()
                call store_friction(moved, found, results, status)
                if (status == status_solved) call store_driven(moved, case, peeled, results)
             else
                call store_friction(values, found, results, status)
             end if
-            if (peeled%is_peeling) results(r_cycle_energy) = not_a_number()
+            if (peeled%is_peeling) results(out%cycle_energy) = not_a_number()
          end if
       end associate
       call move_alloc(found, state)
@@ -216,11 +213,10 @@ contains
 
    !> May the state be one of bodies apart, which bears no tangential force? The other branches are those of contacts.
    pure logical function may_part(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      may_part = nint(values(v_branch)) == branch_stable .and. .not. is_set(values(v_base_displacement))
-      if (is_set(values(v_tangential_force))) may_part = may_part .and. .not. abs(values(v_tangential_force)) > 0
+      may_part = nint(values(in%branch)) == branch_stable .and. .not. is_set(values(in%base_displacement))
+      if (is_set(values(in%tangential_force))) may_part = may_part .and. .not. abs(values(in%tangential_force)) > 0
    end function may_part
 
    !> Add the results of friction.
@@ -235,27 +231,26 @@ contains
       integer, intent(inout) :: status
 
       associate (friction => found%friction)
-         if (is_set(values(v_friction_coefficient))) call add_slip(values, found%case, found%survey, found%contact, friction%slip, &
+         if (is_set(values(in%friction_coefficient))) call add_slip(values, found%case, found%survey, found%contact, &
+            & friction%slip, &
             & results, status)
-         if (is_set(values(v_shear_strength))) call add_friction(values, found%case, found%contact, friction%resistance, &
+         if (is_set(values(in%shear_strength))) call add_friction(values, found%case, found%contact, friction%resistance, &
             & friction%shear, results, status)
-         if (status == status_solved .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)) &
+         if (status == status_solved .and. (is_set(values(in%shear_strength)) .or. nint(values(in%law)) == law_peeling)) &
             & call store_peeled(values, found%case, found%peeled, results)
       end associate
    end subroutine store_friction
 
    !> Are the events of a cycle of approach and retraction asked for?
    pure logical function makes_cycle(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      makes_cycle = values(v_events) > 0 .and. any(is_set(values([v_approach, v_base_approach])))
+      makes_cycle = values(in%events) > 0 .and. any(is_set(values([in%approach, in%base_approach])))
    end function makes_cycle
 
    !> Take the survey of the point before over, if it is that of the same curve. Without a range of adhesion the units follow from what
-   !> is held, and a survey takes no time.
+   !> is prescribed, and a survey takes no time.
    subroutine take_survey(state, found)
-      !> What the point before has left.
       class(point_state_t), allocatable, intent(in) :: state
       !> The point, which receives the survey.
       type(indenter_state_t), intent(inout) :: found
@@ -271,18 +266,16 @@ contains
       end select
    end subroutine take_survey
 
-   !> Take the events of the point before over, and its way on a driven spring, if that differs in the tangential force or the
+   !> Take the events of the point before over, and its path on a driven spring, if that differs in the tangential force or the
    !> displacement of the base alone.
    pure subroutine take_events(state, values, found)
-      !> What the point before has left.
       class(point_state_t), allocatable, intent(in) :: state
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The point, which receives the events.
       type(indenter_state_t), intent(inout) :: found
 
       found%point = values
-      found%point([v_tangential_force, v_base_displacement]) = 0
+      found%point([in%tangential_force, in%base_displacement]) = 0
       if (.not. allocated(state)) return
       select type (state)
       type is (indenter_state_t)
@@ -297,20 +290,18 @@ contains
 
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      count_profiles = merge(p_shear_stress, p_gap, is_set(values(v_friction_coefficient)) .or. is_set(values(v_shear_strength)) &
-         & .or. nint(values(v_law)) == law_peeling)
+      count_profiles = merge(p_shear_stress, p_gap, is_set(values(in%friction_coefficient)) .or. is_set(values(in%shear_strength)) &
+         & .or. nint(values(in%law)) == law_peeling)
       associate (unused => self)
       end associate
    end function count_profiles
 
    !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -344,28 +335,26 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
-      !> The model, whose table of variables is read.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
 
-      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+      associate (first => in%contact_modulus, last => in%second_poisson_ratio)
          derived = derive_contact_modulus(self%variables(first:last), values(first:last))
       end associate
    end function derive_quantities
 
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = indenter_unit_of(self%variables, values, place)
+      unit = indenter_unit_of(self%variables, values, index)
    end function unit_of
 
 end module adfric_round_model

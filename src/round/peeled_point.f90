@@ -11,11 +11,11 @@ module adfric_round_peeled_point
    use adfric_round_contact_state, only: contact_t
    use adfric_round_survey, only: ends_t, survey_curve, survey_t
    use adfric_round_interaction_events, only: find_peeling_events, peeling_events_t
-   use adfric_round_interaction_path, only: friction_law_t, get_rates, largest_slip_of, new_path, path_t, slip_of, &
+   use adfric_round_interaction_path, only: friction_law_t, get_rates, largest_slip_of, new_path, interaction_path_t, slip_of, &
       & waypoint_t
    use adfric_round_interaction_search, only: find_force
    use adfric_round_spring_drive, only: driven_state_t, find_driven_state, new_spring_drive, spring_drive_t
-   use adfric_round_variables
+   use adfric_round_variables, only: law_peeling, state_sliding, theory_none, in => indenter_input, out => indenter_output
    use adfric_round_weak_path, only: weaken
    use adfric_solid_contact_modulus, only: has_poisson_ratio
    use adfric_round_driven_contact, only: driven_error
@@ -33,17 +33,17 @@ module adfric_round_peeled_point
       real(dp) :: ratio = 1
       !> Does the contact change with the force?
       logical :: is_peeling = .false.
-      !> dT/du along the way, reduced.
+      !> dT/du along the path, reduced.
       real(dp) :: stiffness = 0
       !> Relative error of the radius by round-off of the force, and that of the force on a driven spring.
       real(dp) :: error = 0, spring_error = 0
       !> Has all been found to round-off?
       logical :: is_converged = .true.
-      !> Are the events of the way known, from a point that differs in the force alone?
+      !> Are the events of the path known, from a point that differs in the force alone?
       logical :: has_events = .false.
       !> They, reduced.
       type(peeling_events_t) :: events
-      !> Is the way on a driven spring known, from a point that differs in the displacement of the base alone?
+      !> Is the path on a driven spring known, from a point that differs in the displacement of the base alone?
       logical :: has_drive = .false.
       !> That way.
       type(spring_drive_t) :: drive
@@ -55,49 +55,45 @@ contains
 
    !> Shall the events of a growing tangential force be found? They need Poisson's ratio, and a uniform shear strength.
    pure logical function wants_peeling_events(values) result(wants)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants = values(v_events) > 0 .and. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))
+      wants = values(in%events) > 0 .and. has_poisson_ratio(values(in%contact_modulus:in%second_poisson_ratio))
       if (.not. wants) return
-      if (nint(values(v_law)) == law_peeling) return
-      wants = is_set(values(v_shear_strength)) .and. nint(values(v_branch)) == branch_stable
-      if (wants) wants = values(v_shear_strength) > 0
-      if (is_set(values(v_pressure_factor))) wants = wants .and. .not. values(v_pressure_factor) > 0
+      if (nint(values(in%law)) == law_peeling) return
+      wants = is_set(values(in%shear_strength)) .and. nint(values(in%branch)) == branch_stable
+      if (wants) wants = values(in%shear_strength) > 0
+      if (is_set(values(in%pressure_factor))) wants = wants .and. .not. values(in%pressure_factor) > 0
    end function wants_peeling_events
 
    !> The law of friction of a point.
    pure type(friction_law_t) function law_of(values, case) result(law)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The point with its units, and all of its adhesion.
       type(indenter_case_t), intent(in) :: case
       real(dp) :: work
 
       work = 0
-      if (is_set(values(v_work_of_adhesion))) work = values(v_work_of_adhesion)
-      law%strength = values(v_shear_strength)/(case%modulus*(case%height_unit/case%length_unit))
+      if (is_set(values(in%work_of_adhesion))) work = values(in%work_of_adhesion)
+      law%strength = values(in%shear_strength)/(case%modulus*(case%height_unit/case%length_unit))
       ! in sliding no displacement is known, and none is needed
-      if (has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
+      if (has_poisson_ratio(values(in%contact_modulus:in%second_poisson_ratio))) &
          & law%compliance = tangential_compliance(values, case)
-      law%edge_fraction = values(v_edge_fraction)
-      law%interaction = values(v_interaction)
-      law%slip_energy_ratio = slip_energy_ratio_of(values(v_interaction:v_slip_energy_ratio), values(v_shear_strength), work)
+      law%edge_fraction = values(in%edge_fraction)
+      law%interaction = values(in%interaction)
+      law%slip_energy_ratio = slip_energy_ratio_of(values(in%interaction:in%slip_energy_ratio), values(in%shear_strength), work)
    end function law_of
 
    !> In sliding the curve has lost what friction takes; the events before it belong to the whole curve.
    pure subroutine begin_sliding(values, case, peeled, results)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> In: the point. Out: with the adhesion that is left.
+      !> In: the point. Out: with the adhesion that remains.
       type(indenter_case_t), intent(inout) :: case
-      !> Receives X.
       type(peeled_t), intent(inout) :: peeled
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       type(survey_t) :: survey
       type(contact_t) :: contact
-      type(path_t) :: path
+      type(interaction_path_t) :: path
       type(friction_law_t) :: law
 
       if (wants_peeling_events(values)) then
@@ -107,19 +103,16 @@ contains
          call new_path(path, case%curve, law_of(values, case), case%control, case%given, contact)
          call add_events(case, path, peeled, results)
       end if
-      if (.not. values(v_interaction) > 0) return
+      if (.not. values(in%interaction) > 0) return
       law = law_of(values, case)
       peeled%ratio = adhesion_ratio(law%slip_energy_ratio, law%interaction)
       call weaken(case%curve, peeled%ratio)
    end subroutine begin_sliding
 
-   !> Add the events of a way, in SI units.
+   !> Add the events of a path, in SI units.
    pure subroutine add_events(case, path, peeled, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> The way.
-      type(path_t), intent(inout) :: path
-      !> Its convergence may end.
+      type(interaction_path_t), intent(inout) :: path
       type(peeled_t), intent(inout) :: peeled
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -128,9 +121,9 @@ contains
       peeled%has_events = .true.
       associate (events => peeled%events)
          peeled%is_converged = peeled%is_converged .and. events%is_converged
-         results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit() &
+         results([out%peak_force, out%sliding_force, out%force_drop, out%snap_off_force]) = case%force_unit() &
             & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
-         results([r_peak_displacement, r_snap_off_displacement]) = case%height_unit &
+         results([out%peak_displacement, out%snap_off_displacement]) = case%height_unit &
             & *[events%peak_displacement, events%snap_off_displacement]
          call store_jump(case, events, results)
       end associate
@@ -138,49 +131,45 @@ contains
 
    !> Results of a lateral spring, in SI units.
    pure subroutine store_jump(case, events, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> What happens, reduced.
       type(peeling_events_t), intent(in) :: events
       !> Receives it; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
       associate (jump => events%jump)
-         results(r_critical_lateral_stiffness) = events%critical_stiffness*case%stiffness_unit()
-         results([r_jump_force, r_arrest_force]) = case%force_unit()*[jump%force, jump%arrest_force]
-         results([r_jump_base_displacement, r_jump_displacement, r_jump_period]) = case%height_unit &
+         results(out%critical_lateral_stiffness) = events%critical_stiffness*case%stiffness_unit()
+         results([out%jump_force, out%arrest_force]) = case%force_unit()*[jump%force, jump%arrest_force]
+         results([out%jump_base_displacement, out%jump_displacement, out%jump_period]) = case%height_unit &
             & *[jump%base_displacement, jump%displacement, jump%period]
-         results([r_jump_energy, r_period_work]) = case%force_unit()*case%height_unit*[jump%energy, jump%work]
+         results([out%jump_energy, out%period_work]) = case%force_unit()*case%height_unit*[jump%energy, jump%work]
       end associate
    end subroutine store_jump
 
-   !> The contact under a tangential force that takes from adhesion, and the events of its way.
+   !> The contact under a tangential force that takes from adhesion, and the events of its path.
    pure subroutine peel_contact(values, case, contact, peeled, ends, results)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> In: the point. Out: with the adhesion that is left.
+      !> In: the point. Out: with the adhesion that remains.
       type(indenter_case_t), intent(inout) :: case
       !> In: the contact at rest. Out: that under the force; not found if there is none.
       type(contact_t), intent(inout) :: contact
-      !> Receives what peeling has done.
       type(peeled_t), intent(inout) :: peeled
-      !> In: where contacts end at rest. Out: with the adhesion that is left.
+      !> In: where contacts end at rest. Out: with the adhesion that remains.
       type(ends_t), intent(inout) :: ends
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      type(path_t) :: path
+      type(interaction_path_t) :: path
       type(waypoint_t) :: waypoint
       type(survey_t) :: weak
       real(dp) :: force
       logical :: is_moved
 
       force = 0
-      if (is_set(values(v_tangential_force))) force = abs(values(v_tangential_force))/case%force_unit()
-      if (nint(values(v_law)) == law_peeling) then
+      if (is_set(values(in%tangential_force))) force = abs(values(in%tangential_force))/case%force_unit()
+      if (nint(values(in%law)) == law_peeling) then
          call peel_brittle(values, case, force, contact, peeled, results)
          return
       end if
-      is_moved = values(v_interaction) > 0 .and. force > 0 .or. is_set(values(v_base_displacement))
+      is_moved = values(in%interaction) > 0 .and. force > 0 .or. is_set(values(in%base_displacement))
       if (.not. (is_moved .or. wants_peeling_events(values)) .or. .not. contact%is_found) return
       call new_path(path, case%curve, law_of(values, case), case%control, case%given, contact)
       if (wants_peeling_events(values)) call add_events(case, path, peeled, results)
@@ -188,7 +177,7 @@ contains
       ! without touch no force is borne
       contact%is_found = path%start%is_found
       if (.not. contact%is_found) return
-      if (is_set(values(v_base_displacement))) then
+      if (is_set(values(in%base_displacement))) then
          call drive_contact(case, path, peeled)
          waypoint = peeled%driven%waypoint
          waypoint%is_found = peeled%driven%is_found
@@ -207,11 +196,10 @@ contains
 
    !> The state at a displacement of the base of a lateral spring.
    pure subroutine drive_contact(case, path, peeled)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> The way from rest, which need not have been followed.
-      type(path_t), intent(in) :: path
-      !> Receives the state; its way is found if it is not known.
+      !> The path from rest, which need not have been followed.
+      type(interaction_path_t), intent(in) :: path
+      !> Receives the state; its path is found if it is not known.
       type(peeled_t), intent(inout) :: peeled
 
       if (.not. peeled%has_drive) call new_spring_drive(peeled%drive, path, case%lateral_stiffness)
@@ -225,11 +213,8 @@ contains
 
    !> The slope of the force over the displacement, and what round-off of the force does to the radius.
    pure subroutine add_rates(path, waypoint, peeled)
-      !> The way.
-      type(path_t), intent(in) :: path
-      !> The state.
+      type(interaction_path_t), intent(in) :: path
       type(waypoint_t), intent(in) :: waypoint
-      !> Receives them.
       type(peeled_t), intent(inout) :: peeled
       real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
       real(dp) :: force_rate, displacement_rate, shrinkage
@@ -243,15 +228,12 @@ contains
 
    !> The contact that sticks without limit and peels.
    pure subroutine peel_brittle(values, case, force, contact, peeled, results)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point.
       type(indenter_case_t), intent(in) :: case
       !> T, reduced, >= 0.
       real(dp), intent(in) :: force
       !> In: the contact at rest. Out: that under the force; not found if there is none.
       type(contact_t), intent(inout) :: contact
-      !> Receives what peeling has done.
       type(peeled_t), intent(inout) :: peeled
       !> Receives the event; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -261,9 +243,9 @@ contains
 
       if (.not. contact%is_found) return
       call new_brittle(brittle, case%curve, case%given, tangential_compliance(values, case), contact)
-      if (values(v_events) > 0) then
-         results(r_snap_off_force) = brittle%snap_off_force*case%force_unit()
-         results(r_snap_off_displacement) = brittle%snap_off_displacement*case%height_unit
+      if (values(in%events) > 0) then
+         results(out%snap_off_force) = brittle%snap_off_force*case%force_unit()
+         results(out%snap_off_displacement) = brittle%snap_off_displacement*case%height_unit
       end if
       radius = contact%spot%radius
       contact%is_found = force <= (1 + round_off)*brittle%snap_off_force
@@ -277,54 +259,49 @@ contains
 
    !> Add what slip and peeling are, in SI units, to the results of a contact and of its friction.
    pure subroutine store_peeled(values, case, peeled, results)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> What peeling has done.
       type(peeled_t), intent(in) :: peeled
       !> In: with the results of friction. Out: with those of slip; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       type(friction_law_t) :: law
       real(dp) :: angle, radius, compliance
 
-      if (case%theory /= theory_none) results(r_adhesion_ratio) = peeled%ratio
-      if (nint(values(v_law)) == law_peeling) then
+      if (case%theory /= theory_none) results(out%adhesion_ratio) = peeled%ratio
+      if (nint(values(in%law)) == law_peeling) then
          compliance = tangential_compliance(values, case)
-         results(r_stick_radius) = results(r_contact_radius)
-         results(r_stick_fraction) = 1
-         if (is_set(values(v_tangential_force))) results(r_tangential_displacement) = compliance*values(v_tangential_force) &
-            & /(2*case%modulus*results(r_contact_radius))
-         results(r_tangential_stiffness) = peeled%stiffness*case%modulus*case%length_unit
+         results(out%stick_radius) = results(out%contact_radius)
+         results(out%stick_fraction) = 1
+         if (is_set(values(in%tangential_force))) results(out%tangential_displacement) = compliance*values(in%tangential_force) &
+            & /(2*case%modulus*results(out%contact_radius))
+         results(out%tangential_stiffness) = peeled%stiffness*case%modulus*case%length_unit
          return
       end if
-      results(r_friction_radius) = sqrt(results(r_friction_area)/pi)
-      if (nint(values(v_state)) == state_sliding) then
-         results([r_stick_radius, r_stick_fraction]) = 0
+      results(out%friction_radius) = sqrt(results(out%friction_area)/pi)
+      if (nint(values(in%state)) == state_sliding) then
+         results([out%stick_radius, out%stick_fraction]) = 0
          return
       end if
-      if (.not. is_set(values(v_tangential_force)) .or. .not. results(r_friction_radius) > 0) return
-      results(r_stick_radius) = sqrt(results(r_stick_fraction))*results(r_friction_radius)
-      if (peeled%is_peeling) results(r_tangential_stiffness) = peeled%stiffness*case%modulus*case%length_unit
-      if (is_set(values(v_pressure_factor))) then
-         if (values(v_pressure_factor) > 0) return
+      if (.not. is_set(values(in%tangential_force)) .or. .not. results(out%friction_radius) > 0) return
+      results(out%stick_radius) = sqrt(results(out%stick_fraction))*results(out%friction_radius)
+      if (peeled%is_peeling) results(out%tangential_stiffness) = peeled%stiffness*case%modulus*case%length_unit
+      if (is_set(values(in%pressure_factor))) then
+         if (values(in%pressure_factor) > 0) return
       end if
       law = law_of(values, case)
-      radius = results(r_friction_radius)/case%length_unit
+      radius = results(out%friction_radius)/case%length_unit
       angle = half_pi
-      if (abs(values(v_tangential_force)) < results(r_friction_force)) &
-         & angle = angle_of_force(abs(values(v_tangential_force))/results(r_friction_force))
-      results(r_slip) = slip_of(law, radius, angle)*case%height_unit
-      results(r_largest_slip) = largest_slip_of(law, radius, angle)*case%height_unit
+      if (abs(values(in%tangential_force)) < results(out%friction_force)) &
+         & angle = angle_of_force(abs(values(in%tangential_force))/results(out%friction_force))
+      results(out%slip) = slip_of(law, radius, angle)*case%height_unit
+      results(out%largest_slip) = largest_slip_of(law, radius, angle)*case%height_unit
    end subroutine store_peeled
 
    !> Add the state at a displacement of the base, in SI units, which its angle tells better than its force does.
    pure subroutine store_driven(values, case, peeled, results)
       !> Values of the variables, with the tangential force of the state; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> What peeling has done.
       type(peeled_t), intent(in) :: peeled
       !> In: with the results of friction. Out: with those of the state; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -332,19 +309,19 @@ contains
       real(dp) :: stick
 
       associate (driven => peeled%driven, waypoint => peeled%driven%waypoint)
-         results(r_tangential_force) = values(v_tangential_force)
-         results(r_tangential_displacement) = driven%displacement*case%height_unit
+         results(out%tangential_force) = values(in%tangential_force)
+         results(out%tangential_displacement) = driven%displacement*case%height_unit
          stick = 0
          if (waypoint%angle < half_pi) stick = cos(waypoint%angle)
-         results(r_stick_fraction) = stick**2
-         results(r_stick_radius) = stick*results(r_friction_radius)
+         results(out%stick_fraction) = stick**2
+         results(out%stick_radius) = stick*results(out%friction_radius)
          if (driven%is_sliding) then
-            results([r_slip, r_largest_slip, r_cycle_energy]) = not_a_number()
-            results(r_tangential_stiffness) = 0
+            results([out%slip, out%largest_slip, out%cycle_energy]) = not_a_number()
+            results(out%tangential_stiffness) = 0
          else
             law = law_of(values, case)
-            results(r_slip) = slip_of(law, waypoint%radius, waypoint%angle)*case%height_unit
-            results(r_largest_slip) = largest_slip_of(law, waypoint%radius, waypoint%angle)*case%height_unit
+            results(out%slip) = slip_of(law, waypoint%radius, waypoint%angle)*case%height_unit
+            results(out%largest_slip) = largest_slip_of(law, waypoint%radius, waypoint%angle)*case%height_unit
          end if
       end associate
    end subroutine store_driven

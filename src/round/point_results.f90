@@ -12,7 +12,7 @@ module adfric_round_point_results
    use adfric_round_energy, only: elastic_energy
    use adfric_round_loop, only: loop_t
    use adfric_round_survey, only: ends_t
-   use adfric_round_variables
+   use adfric_round_variables, only: theory_dmt, theory_none, in => indenter_input, out => indenter_output
    implicit none (type, external)
    private
    public :: store_ends, store_events, store_contact, store_stress, estimate_error
@@ -21,43 +21,36 @@ contains
 
    !> Where contacts end, in SI units.
    pure subroutine store_ends(case, ends, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> Where contacts end, reduced.
       type(ends_t), intent(in) :: ends
       !> Receives them; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
-      results([r_pull_off_load, r_jump_inward_load, r_jump_outward_load]) = case%force_unit() &
+      results([out%pull_off_load, out%jump_inward_load, out%jump_outward_load]) = case%force_unit() &
          & *[ends%pull_off_load, ends%jump_inward_load, ends%jump_outward_load]
-      results([r_pull_off_approach, r_jump_inward_approach, r_jump_outward_approach]) = case%height_unit &
+      results([out%pull_off_approach, out%jump_inward_approach, out%jump_outward_approach]) = case%height_unit &
          & *[ends%pull_off_approach, ends%jump_inward_approach, ends%jump_outward_approach]
    end subroutine store_ends
 
    !> What happens in a cycle, in SI units. Without adhesion nothing jumps.
    pure subroutine store_events(case, loop, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> What happens, reduced.
       type(loop_t), intent(in) :: loop
       !> Receives it; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
-      results(r_loop_energy) = 0
+      results(out%loop_energy) = 0
       if (case%theory == theory_none) return
-      results(r_loop_energy) = loop%energy*case%force_unit()*case%height_unit
-      results(r_jump_in_base_approach) = loop%jump_in*case%height_unit
-      results(r_jump_in_load) = loop%jump_in_load*case%force_unit()
-      results(r_pull_off_base_approach) = loop%pull_off*case%height_unit
+      results(out%loop_energy) = loop%energy*case%force_unit()*case%height_unit
+      results(out%jump_in_base_approach) = loop%jump_in*case%height_unit
+      results(out%jump_in_load) = loop%jump_in_load*case%force_unit()
+      results(out%pull_off_base_approach) = loop%pull_off*case%height_unit
    end subroutine store_events
 
    !> Results of a contact, in SI units. What was given comes back to the last digit.
    pure subroutine store_contact(case, contact, values, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> The contact, reduced.
       type(contact_t), intent(in) :: contact
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -65,52 +58,47 @@ contains
 
       associate (a => contact%spot%radius)
          radius = a*case%length_unit
-         if (is_set(values(v_contact_radius))) radius = values(v_contact_radius)
-         results(r_load) = contact%load*case%force_unit()
-         if (is_set(values(v_load))) results(r_load) = values(v_load)
-         results(r_approach) = contact%approach*case%height_unit
-         if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
-         if (is_set(values(v_base_approach))) results(r_base_approach) = values(v_base_approach)
-         results(r_contact_radius) = radius
-         results(r_contact_area) = pi*radius**2
-         if (a > 0) results(r_mean_pressure) = contact%load/(pi*a**2)*case%modulus*(case%height_unit/case%length_unit)
-         results(r_contact_stiffness) = contact%stiffness*case%modulus*case%length_unit
-         results(r_elastic_energy) = elastic_energy(case%curve, contact)*case%force_unit()*case%height_unit
-         results(r_stable) = merge(1, 0, contact%is_stable)
-         results(r_theory_used) = case%theory
-         if (case%theory /= theory_dmt) results(r_adhesion_radius) = contact%adhesion_radius*case%length_unit
+         if (is_set(values(in%contact_radius))) radius = values(in%contact_radius)
+         results(out%load) = contact%load*case%force_unit()
+         if (is_set(values(in%load))) results(out%load) = values(in%load)
+         results(out%approach) = contact%approach*case%height_unit
+         if (is_set(values(in%approach))) results(out%approach) = values(in%approach)
+         if (is_set(values(in%base_approach))) results(out%base_approach) = values(in%base_approach)
+         results(out%contact_radius) = radius
+         results(out%contact_area) = pi*radius**2
+         if (a > 0) results(out%mean_pressure) = contact%load/(pi*a**2)*case%modulus*(case%height_unit/case%length_unit)
+         results(out%contact_stiffness) = contact%stiffness*case%modulus*case%length_unit
+         results(out%elastic_energy) = elastic_energy(case%curve, contact)*case%force_unit()*case%height_unit
+         results(out%stable) = merge(1, 0, contact%is_stable)
+         results(out%theory_used) = case%theory
+         if (case%theory /= theory_dmt) results(out%adhesion_radius) = contact%adhesion_radius*case%length_unit
       end associate
    end subroutine store_contact
 
    !> Stresses on the axis, in SI units.
    pure subroutine store_stress(case, contact, values, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> The contact, reduced.
       type(contact_t), intent(in) :: contact
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       real(dp) :: s_zz, s_rr, unit
 
-      call get_axis_stress(case%curve%shape, contact, values(v_poisson_ratio), values(v_position_z)/case%length_unit, s_zz, s_rr)
+      call get_axis_stress(case%curve%shape, contact, values(in%poisson_ratio), values(in%position_z)/case%length_unit, s_zz, s_rr)
       unit = case%modulus*(case%height_unit/case%length_unit)
-      results(r_stress_zz) = s_zz*unit
-      results(r_stress_rr) = s_rr*unit
+      results(out%stress_zz) = s_zz*unit
+      results(out%stress_rr) = s_rr*unit
    end subroutine store_stress
 
-   !> Round-off of what is held moves the contact along the curve, at the end of stability by the root of round-off; load and approach
-   !> are differences. The largest relative error of radius, load and approach, the latter two against at least a tenth of pull-off.
+   !> Round-off of what is prescribed moves the contact along the curve, at the end of stability by the root of round-off; load and
+   !> approach are differences. The largest relative error of radius, load and approach, the latter two against at least a tenth of
+   !> pull-off.
    pure real(dp) function estimate_error(case, contact, ends) result(error)
-      !> The point.
       type(indenter_case_t), intent(in) :: case
-      !> Its contact.
       type(contact_t), intent(in) :: contact
-      !> Where contacts end.
       type(ends_t), intent(in) :: ends
       real(dp), parameter :: round_off = 2*epsilon(1.0_dp), least_share = 0.1_dp
-      real(dp) :: terms(2), best(2), sizes(2), shares(2), place, shift, slope
+      real(dp) :: terms(2), best(2), sizes(2), shares(2), index, shift, slope
       integer :: k
 
       error = round_off
@@ -128,18 +116,18 @@ contains
             if (sizes(k) > 0) error = max(error, 2*round_off*best(k)/sizes(k))
          end do
          ! that of a disc without touch is its radius
-         place = contact%u
-         if (contact%disc_terms(2) > 0) place = contact%adhesion_radius
-         if (case%control == control_radius .or. .not. place > 0 .or. case%curve%shape%n_pieces == 0) return
-         ! change of u that round-off of what is held makes
+         index = contact%u
+         if (contact%disc_terms(2) > 0) index = contact%adhesion_radius
+         if (case%control == control_radius .or. .not. index > 0 .or. case%curve%shape%n_pieces == 0) return
+         ! change of u that round-off of what is prescribed makes
          shares = 0
          shares(merge(1, 2, case%control == control_load)) = 1
          if (case%control == control_spring) shares(1) = case%curve%compliance
-         shift = sqrt(round_off)*place
+         shift = sqrt(round_off)*index
          slope = abs(sum(shares*contact%slopes))
          if (round_off*sum(shares*terms) < shift*slope) shift = round_off*sum(shares*terms)/slope
          if (contact%disc_terms(2) > 0) then
-            error = error + shift/place
+            error = error + shift/index
          else
             error = error + shift*spot%radius_slope/spot%radius
          end if

@@ -54,7 +54,6 @@ contains
 
    !> The shape of a sum of powers.
    pure subroutine new_power_shape(self, exponents, factors)
-      !> Receives the shape.
       type(power_shape_t), intent(out) :: self
       !> Exponents n_i > 0; shape `(n_terms)`, `n_terms` <= `most_terms`.
       real(dp), intent(in) :: exponents(:)
@@ -72,7 +71,6 @@ contains
 
    !> See `shape_t`: u = a.
    pure subroutine evaluate(self, u, is_beyond, spot)
-      !> The shape that is evaluated.
       class(power_shape_t), intent(in) :: self
       !> Radius a of contact, >= 0.
       real(dp), intent(in) :: u
@@ -117,7 +115,6 @@ contains
 
    !> See `shape_t`.
    elemental real(dp) function unknown_of(self, radius)
-      !> The shape, of which nothing is needed.
       class(power_shape_t), intent(in) :: self
       !> Radius a of contact, >= 0.
       real(dp), intent(in) :: radius
@@ -148,7 +145,6 @@ contains
 
    !> See `shape_t`.
    elemental real(dp) function rise(self, v)
-      !> The shape that is evaluated.
       class(power_shape_t), intent(in) :: self
       !> Radius x, > 0.
       real(dp), intent(in) :: v
@@ -162,7 +158,6 @@ contains
 
    !> See `shape_t`: there is no corner.
    pure real(dp) function inner_rise(self)
-      !> The shape, of which nothing is needed.
       class(power_shape_t), intent(in) :: self
 
       inner_rise = 0
@@ -172,7 +167,6 @@ contains
 
    !> See `shape_t`: two terms of g, i and j, give i j (i + j + 2)/((i + 1) (j + 1) (i + j + 1)) a times their values.
    pure real(dp) function energy(self, u, is_beyond)
-      !> The shape that is evaluated.
       class(power_shape_t), intent(in) :: self
       !> Radius a of contact, >= 0.
       real(dp), intent(in) :: u
@@ -198,7 +192,6 @@ contains
 
    !> See `shape_t`: the terms are those of g over K.
    pure subroutine get_profile(self, r, height, slope)
-      !> The shape that is evaluated.
       class(power_shape_t), intent(in) :: self
       !> Distance from the axis, >= 0.
       real(dp), intent(in) :: r
@@ -219,7 +212,6 @@ contains
 
    !> See `shape_t`: where one of the terms has the height.
    pure real(dp) function radius_of_height(self, height)
-      !> The shape that is asked.
       class(power_shape_t), intent(in) :: self
       !> The height, > 0.
       real(dp), intent(in) :: height
@@ -234,9 +226,7 @@ contains
 
    !> See `shape_t`: where all exponents are small whole numbers.
    pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
-      !> The shape with its terms.
       class(power_shape_t), intent(in) :: self
-      !> What the shape is at the contact.
       type(spot_t), intent(in) :: spot
       !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond
@@ -244,7 +234,6 @@ contains
       real(dp), intent(in) :: s
       !> Receive J and I.
       real(dp), intent(out) :: opening, intensity
-      !> Are they closed forms here?
       logical, intent(out) :: is_closed
       integer :: k
 

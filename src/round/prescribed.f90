@@ -1,67 +1,59 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The state of a part of a curve where a load, an approach, or the approach of the base of a spring is held.
+!> The state of a part of a curve where a load, an approach, or the approach of the base of a spring is prescribed.
 module adfric_round_prescribed
    use adfric_base_kinds, only: dp
-   use adfric_round_curve, only: curve_t, interval_t, control_load, endless
+   use adfric_round_curve, only: curve_t, curve_interval_t, control_load, endless
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: find_held, measure_interval
+   public :: find_prescribed, measure_interval
 
    !> Slopes of logarithms end at the inverse of this.
    real(dp), parameter :: smallest_excess = 1.0e-300_dp
 
    !> Load or approach, that of the indenter or of the base of its spring, along an interval, less what is given. The unknown is
    !> ln(u - low), or u.
-   type, extends(equation_t) :: held_equation_t
+   type, extends(equation_t) :: prescribed_equation_t
       !> The curve.
       class(curve_t), allocatable :: curve
       !> The interval.
-      type(interval_t) :: interval
-      !> What is held; not `control_radius`.
+      type(curve_interval_t) :: interval
+      !> What is prescribed; not `control_radius`.
       integer :: control = control_load
       !> What is given, and the value at the beginning of the interval.
       real(dp) :: given = 0, first = 0
       !> Is the logarithm of u - low the unknown, and is the logarithm of what exceeds the first value compared?
       logical :: is_of_logarithm = .true., compares_logarithms = .true.
    contains
-      procedure :: evaluate => evaluate_held
-   end type held_equation_t
+      procedure :: evaluate => evaluate_prescribed
+   end type prescribed_equation_t
 
 contains
 
-   !> What is held at the ends of an interval, without bound where it has no end.
+   !> What is prescribed at the ends of an interval, without bound where it has no end.
    pure subroutine measure_interval(curve, control, interval)
-      !> The curve.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> The interval.
-      type(interval_t), intent(inout) :: interval
+      type(curve_interval_t), intent(inout) :: interval
       real(dp) :: slope
 
-      call curve%get_held(control, interval%low, interval%is_beyond, interval%first, slope)
+      call curve%get_prescribed(control, interval%low, interval%is_beyond, interval%first, slope)
       interval%last = merge(endless, -endless, interval%is_stable)
-      if (interval%high < endless) call curve%get_held(control, interval%high, interval%is_beyond, interval%last, slope)
+      if (interval%high < endless) call curve%get_prescribed(control, interval%high, interval%is_beyond, interval%last, slope)
    end subroutine measure_interval
 
-   !> The state of an interval where a load or an approach is held.
-   pure subroutine find_held(curve, control, interval, given, u, is_found, is_converged)
-      !> The curve.
+   !> The state of an interval where a load or an approach is prescribed.
+   pure subroutine find_prescribed(curve, control, interval, given, u, is_found, is_converged)
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> The interval, measured.
-      type(interval_t), intent(in) :: interval
-      !> What is given, reduced.
+      type(curve_interval_t), intent(in) :: interval
       real(dp), intent(in) :: given
       !> Receives the unknown of the state.
       real(dp), intent(out) :: u
       !> Is there such a state in the interval?
       logical, intent(out) :: is_found
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
-      type(held_equation_t) :: equation
+      type(prescribed_equation_t) :: equation
 
       associate (first => interval%first, last => interval%last)
          is_found = given >= min(first, last) .and. given <= max(first, last)
@@ -81,16 +73,14 @@ contains
             call find_falling(equation, u, is_converged)
          end if
       end associate
-   end subroutine find_held
+   end subroutine find_prescribed
 
-   !> A stable state: what is held rises from its first value like a power of u - low, so its logarithm is almost linear in that of
-   !> u - low, and Newton's method comes to the root from anywhere.
+   !> A stable state: what is prescribed rises from its first value like a power of u - low, so its logarithm is almost linear in
+   !> that of u - low, and Newton's method comes to the root from anywhere.
    pure subroutine find_rising(equation, u, is_converged)
-      !> The equation, for a stable interval.
-      type(held_equation_t), intent(in) :: equation
+      type(prescribed_equation_t), intent(in) :: equation
       !> Receives the unknown of the state.
       real(dp), intent(out) :: u
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       real(dp), parameter :: largest_step = 3.0_dp, margin = 0.05_dp
       integer, parameter :: most_steps = 400
@@ -125,10 +115,9 @@ contains
    !> An unstable state.
    pure subroutine find_falling(equation, u, is_converged)
       !> The equation, for an unstable interval.
-      type(held_equation_t), intent(inout) :: equation
+      type(prescribed_equation_t), intent(inout) :: equation
       !> Receives the unknown of the state.
       real(dp), intent(out) :: u
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       ! logarithm of the smallest part of the interval where a state is sought
       real(dp), parameter :: smallest = -300.0_dp
@@ -148,16 +137,15 @@ contains
    end subroutine find_falling
 
    !> See `equation_t`.
-   pure subroutine evaluate_held(self, x, value, slope)
-      !> The equation with its curve.
-      class(held_equation_t), intent(in) :: self
+   pure subroutine evaluate_prescribed(self, x, value, slope)
+      class(prescribed_equation_t), intent(in) :: self
       !> The unknown ln(u - low), or u.
       real(dp), intent(in) :: x
-      !> What is held less what is given, or the difference of the logarithms.
+      !> What is prescribed less what is given, or the difference of the logarithms.
       real(dp), intent(out) :: value
       !> Derivative of the value by the unknown.
       real(dp), intent(out) :: slope
-      real(dp) :: u, factor, held, excess
+      real(dp) :: u, factor, prescribed, excess
 
       u = x
       factor = 1
@@ -165,15 +153,15 @@ contains
          factor = exp(x)
          u = self%interval%low + factor
       end if
-      call self%curve%get_held(self%control, u, self%interval%is_beyond, held, slope)
+      call self%curve%get_prescribed(self%control, u, self%interval%is_beyond, prescribed, slope)
       slope = slope*factor
-      value = held - self%given
+      value = prescribed - self%given
       if (.not. self%compares_logarithms) return
-      excess = max(held - self%first, tiny(held))
+      excess = max(prescribed - self%first, tiny(prescribed))
       value = log_ratio(value, self%given - self%first, excess)
       ! next to the beginning of the interval the slope has no bound
       slope = slope/max(excess, abs(slope)*smallest_excess)
-   end subroutine evaluate_held
+   end subroutine evaluate_prescribed
 
    !> ln(excess/rest) for excess = rest + difference, with the digits of the difference.
    elemental real(dp) function log_ratio(difference, rest, excess)

@@ -17,12 +17,12 @@ module adfric_round_profiles
    use adfric_round_power_shape, only: power_shape_t
    use adfric_round_shape, only: shape_t
    use adfric_round_sphere_shape, only: sphere_shape_t
-   use adfric_numerics_panels, only: integrand_t, integrate
+   use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
    public :: pressure_at, gap_at
 
-   !> Logarithm of a height beyond all numbers, with room for factors.
+   !> Logarithm of a height beyond all numbers, with space for factors.
    real(dp), parameter :: largest_logarithm = 400.0_dp
    !> Where a decaying exponential is round-off.
    real(dp), parameter :: decayed = 40.0_dp
@@ -30,11 +30,11 @@ module adfric_round_profiles
    integer, parameter :: along_cosh = 1, along_sinh = 2, along_decay = 3
 
    !> dg/dv along t.
-   type, extends(integrand_t) :: pressure_integrand_t
+   type, extends(panel_integrand_t) :: pressure_integrand_t
       !> The shape.
       class(shape_t), allocatable :: shape
       !> One of `along_...`: v = scale*cosh(t), scale*sinh(t) or scale*exp(-t).
-      integer :: way = along_cosh
+      integer :: path = along_cosh
       !> The scale.
       real(dp) :: scale = 1
    contains
@@ -42,7 +42,7 @@ module adfric_round_profiles
    end type pressure_integrand_t
 
    !> dg/dv arccos(x/r) dv/dt for v = V sin(t), or v = V/cosh(t).
-   type, extends(integrand_t) :: gap_integrand_t
+   type, extends(panel_integrand_t) :: gap_integrand_t
       !> The shape.
       class(shape_t), allocatable :: shape
       !> Is v = V sin(t)?
@@ -54,7 +54,7 @@ module adfric_round_profiles
    end type gap_integrand_t
 
    !> x arccos(x/r) dx/dt for x = r sin(t).
-   type, extends(integrand_t) :: inner_integrand_t
+   type, extends(panel_integrand_t) :: inner_integrand_t
    contains
       procedure :: value_at => inner_value
    end type inner_integrand_t
@@ -63,9 +63,7 @@ contains
 
    !> Pressure at a distance from the axis; 0 outside the contact, NaN where it is infinite.
    pure real(dp) function pressure_at(shape, contact, r) result(pressure)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r
@@ -89,9 +87,7 @@ contains
 
    !> What lies beyond the corner adds to the pressure.
    pure real(dp) function outer_pressure(shape, contact, r) result(pressure)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The contact, which reaches beyond the corner.
       type(contact_t), intent(in) :: contact
       !> Distance from the axis, reduced, >= 0 and at most a.
       real(dp), intent(in) :: r
@@ -102,7 +98,7 @@ contains
       associate (a => contact%spot%radius, b => shape%corner)
          integrand%scale = sqrt(abs(r - b)*(r + b))
          if (.not. integrand%scale > 0) then
-            integrand%way = along_decay
+            integrand%path = along_decay
             integrand%scale = contact%spot%beyond
             if (.not. shape%onset > 0) pressure = not_a_number()
             if (.not. shape%onset > 0 .or. .not. integrand%scale > 0) return
@@ -110,7 +106,7 @@ contains
          else if (r > b) then
             last = asinh(sqrt((a - r)*(a + r))/integrand%scale)
          else
-            integrand%way = along_sinh
+            integrand%path = along_sinh
             last = asinh(contact%spot%beyond/integrand%scale)
          end if
          allocate (integrand%shape, source=shape)
@@ -118,28 +114,25 @@ contains
       end associate
    end function outer_pressure
 
-   !> See `integrand_t`.
-   pure real(dp) function pressure_value(self, place)
-      !> The integrand with its shape.
+   !> See `panel_integrand_t`.
+   pure real(dp) function pressure_value(self, position)
       class(pressure_integrand_t), intent(in) :: self
       !> t > 0.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
 
-      select case (self%way)
+      select case (self%path)
       case (along_cosh)
-         pressure_value = self%shape%rise(self%scale*cosh(place))
+         pressure_value = self%shape%rise(self%scale*cosh(position))
       case (along_sinh)
-         pressure_value = self%shape%rise(self%scale*sinh(place))
+         pressure_value = self%shape%rise(self%scale*sinh(position))
       case default
-         pressure_value = self%shape%rise(self%scale*exp(-place))
+         pressure_value = self%shape%rise(self%scale*exp(-position))
       end select
    end function pressure_value
 
    !> Gap at a distance from the axis; 0 in contact, NaN beside a sphere, and where it is beyond all numbers.
    pure real(dp) function gap_at(shape, contact, r) result(gap)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r
@@ -176,9 +169,7 @@ contains
 
    !> What lies within the corner adds to the gap.
    pure real(dp) function inner_opening(shape, contact, r) result(opening)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> Distance from the axis, reduced, > a.
       real(dp), intent(in) :: r
@@ -191,9 +182,7 @@ contains
 
    !> What lies beyond the corner adds to the gap: by v = V sin(t) where v is at most b, by v = V/cosh(t) where it is more.
    pure real(dp) function outer_opening(shape, contact, r) result(opening)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> Distance from the axis, reduced, > a.
       real(dp), intent(in) :: r
@@ -218,36 +207,34 @@ contains
       end associate
    end function outer_opening
 
-   !> See `integrand_t`.
-   pure real(dp) function gap_value(self, place)
-      !> The integrand with its shape.
+   !> See `panel_integrand_t`.
+   pure real(dp) function gap_value(self, position)
       class(gap_integrand_t), intent(in) :: self
       !> t, > 0.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
       real(dp) :: v, rest, slope
 
       associate (last => self%largest)
          if (self%is_sine) then
-            v = last*sin(place)
-            rest = last*cos(place)
+            v = last*sin(position)
+            rest = last*cos(position)
             slope = rest
          else
-            v = last/cosh(place)
-            rest = last*tanh(place)
+            v = last/cosh(position)
+            rest = last*tanh(position)
             slope = rest*v/last
          end if
          gap_value = self%shape%rise(v)*atan2(rest, hypot(self%shape%corner, v))*slope
       end associate
    end function gap_value
 
-   !> See `integrand_t`.
-   pure real(dp) function inner_value(self, place)
-      !> The integrand, of which nothing is needed.
+   !> See `panel_integrand_t`.
+   pure real(dp) function inner_value(self, position)
       class(inner_integrand_t), intent(in) :: self
       !> t, between 0 and pi/2.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
 
-      inner_value = sin(place)*cos(place)*(half_pi - place)
+      inner_value = sin(position)*cos(position)*(half_pi - position)
       associate (unused => self)
       end associate
    end function inner_value

@@ -1,15 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact that is pulled sideways: its force T and its displacement D from rest to the onset of sliding, along a place that may be
-!> anything, and what follows. T and D are taken once, as piecewise polynomials, on panels that are halved until their last
+!> A contact that is pulled sideways: its force T and its displacement D from rest to the onset of sliding, along a position that
+!> may be anything, and what follows. T and D are taken once, as piecewise polynomials, on panels that are halved until their last
 !> coefficients are round-off; all that depends on a spring is then a matter of polynomials.
 module adfric_round_pulled_contact
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
-   use adfric_numerics_chebyshev, only: chebyshev_places, coefficients_of, degree, slope_of, value_of
+   use adfric_numerics_chebyshev, only: chebyshev_positions, coefficients_of, degree, slope_of, value_of
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    implicit none (type, external)
    private
-   public :: pulled_contact_t, pulled_curve_t, panel_t, spot_t, take_curve
+   public :: pulled_contact_t, pulled_curve_t, force_panel_t, pulled_spot_t, take_curve
    public :: force_at, displacement_at, extension_at, work_between, first_fall, first_reach
 
    !> Panels of each piece to begin with; most of them; how often one is halved.
@@ -23,12 +23,12 @@ module adfric_round_pulled_contact
    real(dp), parameter :: level = 1.0e-11_dp
    !> Share of a panel next to its end where a slope that is 0 there has a sign.
    real(dp), parameter :: near_end = 1.0e-5_dp
-   !> Places of a panel where signs are looked at, and halvings that leave round-off.
+   !> Positions of a panel where signs are looked at, and halvings that leave round-off.
    integer, parameter :: n_marks = 32, most_bisections = 60
 
    !> A contact, as its model knows it.
    type, abstract :: pulled_contact_t
-      !> Pieces of its way from rest; within each, T and D are smooth.
+      !> Pieces of its path from rest; within each, T and D are smooth.
       integer :: n_pieces = 1
       !> Does it slide then? Otherwise contact is lost.
       logical :: slides = .true.
@@ -39,35 +39,35 @@ module adfric_round_pulled_contact
    end type pulled_contact_t
 
    abstract interface
-      !> A state on the way.
-      pure subroutine get_state_i(self, piece, place, displacement, force)
+      !> A state on the path.
+      pure subroutine get_state_i(self, piece, position, displacement, force)
          import :: pulled_contact_t, dp
          implicit none (type, external)
          !> The contact.
          class(pulled_contact_t), intent(in) :: self
          !> Number of the piece.
          integer, intent(in) :: piece
-         !> Place in the piece, 0 to 1.
-         real(dp), intent(in) :: place
+         !> Position in the piece, 0 to 1.
+         real(dp), intent(in) :: position
          !> Receive D and T.
          real(dp), intent(out) :: displacement, force
       end subroutine get_state_i
    end interface
 
-   !> A panel of the way.
-   type :: panel_t
-      !> Piece, and the range of places in it.
+   !> A panel of the path.
+   type :: force_panel_t
+      !> Piece, and the range of positions in it.
       integer :: piece = 1
       !> Ends of the range.
       real(dp) :: low = 0, high = 1
       !> Coefficients of D and T.
       real(dp) :: displacement(0:degree) = 0, force(0:degree) = 0
-   end type panel_t
+   end type force_panel_t
 
-   !> The way of a contact.
+   !> The path of a contact.
    type :: pulled_curve_t
       !> The panels.
-      type(panel_t), allocatable :: panels(:)
+      type(force_panel_t), allocatable :: panels(:)
       !> See `pulled_contact_t`.
       logical :: slides = .true.
       !> Force of sliding; 0 where contact is lost.
@@ -78,28 +78,26 @@ module adfric_round_pulled_contact
       logical :: is_converged = .true.
    end type pulled_curve_t
 
-   !> A place of a curve: the panel, and x from -1 to 1 in it.
-   type :: spot_t
+   !> A position of a curve: the panel, and x from -1 to 1 in it.
+   type :: pulled_spot_t
       !> Number of the panel; 0: none.
       integer :: panel = 0
-      !> Place in it.
+      !> Position in it.
       real(dp) :: x = -1
-   end type spot_t
+   end type pulled_spot_t
 
 contains
 
-   !> Take the way of a contact.
+   !> Take the path of a contact.
    pure subroutine take_curve(contact, curve)
-      !> The contact.
       class(pulled_contact_t), intent(in) :: contact
-      !> Receives the way.
       type(pulled_curve_t), intent(out) :: curve
-      type(panel_t) :: panels(most_panels)
+      type(force_panel_t) :: panels(most_panels)
       real(dp) :: largest(2)
       integer :: n, piece, k
 
       n = 0
-      ! a way of no length
+      ! a path of no length
       largest = tiny(largest)
       do piece = 1, contact%n_pieces
          do k = 0, 2*first_panels
@@ -118,39 +116,34 @@ contains
       call contact%get_state(contact%n_pieces, 1.0_dp, curve%last_displacement, curve%last_force)
    end subroutine take_curve
 
-   !> Widen the largest values by those of a place.
-   pure subroutine widen(contact, piece, place, largest)
-      !> The contact.
+   !> Widen the largest values by those of a position.
+   pure subroutine widen(contact, piece, position, largest)
       class(pulled_contact_t), intent(in) :: contact
-      !> Number of the piece.
       integer, intent(in) :: piece
-      !> Place in it.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
       !> The largest D and T.
       real(dp), intent(inout) :: largest(2)
       real(dp) :: displacement, force
 
-      call contact%get_state(piece, place, displacement, force)
+      call contact%get_state(piece, position, displacement, force)
       largest = max(largest, [displacement, force])
    end subroutine widen
 
    !> Panels of a range: from the left, each halved until it is fine enough.
    pure subroutine add_panels(contact, piece, from, to, largest, panels, n, is_converged)
-      !> The contact.
       class(pulled_contact_t), intent(in) :: contact
-      !> Number of the piece.
       integer, intent(in) :: piece
       !> Ends of the range.
       real(dp), intent(in) :: from, to
       !> The largest D and T.
       real(dp), intent(in) :: largest(2)
       !> The panels, of which `n` are there.
-      type(panel_t), intent(inout) :: panels(most_panels)
+      type(force_panel_t), intent(inout) :: panels(most_panels)
       !> Their number, which grows.
       integer, intent(inout) :: n
       !> Becomes false where a panel stays too coarse.
       logical, intent(inout) :: is_converged
-      type(panel_t) :: panel
+      type(force_panel_t) :: panel
       real(dp) :: low, width, tail
       integer :: halvings
 
@@ -178,22 +171,19 @@ contains
 
    !> A panel, and the size of its last coefficients.
    pure subroutine take_panel(contact, piece, low, high, largest, panel, tail)
-      !> The contact.
       class(pulled_contact_t), intent(in) :: contact
-      !> Number of the piece.
       integer, intent(in) :: piece
       !> Ends of the range.
       real(dp), intent(in) :: low, high
       !> The largest D and T.
       real(dp), intent(in) :: largest(2)
-      !> Receives the panel.
-      type(panel_t), intent(out) :: panel
+      type(force_panel_t), intent(out) :: panel
       !> Receives the last two coefficients of D and T over the largest values, if they are not round-off; huge where there is no state.
       real(dp), intent(out) :: tail
       real(dp) :: x(0:degree), displacement(0:degree), force(0:degree)
       integer :: j
 
-      x = chebyshev_places()
+      x = chebyshev_positions()
       do j = 0, degree
          call contact%get_state(piece, low + (high - low)*(1 + x(j))/2, displacement(j), force(j))
       end do
@@ -209,8 +199,7 @@ contains
 
    !> The largest of some coefficients of D and T, over the largest values.
    pure real(dp) function size_of(panel, first, last, largest)
-      !> The panel.
-      type(panel_t), intent(in) :: panel
+      type(force_panel_t), intent(in) :: panel
       !> The first and the last coefficient.
       integer, intent(in) :: first, last
       !> The largest D and T.
@@ -219,48 +208,40 @@ contains
       size_of = max(maxval(abs(panel%displacement(first:last)))/largest(1), maxval(abs(panel%force(first:last)))/largest(2))
    end function size_of
 
-   !> T at a place.
+   !> T at a position.
    pure real(dp) function force_at(curve, spot) result(force)
-      !> The way.
       type(pulled_curve_t), intent(in) :: curve
-      !> The place.
-      type(spot_t), intent(in) :: spot
+      type(pulled_spot_t), intent(in) :: spot
 
       force = value_of(curve%panels(spot%panel)%force, spot%x)
    end function force_at
 
-   !> D at a place.
+   !> D at a position.
    pure real(dp) function displacement_at(curve, spot) result(displacement)
-      !> The way.
       type(pulled_curve_t), intent(in) :: curve
-      !> The place.
-      type(spot_t), intent(in) :: spot
+      type(pulled_spot_t), intent(in) :: spot
 
       displacement = value_of(curve%panels(spot%panel)%displacement, spot%x)
    end function displacement_at
 
-   !> p D + q T at a place.
+   !> p D + q T at a position.
    pure real(dp) function extension_at(curve, p, q, spot) result(extension)
-      !> The way.
       type(pulled_curve_t), intent(in) :: curve
       !> Weights.
       real(dp), intent(in) :: p, q
-      !> The place.
-      type(spot_t), intent(in) :: spot
+      type(pulled_spot_t), intent(in) :: spot
 
       associate (panel => curve%panels(spot%panel))
          extension = value_of(p*panel%displacement + q*panel%force, spot%x)
       end associate
    end function extension_at
 
-   !> int (held - p D - q T) dD between two places.
-   pure real(dp) function work_between(curve, held, p, q, from, to) result(work)
-      !> The way.
+   !> int (prescribed - p D - q T) dD between two positions.
+   pure real(dp) function work_between(curve, prescribed, p, q, from, to) result(work)
       type(pulled_curve_t), intent(in) :: curve
       !> What D and T are taken from, and their weights.
-      real(dp), intent(in) :: held, p, q
-      !> Ends of the range, in their order.
-      type(spot_t), intent(in) :: from, to
+      real(dp), intent(in) :: prescribed, p, q
+      type(pulled_spot_t), intent(in) :: from, to
       real(dp) :: low, high, x
       integer :: k, node
 
@@ -272,23 +253,19 @@ contains
          if (k == to%panel) high = to%x
          do node = 1, size(gauss_nodes)
             x = low + (high - low)*(1 + gauss_nodes(node))/2
-            work = work + gauss_weights(node)*(high - low)/2*(held - extension_at(curve, p, q, spot_t(k, x))) &
+            work = work + gauss_weights(node)*(high - low)/2*(prescribed - extension_at(curve, p, q, pulled_spot_t(k, x))) &
                & *slope_of(curve%panels(k)%displacement, x)
          end do
       end do
    end function work_between
 
-   !> Where p D + q T begins to fall, at or after a place; the end of the way if it never does.
+   !> Where p D + q T begins to fall, at or after a position; the end of the path if it never does.
    pure subroutine first_fall(curve, p, q, from, spot, falls)
-      !> The way.
       type(pulled_curve_t), intent(in) :: curve
       !> Weights.
       real(dp), intent(in) :: p, q
-      !> Where to begin.
-      type(spot_t), intent(in) :: from
-      !> Receives the place.
-      type(spot_t), intent(out) :: spot
-      !> Does it fall there?
+      type(pulled_spot_t), intent(in) :: from
+      type(pulled_spot_t), intent(out) :: spot
       logical, intent(out) :: falls
       real(dp) :: c(0:degree), low, x, before
       integer :: k, mark
@@ -301,17 +278,17 @@ contains
          before = low
          do mark = 0, n_marks + 1
             x = low + (1 - low)*min(real(mark, dp)/n_marks, 1.0_dp)
-            ! at the end of a way the slope may be 0
+            ! at the end of a path the slope may be 0
             if (mark == n_marks) x = 1 - near_end*(1 - low)
             if (slope_of(c, x) < -level*sum(abs(c))) then
-               spot = spot_t(k, before)
+               spot = pulled_spot_t(k, before)
                if (x > before) spot%x = turn_between(c, before, x)
                return
             end if
             before = x
          end do
       end do
-      spot = spot_t(size(curve%panels), 1.0_dp)
+      spot = pulled_spot_t(size(curve%panels), 1.0_dp)
       falls = .false.
    end subroutine first_fall
 
@@ -319,7 +296,7 @@ contains
    pure real(dp) function turn_between(c, low, high) result(turn)
       !> Coefficients.
       real(dp), intent(in) :: c(0:degree)
-      !> Places where it rises and falls.
+      !> Positions where it rises and falls.
       real(dp), intent(in) :: low, high
       real(dp) :: ends(2)
       integer :: k
@@ -331,17 +308,13 @@ contains
       end do
    end function turn_between
 
-   !> Where p D + q T reaches a value from below, after a place where it is below.
+   !> Where p D + q T reaches a value from below, after a position where it is below.
    pure subroutine first_reach(curve, p, q, value, from, spot, is_reached)
-      !> The way.
       type(pulled_curve_t), intent(in) :: curve
       !> Weights, and the value.
       real(dp), intent(in) :: p, q, value
-      !> Where to begin.
-      type(spot_t), intent(in) :: from
-      !> Receives the place.
-      type(spot_t), intent(out) :: spot
-      !> Is there such a place?
+      type(pulled_spot_t), intent(in) :: from
+      type(pulled_spot_t), intent(out) :: spot
       logical, intent(out) :: is_reached
       real(dp) :: c(0:degree), low, x, ends(2)
       integer :: k, mark, j
@@ -356,7 +329,7 @@ contains
             ends(2) = x
             is_reached = value_of(c, x) > value*(1 + 4*epsilon(value))
             if (.not. is_reached .and. slope_of(c, ends(1)) > 0 .and. slope_of(c, x) < 0) then
-               ! it may be reached at a top between two places
+               ! it may be reached at a top between two positions
                ends(2) = turn_between(c, ends(1), x)
                is_reached = value_of(c, ends(2)) > value*(1 + 4*epsilon(value))
             end if
@@ -365,7 +338,7 @@ contains
                   x = ends(1) + (ends(2) - ends(1))/2
                   ends(merge(2, 1, value_of(c, x) > value)) = x
                end do
-               spot = spot_t(k, x)
+               spot = pulled_spot_t(k, x)
                return
             end if
             ends(1) = x

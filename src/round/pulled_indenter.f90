@@ -1,30 +1,30 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The way of an indenter from rest to sliding as a contact that is pulled through a spring, reduced (J 2.11).
+!> The path of an indenter from rest to sliding as a contact that is pulled through a spring, reduced (J 2.11).
 !>
-!> Its places are z, the root of g over that of the end of the way. Where a piece ends in sliding, as contact is lost, or as the edge of
-!> contact passes a corner of the profile, radii or angles go there by the root of the distance, which z = z1 + (z2 - z1) y (2 - y) makes
-!> smooth in y. The way is divided where a or c passes the corner. Where slip takes no more from adhesion before the centre slips, a last
-!> piece follows, along which the angle th grows alone.
+!> Its positions are z, the root of g over that of the end of the path. Where a piece ends in sliding, as contact is lost, or as the
+!> edge of contact passes a corner of the profile, radii or angles go there by the root of the distance, which z = z1 + (z2 - z1) y
+!> (2 - y) makes smooth in y. The path is divided where a or c passes the corner. Where slip takes no more from adhesion before the
+!> centre slips, a last piece follows, along which the angle th grows alone.
 module adfric_round_pulled_indenter
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_round_contact_state, only: contact_t
-   use adfric_round_interaction_path, only: get_known_waypoint, path_t, waypoint_t
+   use adfric_round_interaction_path, only: get_known_waypoint, interaction_path_t, waypoint_t
    use adfric_round_pulled_contact, only: pulled_contact_t, pulled_curve_t, take_curve
    use adfric_round_shrinking_path, only: displacement_of, force_of, turn
    implicit none (type, external)
    private
    public :: pulled_indenter_t, take_indenter_curve, get_waypoint_of
 
-   !> Corners that a way may pass: with a, and with c.
+   !> Corners that a path may pass: with a, and with c.
    integer, parameter :: most_corners = 2
-   !> Halvings that leave round-off of a place.
+   !> Halvings that leave round-off of a position.
    integer, parameter :: most_halvings = 60
 
    !> The contact.
    type, extends(pulled_contact_t) :: pulled_indenter_t
-      !> Its way, known up to its end.
-      type(path_t) :: path
+      !> Its path, known up to its end.
+      type(interaction_path_t) :: path
       !> The end of the part where the contact changes.
       type(waypoint_t) :: finish
       !> Does slip take no more from there on?
@@ -39,17 +39,16 @@ module adfric_round_pulled_indenter
 
 contains
 
-   !> Take the way of an indenter.
+   !> Take the path of an indenter.
    pure subroutine take_indenter_curve(path, finish, is_capped, sliding_force, curve, contact)
-      !> The way from rest, whose end has been found.
-      type(path_t), intent(in) :: path
+      !> The path from rest, whose end has been found.
+      type(interaction_path_t), intent(in) :: path
       !> The end of the part where the contact changes.
       type(waypoint_t), intent(in) :: finish
       !> Does slip take no more from there on?
       logical, intent(in) :: is_capped
       !> Force of sliding; below 0 where contact is lost.
       real(dp), intent(in) :: sliding_force
-      !> Receives the way.
       type(pulled_curve_t), intent(out) :: curve
       !> Receives the contact that is pulled.
       type(pulled_indenter_t), intent(out) :: contact
@@ -62,7 +61,7 @@ contains
       if (path%is_weakened) then
          call divide(contact)
       else
-         ! all of the way is one contact, whose angle grows alone
+         ! all of the path is one contact, whose angle grows alone
          contact%n_changing = 0
          contact%is_capped = .true.
          call turn(0.0_dp, contact%finish)
@@ -71,7 +70,7 @@ contains
       call take_curve(contact, curve)
    end subroutine take_indenter_curve
 
-   !> Divide the way where the edges of contact and of adhesion pass the corner.
+   !> Divide the path where the edges of contact and of adhesion pass the corner.
    pure subroutine divide(self)
       !> In: the contact. Out: with its pieces.
       type(pulled_indenter_t), intent(inout) :: self
@@ -102,26 +101,23 @@ contains
 
    !> How many corners a contact has passed: a of it, and c.
    pure integer function passed(self, contact)
-      !> The way, whose shape is read.
       type(pulled_indenter_t), intent(in) :: self
-      !> The contact.
       type(contact_t), intent(in) :: contact
 
       passed = 0
-      associate (shape => self%path%way%curve%shape)
+      associate (shape => self%path%retreat%curve%shape)
          if (shape%n_pieces == 0 .or. .not. shape%corner > 0 .or. contact%is_beyond) return
          passed = 1
          if (.not. contact%adhesion_radius > shape%corner) passed = 2
       end associate
    end function passed
 
-   !> Has a corner been passed at a place?
+   !> Has a corner been passed at a position?
    pure logical function is_passed(self, corner, z)
-      !> The way.
       type(pulled_indenter_t), intent(in) :: self
       !> Number of the corner.
       integer, intent(in) :: corner
-      !> The place, 0 to 1.
+      !> The position, 0 to 1.
       real(dp), intent(in) :: z
       type(waypoint_t) :: waypoint
 
@@ -130,54 +126,47 @@ contains
    end function is_passed
 
    !> See `pulled_contact_t`.
-   pure subroutine get_state(self, piece, place, displacement, force)
-      !> The contact.
+   pure subroutine get_state(self, piece, position, displacement, force)
       class(pulled_indenter_t), intent(in) :: self
-      !> Number of the piece.
       integer, intent(in) :: piece
-      !> Place in the piece, 0 to 1.
-      real(dp), intent(in) :: place
+      !> Position in the piece, 0 to 1.
+      real(dp), intent(in) :: position
       !> Receive D and T.
       real(dp), intent(out) :: displacement, force
       type(waypoint_t) :: waypoint
 
       displacement = 0
       force = 0
-      if (piece == 1 .and. .not. place > 0) return
-      call get_waypoint_of(self, piece, place, waypoint)
+      if (piece == 1 .and. .not. position > 0) return
+      call get_waypoint_of(self, piece, position, waypoint)
       displacement = displacement_of(self%path, waypoint)
       force = force_of(self%path, waypoint)
    end subroutine get_state
 
-   !> The state at a place of a piece.
-   pure subroutine get_waypoint_of(self, piece, place, waypoint)
-      !> The contact.
+   !> The state at a position of a piece.
+   pure subroutine get_waypoint_of(self, piece, position, waypoint)
       class(pulled_indenter_t), intent(in) :: self
-      !> Number of the piece.
       integer, intent(in) :: piece
-      !> Place in the piece, 0 to 1.
-      real(dp), intent(in) :: place
-      !> Receives the state.
+      !> Position in the piece, 0 to 1.
+      real(dp), intent(in) :: position
       type(waypoint_t), intent(out) :: waypoint
       real(dp) :: share
 
       if (piece > self%n_changing) then
          waypoint = self%finish
-         call turn(self%finish%angle + (half_pi - self%finish%angle)*place, waypoint)
+         call turn(self%finish%angle + (half_pi - self%finish%angle)*position, waypoint)
       else
-         share = place*(2 - place)
-         if (piece == self%n_changing .and. self%is_capped) share = place
+         share = position*(2 - position)
+         if (piece == self%n_changing .and. self%is_capped) share = position
          call get_waypoint_at(self, self%ends(piece - 1) + (self%ends(piece) - self%ends(piece - 1))*share, waypoint)
       end if
    end subroutine get_waypoint_of
 
-   !> The state at a place of the part where the contact changes.
+   !> The state at a position of the part where the contact changes.
    pure subroutine get_waypoint_at(self, z, waypoint)
-      !> The way.
       class(pulled_indenter_t), intent(in) :: self
-      !> The place, 0 to 1.
+      !> The position, 0 to 1.
       real(dp), intent(in) :: z
-      !> Receives the state.
       type(waypoint_t), intent(out) :: waypoint
 
       waypoint = self%finish

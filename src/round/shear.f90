@@ -16,7 +16,8 @@ module adfric_round_shear
    use adfric_round_profiles, only: pressure_at
    use adfric_round_shape, only: shape_t
    use adfric_round_shear_energy, only: energy_of
-   use adfric_round_sheared_contact, only: get_place, new_sheared, place_t, range_length, resistance_t, set_resistance, &
+   use adfric_round_sheared_contact, only: get_position, new_sheared, sheared_position_t, range_length, resistance_t, &
+      & set_resistance, &
       & sheared_t, short
    use adfric_round_shear_sums, only: shear_sums_t, sliding_force, stress_in_stick
    use adfric_numerics_scalar_root, only: equation_t, find_root
@@ -36,13 +37,13 @@ module adfric_round_shear
       real(dp) :: energy = 0
    end type shear_slip_t
 
-   !> The logarithm of the force, or of what it lacks to sliding, as a function of the logarithm of the way or of the unknown.
+   !> The logarithm of the force, or of what it lacks to sliding, as a function of the logarithm of the path or of the unknown.
    type, extends(equation_t) :: force_equation_t
       !> The contact.
       type(sheared_t) :: sheared
       !> Number of the range.
       integer :: number = 1
-      !> Is the unknown what is left of the range's, and what the force lacks compared?
+      !> Is the unknown what remains of the range's, and what the force lacks compared?
       logical :: is_of_rest = .false.
       !> The force, or what it lacks.
       real(dp) :: target = 1
@@ -54,9 +55,7 @@ contains
 
    !> The radius of friction, and the force at which the contact slides.
    pure subroutine find_sliding(resistance, contact, outer_pull, radius, force)
-      !> How the contact resists.
       type(resistance_t), intent(in) :: resistance
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> What adhesion outside the contact takes from the load (DMT).
       real(dp), intent(in) :: outer_pull
@@ -74,7 +73,6 @@ contains
 
    !> The slip of a contact under a force.
    pure subroutine find_shear_slip(shape, resistance, contact, force, slip, is_converged)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> How the contact resists; alpha S is not above tau0.
       type(resistance_t), intent(in) :: resistance
@@ -82,12 +80,10 @@ contains
       type(contact_t), intent(in) :: contact
       !> T, from 0 to that of sliding.
       real(dp), intent(in) :: force
-      !> Receives the slip.
       type(shear_slip_t), intent(out) :: slip
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       type(sheared_t) :: sheared
-      type(place_t) :: place
+      type(sheared_position_t) :: position
       real(dp) :: x
       integer :: number
 
@@ -105,12 +101,12 @@ contains
          slip%displacement = force/(2*sheared%a)
          return
       end if
-      call find_place(sheared, force, number, x, is_converged)
-      call get_place(sheared, number, x, place)
-      slip%radius = place%e
-      slip%ratio = min(place%e/sheared%b, 1.0_dp)
-      slip%displacement = place%displacement
-      slip%energy = energy_of(sheared, number, x, place)
+      call find_position(sheared, force, number, x, is_converged)
+      call get_position(sheared, number, x, position)
+      slip%radius = position%e
+      slip%ratio = min(position%e/sheared%b, 1.0_dp)
+      slip%displacement = position%displacement
+      slip%energy = energy_of(sheared, number, x, position)
       slip%stick%spot%radius = 0
       associate (range => sheared%ranges(number))
          if (range%is_beside .or. range%is_flat) return
@@ -121,35 +117,33 @@ contains
    end subroutine find_shear_slip
 
    !> Where the force is the given one.
-   pure subroutine find_place(self, force, number, x, is_converged)
-      !> The contact.
+   pure subroutine find_position(self, force, number, x, is_converged)
       type(sheared_t), intent(in) :: self
       !> T > 0.
       real(dp), intent(in) :: force
       !> Receives the number of the range.
       integer, intent(out) :: number
-      !> Receives the way in the range.
+      !> Receives the path in the range.
       real(dp), intent(out) :: x
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
-      type(place_t) :: last, first
+      type(sheared_position_t) :: last, first
       real(dp) :: total, end_of_range
       logical :: is_found
 
-      call get_place(self, self%n, range_length(self, self%n), last)
+      call get_position(self, self%n, range_length(self, self%n), last)
       total = last%force
       is_converged = .true.
       do number = 1, self%n
          end_of_range = range_length(self, number)
          x = end_of_range
-         call get_place(self, number, end_of_range, last)
+         call get_position(self, number, end_of_range, last)
          if (force > last%force) cycle
          if (.not. force < last%force) return
          if (self%ranges(number)%is_beside) then
             call find_face_angle(force/(2*self%uniform*self%b**2), end_of_range, 1.0_dp, 0.0_dp, x, is_found)
             return
          end if
-         call get_place(self, number, 0.0_dp, first)
+         call get_position(self, number, 0.0_dp, first)
          if (.not. force > first%force) then
             x = 0
             return
@@ -160,29 +154,25 @@ contains
       ! round-off above sliding
       number = self%n
       x = range_length(self, number)
-   end subroutine find_place
+   end subroutine find_position
 
-   !> Where the force is the given one within a range. Up to the middle the logarithm of the way is the unknown, beyond it that of
-   !> what is left of the range.
+   !> Where the force is the given one within a range. Up to the middle the logarithm of the path is the unknown, beyond it that of
+   !> what remains of the range.
    pure subroutine find_in_range(self, number, force, total, x, is_converged)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> Number of the range.
       integer, intent(in) :: number
       !> T, and that of sliding.
       real(dp), intent(in) :: force, total
-      !> Receives the way.
       real(dp), intent(out) :: x
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       ! logarithm of the smallest part of a range
       real(dp), parameter :: smallest = -200.0_dp
       type(force_equation_t) :: equation
-      type(place_t) :: middle
+      type(sheared_position_t) :: middle
       real(dp) :: guess, high
 
       high = range_length(self, number)
-      call get_place(self, number, high/2, middle)
+      call get_position(self, number, high/2, middle)
       equation%sheared = self
       equation%number = number
       equation%is_of_rest = force > middle%force
@@ -207,40 +197,35 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate_force(self, x, value, slope)
-      !> The equation with its contact.
       class(force_equation_t), intent(in) :: self
-      !> Logarithm of the way, or of what is left of the range.
+      !> Logarithm of the path, or of what remains of the range.
       real(dp), intent(in) :: x
       !> Difference of the logarithms.
       real(dp), intent(out) :: value
       !> Derivative of the value by x.
       real(dp), intent(out) :: slope
-      type(place_t) :: place
+      type(sheared_position_t) :: position
       real(dp) :: size
 
       size = exp(x)
       if (self%is_of_rest) then
-         call get_place(self%sheared, self%number, max(range_length(self%sheared, self%number) - size, 0.0_dp), place)
-         place%rest = max(place%rest, tiny(size)*max(self%target, 1.0_dp))
-         value = log(place%rest/self%target)
-         slope = size*(2*place%e*place%slope/place%rest)
+         call get_position(self%sheared, self%number, max(range_length(self%sheared, self%number) - size, 0.0_dp), position)
+         position%rest = max(position%rest, tiny(size)*max(self%target, 1.0_dp))
+         value = log(position%rest/self%target)
+         slope = size*(2*position%e*position%slope/position%rest)
       else
-         call get_place(self%sheared, self%number, size, place)
-         place%force = max(place%force, tiny(size)*max(self%target, 1.0_dp))
-         value = log(place%force/self%target)
-         slope = size*(2*place%e*place%slope/place%force)
+         call get_position(self%sheared, self%number, size, position)
+         position%force = max(position%force, tiny(size)*max(self%target, 1.0_dp))
+         value = log(position%force/self%target)
+         slope = size*(2*position%e*position%slope/position%force)
       end if
    end subroutine evaluate_force
 
    !> Shear stress at a distance from the axis, reduced.
    pure real(dp) function shear_stress_at(shape, resistance, contact, slip, r) result(stress)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> How the contact resists.
       type(resistance_t), intent(in) :: resistance
-      !> The contact.
       type(contact_t), intent(in) :: contact
-      !> Its slip.
       type(shear_slip_t), intent(in) :: slip
       !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r

@@ -4,7 +4,7 @@
 !>     W = 8 m int v(s) [v(e) - v(s)] ds,  e < s < b
 module adfric_round_shear_energy
    use adfric_base_kinds, only: dp
-   use adfric_round_sheared_contact, only: get_place, place_t, range_length, sheared_t
+   use adfric_round_sheared_contact, only: get_position, sheared_position_t, range_length, sheared_t
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    implicit none (type, external)
    private
@@ -19,14 +19,11 @@ contains
 
    !> W/m, from the ranges that slip.
    pure real(dp) function energy_of(self, number, x, stick) result(energy)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> Number of the range where the stick zone ends, and the way in it.
+      !> Number of the range where the stick zone ends, and the path in it.
       integer, intent(in) :: number
-      !> The way.
       real(dp), intent(in) :: x
-      !> What is there.
-      type(place_t), intent(in) :: stick
+      type(sheared_position_t), intent(in) :: stick
       integer :: k
 
       energy = 0
@@ -36,11 +33,9 @@ contains
       energy = 8*energy
    end function energy_of
 
-   !> int v(s) [v(e) - v(s)] ds along a range: its outer half of u, and what is left of u.
+   !> int v(s) [v(e) - v(s)] ds along a range: its outer half of u, and what remains of u.
    pure real(dp) function range_energy(self, number, length, total) result(energy)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> Number of the range.
       integer, intent(in) :: number
       !> How much of the range slips.
       real(dp), intent(in) :: length
@@ -61,9 +56,7 @@ contains
 
    !> The integral along a stretch where v is smooth.
    pure real(dp) function smooth_energy(self, number, first, last, total) result(energy)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> Number of the range.
       integer, intent(in) :: number
       !> Ways to the ends of the stretch.
       real(dp), intent(in) :: first, last
@@ -78,12 +71,10 @@ contains
       end do
    end function smooth_energy
 
-   !> The integral along the beginning of a range. Near the edge of friction and of adhesion v goes by the root of the way:
+   !> The integral along the beginning of a range. Near the edge of friction and of adhesion v goes by the root of the path:
    !> x = x0 sinh(w)^2 takes that.
    pure real(dp) function outer_energy(self, number, change, total) result(energy)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> Number of the range.
       integer, intent(in) :: number
       !> The way to the end of the stretch.
       real(dp), intent(in) :: change
@@ -123,9 +114,7 @@ contains
    !> The integral along the inner half of u. Where u is small its logarithm is the variable, for g may be a power of it; where g is analytic
    !> one panel does.
    pure real(dp) function inner_energy(self, number, length, total) result(energy)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> Number of the range.
       integer, intent(in) :: number
       !> How much of the range slips.
       real(dp), intent(in) :: length
@@ -155,20 +144,18 @@ contains
       end associate
    end function inner_energy
 
-   !> v(s) [v(e) - v(s)] ds/dx at a place of a range.
+   !> v(s) [v(e) - v(s)] ds/dx at a position of a range.
    pure real(dp) function loss_at(self, number, x, total) result(loss)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> Number of the range.
       integer, intent(in) :: number
-      !> The way to the place.
+      !> The way to the position.
       real(dp), intent(in) :: x
       !> v(e).
       real(dp), intent(in) :: total
-      type(place_t) :: place
+      type(sheared_position_t) :: position
 
-      call get_place(self, number, x, place)
-      loss = place%e_slope*place%displacement*(total - place%displacement)
+      call get_position(self, number, x, position)
+      loss = position%e_slope*position%displacement*(total - position%displacement)
    end function loss_at
 
 end module adfric_round_shear_energy

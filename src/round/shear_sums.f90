@@ -32,7 +32,6 @@ contains
 
    !> The radii, whose differences keep their digits.
    pure subroutine set_shear_radii(self, radius, adhesion_radius, whole_zone, edge_fraction)
-      !> Receives the radii.
       class(shear_sums_t), intent(inout) :: self
       !> a and c; c counts only where there is a zone of adhesion.
       real(dp), intent(in) :: radius, adhesion_radius
@@ -57,7 +56,6 @@ contains
    !> The force of sliding: tau0 pi b^2 and alpha times what r < b carries; 0 without contact. Where alpha S <= tau0 it is below
    !> 0 by round-off alone. JKR has no such bound: below 0 there is no friction of this kind.
    pure real(dp) function sliding_force(self, strength, load) result(force)
-      !> The contact with its radii, alpha and S.
       class(shear_sums_t), intent(in) :: self
       !> tau0.
       real(dp), intent(in) :: strength
@@ -69,9 +67,8 @@ contains
       force = strength*pi*self%b**2 + self%factor*(load + pi*self%stress*(self%whole_zone - self%zone))
    end function sliding_force
 
-   !> T of a place e <= a.
+   !> T of a position e <= a.
    pure real(dp) function sum_force(self, e, square, load) result(force)
-      !> The contact.
       class(shear_sums_t), intent(in) :: self
       !> The radius e that sticks, and a^2 - e^2.
       real(dp), intent(in) :: e, square
@@ -82,9 +79,8 @@ contains
          & + self%factor*(load + 4*self%stress*segment(self, e, sqrt(self%whole_zone + square), square))
    end function sum_force
 
-   !> What T lacks to sliding at a place e <= a.
+   !> What T lacks to sliding at a position e <= a.
    pure real(dp) function sum_rest(self, e, square, load) result(rest)
-      !> The contact.
       class(shear_sums_t), intent(in) :: self
       !> The radius e that sticks, and a^2 - e^2.
       real(dp), intent(in) :: e, square
@@ -95,9 +91,8 @@ contains
       if (self%stress > 0) rest = rest + 2*self%factor*self%stress*core(self%c, e, sqrt(self%whole_zone + square))
    end function sum_rest
 
-   !> v of a place e <= a, and dv/d(e^2), which is below 0.
+   !> v of a position e <= a, and dv/d(e^2), which is below 0.
    pure subroutine sum_displacement(self, square, depth, displacement, slope)
-      !> The contact.
       class(shear_sums_t), intent(in) :: self
       !> a^2 - e^2.
       real(dp), intent(in) :: square
@@ -121,7 +116,6 @@ contains
 
    !> The force of the uniform stress.
    pure real(dp) function uniform_force(self, e, t) result(force)
-      !> The contact.
       class(shear_sums_t), intent(in) :: self
       !> The radius e that sticks, and sqrt(b^2 - e^2).
       real(dp), intent(in) :: e, t
@@ -131,7 +125,6 @@ contains
 
    !> What the force of the uniform stress lacks to sliding.
    pure real(dp) function uniform_rest(self, e, t) result(rest)
-      !> The contact.
       class(shear_sums_t), intent(in) :: self
       !> The radius e that sticks, and sqrt(b^2 - e^2).
       real(dp), intent(in) :: e, t
@@ -141,7 +134,6 @@ contains
 
    !> K(a) - K(e) = c^2 int sin(y)^2 dy between the angles arcsin(x/c): their difference has its own digits.
    pure real(dp) function segment(self, e, s, square)
-      !> The contact.
       class(shear_sums_t), intent(in) :: self
       !> e, at most a.
       real(dp), intent(in) :: e
@@ -176,7 +168,6 @@ contains
 
    !> Shear stress at r < e.
    pure real(dp) function stress_in_stick(self, e, r, pressure, stick_pressure) result(stress)
-      !> The contact.
       class(shear_sums_t), intent(in) :: self
       !> The radius e that sticks, at most b, and the distance from the axis.
       real(dp), intent(in) :: e, r

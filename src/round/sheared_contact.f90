@@ -10,9 +10,9 @@ module adfric_round_sheared_contact
    use adfric_numerics_libm, only: expm1
    implicit none (type, external)
    private
-   public :: resistance_t, sheared_t, place_t, set_resistance, new_sheared, get_place, range_length
+   public :: resistance_t, sheared_t, sheared_position_t, set_resistance, new_sheared, get_position, range_length
 
-   !> Below this share of u a way along the profile is an integral, not a difference.
+   !> Below this share of u a path along the profile is an integral, not a difference.
    real(dp), parameter, public :: short = 0.1_dp
    !> Most ranges of radii: beside the contact, beyond the corner, within it.
    integer, parameter :: most_ranges = 3
@@ -28,7 +28,7 @@ module adfric_round_sheared_contact
    end type resistance_t
 
    !> A range of radii of the stick zone, from the largest to the smallest.
-   type :: range_t
+   type :: sheared_range_t
       !> Does it lie beside the contact, a < e < b?
       logical :: is_beside = .false.
       !> Does it lie beyond the corner of the profile?
@@ -41,7 +41,7 @@ module adfric_round_sheared_contact
       real(dp) :: depth_before = 0, load_before = 0
       !> a^2 - e^2 at its beginning.
       real(dp) :: square_before = 0
-   end type range_t
+   end type sheared_range_t
 
    !> A contact that resists shear.
    type, extends(shear_sums_t) :: sheared_t
@@ -54,28 +54,25 @@ module adfric_round_sheared_contact
       !> Number of the ranges.
       integer :: n = 0
       !> The ranges, from b down to 0.
-      type(range_t) :: ranges(most_ranges)
+      type(sheared_range_t) :: ranges(most_ranges)
    end type sheared_t
 
-   !> What a place of a range is.
-   type :: place_t
+   !> What a position of a range is.
+   type :: sheared_position_t
       !> e and de/dx, x the unknown of the range.
       real(dp) :: e = 0, e_slope = 1
       !> sqrt(b^2 - e^2), T, v, and what T still lacks to sliding.
       real(dp) :: t = 0, force = 0, displacement = 0, rest = 0
       !> -dv/dx.
       real(dp) :: slope = 0
-   end type place_t
+   end type sheared_position_t
 
 contains
 
    !> Radii and stresses of a contact that resists.
    pure subroutine set_resistance(resistance, contact, sums)
-      !> How the contact resists.
       type(resistance_t), intent(in) :: resistance
-      !> The contact.
       type(contact_t), intent(in) :: contact
-      !> Receives radii and stresses.
       class(shear_sums_t), intent(inout) :: sums
       real(dp) :: whole_zone
 
@@ -90,22 +87,19 @@ contains
 
    !> The contact with its ranges.
    pure subroutine new_sheared(shape, resistance, contact, self)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> How the contact resists.
       type(resistance_t), intent(in) :: resistance
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> Receives the contact with its ranges.
       type(sheared_t), intent(out) :: self
-      type(range_t) :: next
+      type(sheared_range_t) :: next
       type(spot_t) :: corner
 
       allocate (self%shape, source=shape)
       self%contact = contact
       call set_resistance(resistance, contact, self)
       if (shape%n_pieces == 0) self%face = self%factor*max(-contact%neck, 0.0_dp)
-      if (self%zone > 0) call add_range(self, range_t(is_beside=.true., outer=self%b, inner=self%a))
+      if (self%zone > 0) call add_range(self, sheared_range_t(is_beside=.true., outer=self%b, inner=self%a))
       if (.not. self%a > 0) return
       next%outer = self%a
       next%is_beyond = contact%is_beyond .and. shape%n_pieces > 0
@@ -132,56 +126,50 @@ contains
    pure subroutine add_range(self, range)
       !> The contact, whose ranges become one more.
       type(sheared_t), intent(inout) :: self
-      !> The range.
-      type(range_t), intent(in) :: range
+      type(sheared_range_t), intent(in) :: range
 
       self%n = self%n + 1
       self%ranges(self%n) = range
    end subroutine add_range
 
-   !> A place of a range: x is how much the unknown of the range has fallen from its largest value; beside the contact it is the angle
-   !> arccos(e/b).
-   pure subroutine get_place(self, number, x, place)
-      !> The contact.
+   !> A position of a range: x is how much the unknown of the range has fallen from its largest value; beside the contact it is the
+   !> angle arccos(e/b).
+   pure subroutine get_position(self, number, x, position)
       type(sheared_t), intent(in) :: self
-      !> Number of the range.
       integer, intent(in) :: number
-      !> The way from the beginning of the range, >= 0.
+      !> The path from the beginning of the range, >= 0.
       real(dp), intent(in) :: x
-      !> Receives what is there.
-      type(place_t), intent(out) :: place
+      type(sheared_position_t), intent(out) :: position
       type(spot_t) :: spot
       real(dp) :: square, depth, load, slope
 
       associate (range => self%ranges(number))
          if (range%is_beside) then
-            place%e = self%b*cos(x)
-            place%e_slope = self%b*sin(x)
-            place%t = place%e_slope
-            place%force = 2*self%uniform*self%b**2*(x + sin(x)*cos(x))
-            place%displacement = 2*self%uniform*place%t
-            place%slope = 2*self%uniform*place%e
+            position%e = self%b*cos(x)
+            position%e_slope = self%b*sin(x)
+            position%t = position%e_slope
+            position%force = 2*self%uniform*self%b**2*(x + sin(x)*cos(x))
+            position%displacement = 2*self%uniform*position%t
+            position%slope = 2*self%uniform*position%e
             return
          end if
          call descend(self, range, x, spot, square, depth, load)
-         place%e = spot%radius
-         place%e_slope = spot%radius_slope
-         place%t = sqrt(self%zone + square)
-         place%force = sum_force(self, place%e, square, load) + 2*self%a*self%face
-         call sum_displacement(self, square, depth, place%displacement, slope)
-         place%displacement = place%displacement + self%face
-         place%slope = self%factor*spot%depth_slope + slope*(2*place%e*spot%radius_slope)
-         ! what is left below e
-         place%rest = sum_rest(self, place%e, square, spot%load)
+         position%e = spot%radius
+         position%e_slope = spot%radius_slope
+         position%t = sqrt(self%zone + square)
+         position%force = sum_force(self, position%e, square, load) + 2*self%a*self%face
+         call sum_displacement(self, square, depth, position%displacement, slope)
+         position%displacement = position%displacement + self%face
+         position%slope = self%factor*spot%depth_slope + slope*(2*position%e*spot%radius_slope)
+         ! what remains below e
+         position%rest = sum_rest(self, position%e, square, spot%load)
       end associate
-   end subroutine get_place
+   end subroutine get_position
 
-   !> The profile at a way down a range.
+   !> The profile at a path down a range.
    pure subroutine descend(self, range, x, spot, square, depth, load)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> The range.
-      type(range_t), intent(in) :: range
+      type(sheared_range_t), intent(in) :: range
       !> How much the unknown has fallen.
       real(dp), intent(in) :: x
       !> Receives what the profile is there.
@@ -221,7 +209,6 @@ contains
 
    !> What g and P1 lose along the beginning of a range of u.
    pure subroutine integrate_profile(shape, is_beyond, high, length, depth, load)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> Does the range lie beyond the corner?
       logical, intent(in) :: is_beyond
@@ -245,9 +232,7 @@ contains
 
    !> The length of a range.
    pure real(dp) function range_length(self, number) result(length)
-      !> The contact.
       type(sheared_t), intent(in) :: self
-      !> Number of the range.
       integer, intent(in) :: number
 
       length = self%ranges(number)%high

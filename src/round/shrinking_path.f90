@@ -1,17 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The way from rest to sliding of a contact that shrinks as slip takes from its adhesion, and its first state with a force or a displacement.
+!> The path from rest to sliding of a contact that shrinks as slip takes from its adhesion, and its first state with a force or a
+!> displacement.
 !>
 !> With b the radius up to which friction acts, K its demand, and th the angle of its slip annulus (`adfric_round_slip_annulus`),
 !>
 !>     T = T0 b^2 (2/pi) (th + sin th cos th),   u = u0 b sin th,   th sin th + cos th - 1 = g/(K b)
 !>
-!> g is the place on the way: as it grows b falls. **The state of a force T.** At a g the contact of radius b(g) bears T at an angle th,
-!> and then slips by as much as the demand D(g) = K b (th sin th + cos th - 1). States of this force are where D(g) = g. As g grows b falls,
-!> th rises, and so does D, for d(ln D)/d(ln b) = 1 - th (th + sin th cos th)/(cos th (th sin th + cos th - 1)), which is at most -3; for a
-!> displacement u it is -(1 - cos th)/(th sin th + cos th - 1), at most -1. So g <- D(g), from g = 0, rises to the first state, the one that
-!> a growing force reaches, and **passes none**: where g < D(g), there is no state between. If b(g) cannot bear T, or D(g) is beyond the last
-!> contact, no g has the state. Several states may have a force; where the first one has gone the surfaces jump to the next, so the first
-!> one is that of the largest force so far.
+!> g is the position on the path: as it grows b falls. **The state of a force T.** At a g the contact of radius b(g) bears T at an
+!> angle th, and then slips by as much as the demand D(g) = K b (th sin th + cos th - 1). States of this force are where D(g) = g.
+!> As g grows b falls, th rises, and so does D, for d(ln D)/d(ln b) = 1 - th (th + sin th cos th)/(cos th (th sin th + cos th - 1)),
+!> which is at most -3; for a displacement u it is -(1 - cos th)/(th sin th + cos th - 1), at most -1. So g <- D(g), from g = 0,
+!> rises to the first state, the one that a growing force reaches, and **passes none**: where g < D(g), there is no state between.
+!> If b(g) cannot bear T, or D(g) is beyond the last contact, no g has the state. Several states may have a force; where the first
+!> one has gone the surfaces jump to the next, so the first one is that of the largest force so far.
 !>
 !> Steps below 1 % are made 1 %: then a change of sign of ln D - ln g, or its least value where it turns, shows a state.
 module adfric_round_shrinking_path
@@ -20,10 +21,10 @@ module adfric_round_shrinking_path
    use adfric_round_slip_annulus, only: angle_of_force, force_of_angle, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: shrinking_way_t, slip_state_t, demand_up_to, find_first, turn, force_of, displacement_of
+   public :: shrinking_path_t, slip_state_t, demand_up_to, find_first, turn, force_of, displacement_of
    public :: first_force, first_displacement
 
-   !> A state on a way.
+   !> A state on a path.
    type :: slip_state_t
       !> Is there contact?
       logical :: is_found = .false.
@@ -33,8 +34,8 @@ module adfric_round_shrinking_path
       real(dp) :: core = 0, angle = 0
    end type slip_state_t
 
-   !> A way.
-   type, abstract :: shrinking_way_t
+   !> A path.
+   type, abstract :: shrinking_path_t
       !> Does slip take anything from adhesion? Otherwise the contact stays as it is at rest.
       logical :: is_weakened = .false.
       !> K; the largest number without adhesion.
@@ -45,16 +46,16 @@ module adfric_round_shrinking_path
       real(dp) :: slip_energy_ratio = huge(1.0_dp), limit = huge(1.0_dp)
    contains
       procedure(get_state_i), deferred :: get_state
-   end type shrinking_way_t
+   end type shrinking_path_t
 
    abstract interface
 
       !> The state of a g.
       pure subroutine get_state_i(self, slip_energy, state, rate)
-         import :: shrinking_way_t, slip_state_t, dp
+         import :: shrinking_path_t, slip_state_t, dp
          implicit none (type, external)
-         !> The way, which is followed up to there.
-         class(shrinking_way_t), intent(inout) :: self
+         !> The path, which is followed up to there.
+         class(shrinking_path_t), intent(inout) :: self
          !> g, from 0 to the smaller of its two limits.
          real(dp), intent(in) :: slip_energy
          !> Receives the state; not found where the contact has been lost.
@@ -87,29 +88,24 @@ contains
    end subroutine turn
 
    !> T.
-   pure real(dp) function force_of(way, state) result(force)
-      !> The way.
-      class(shrinking_way_t), intent(in) :: way
-      !> A state.
+   pure real(dp) function force_of(path, state) result(force)
+      class(shrinking_path_t), intent(in) :: path
       class(slip_state_t), intent(in) :: state
 
-      force = way%force_scale*state%radius**2*force_of_angle(state%angle)
+      force = path%force_scale*state%radius**2*force_of_angle(state%angle)
    end function force_of
 
    !> u.
-   pure real(dp) function displacement_of(way, state) result(displacement)
-      !> The way.
-      class(shrinking_way_t), intent(in) :: way
-      !> A state.
+   pure real(dp) function displacement_of(path, state) result(displacement)
+      class(shrinking_path_t), intent(in) :: path
       class(slip_state_t), intent(in) :: state
 
-      displacement = way%displacement_scale*state%radius*sin(state%angle)
+      displacement = path%displacement_scale*state%radius*sin(state%angle)
    end function displacement_of
 
    !> Turn a state to a force or a displacement; not found if its contact does not bear it.
-   pure subroutine turn_to(way, quantity, value, state)
-      !> The way.
-      class(shrinking_way_t), intent(in) :: way
+   pure subroutine turn_to(path, quantity, value, state)
+      class(shrinking_path_t), intent(in) :: path
       !> One of `first_...`.
       integer, intent(in) :: quantity
       !> T or u, > 0.
@@ -118,8 +114,8 @@ contains
       class(slip_state_t), intent(inout) :: state
       real(dp) :: largest
 
-      largest = way%displacement_scale*state%radius
-      if (quantity == first_force) largest = way%force_scale*state%radius**2
+      largest = path%displacement_scale*state%radius
+      if (quantity == first_force) largest = path%force_scale*state%radius**2
       state%is_found = value <= (1 + round_off/2)*largest
       if (.not. state%is_found) return
       if (quantity == first_force) then
@@ -130,9 +126,8 @@ contains
    end subroutine turn_to
 
    !> ln of the demand over g at a g.
-   pure subroutine get_demand(way, quantity, value, slip_energy, excess, state)
-      !> The way.
-      class(shrinking_way_t), intent(inout) :: way
+   pure subroutine get_demand(path, quantity, value, slip_energy, excess, state)
+      class(shrinking_path_t), intent(inout) :: path
       !> One of `first_...`.
       integer, intent(in) :: quantity
       !> T or u, > 0.
@@ -144,41 +139,36 @@ contains
       !> Receives the state with the angle of the value; not found where the contact is lost, or does not bear it.
       type(slip_state_t), intent(out) :: state
 
-      call way%get_state(slip_energy, state)
+      call path%get_state(slip_energy, state)
       excess = huge(excess)
-      if (state%is_found) call turn_to(way, quantity, value, state)
-      if (state%is_found) excess = log(way%demand*state%radius*state%core/slip_energy)
+      if (state%is_found) call turn_to(path, quantity, value, state)
+      if (state%is_found) excess = log(path%demand*state%radius*state%core/slip_energy)
    end subroutine get_demand
 
    !> The demand K b core, or a limit if that is smaller; without adhesion the demand is beyond all numbers.
-   pure real(dp) function demand_up_to(way, radius, core, limit) result(slip_energy)
-      !> The way.
-      class(shrinking_way_t), intent(in) :: way
+   pure real(dp) function demand_up_to(path, radius, core, limit) result(slip_energy)
+      class(shrinking_path_t), intent(in) :: path
       !> b, and the slip core, from 0 to twice its largest value.
       real(dp), intent(in) :: radius, core
       !> The largest g to be looked at.
       real(dp), intent(in) :: limit
 
       slip_energy = limit
-      if (way%demand > 1) then
-         if (radius*core >= limit/way%demand) return
+      if (path%demand > 1) then
+         if (radius*core >= limit/path%demand) return
       end if
-      slip_energy = min(way%demand*radius*core, limit)
+      slip_energy = min(path%demand*radius*core, limit)
    end function demand_up_to
 
    !> The first state with a force or a displacement; not found if that is not reached before sliding.
-   pure subroutine find_first(way, quantity, value, start, state, is_converged)
-      !> The way.
-      class(shrinking_way_t), intent(inout) :: way
+   pure subroutine find_first(path, quantity, value, start, state, is_converged)
+      class(shrinking_path_t), intent(inout) :: path
       !> One of `first_...`.
       integer, intent(in) :: quantity
       !> T or u, > 0.
       real(dp), intent(in) :: value
-      !> The state at rest, which is found.
       type(slip_state_t), intent(in) :: start
-      !> Receives the state.
       type(slip_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       integer, parameter :: most_steps = 20000
       type(slip_state_t) :: found
@@ -188,20 +178,20 @@ contains
 
       is_converged = .true.
       state = start
-      call turn_to(way, quantity, value, state)
+      call turn_to(path, quantity, value, state)
       if (.not. state%is_found) return
-      cap = min(way%slip_energy_ratio, way%limit)
-      state%slip_energy = demand_up_to(way, state%radius, state%core, way%slip_energy_ratio)
-      g = demand_up_to(way, state%radius, state%core, cap)
+      cap = min(path%slip_energy_ratio, path%limit)
+      state%slip_energy = demand_up_to(path, state%radius, state%core, path%slip_energy_ratio)
+      g = demand_up_to(path, state%radius, state%core, cap)
       ! a slip energy below all numbers takes nothing from adhesion
-      if (.not. (way%is_weakened .and. g > 0)) return
+      if (.not. (path%is_weakened .and. g > 0)) return
       before = 0
       at_before = huge(excess)
       earlier = 0
       at_earlier = huge(excess)
       is_certain = .true.
       do k = 1, most_steps
-         call get_demand(way, quantity, value, g, excess, found)
+         call get_demand(path, quantity, value, g, excess, found)
          if (.not. found%is_found) then
             state%is_found = .false.
             ! a step that was not certain may have passed a state
@@ -209,8 +199,8 @@ contains
                if (.not. earlier > 0) return
                if (log(before/earlier) <= at_earlier) return
                ! so may the step before
-               call find_turn(way, quantity, value, earlier, g, turning, is_certain)
-               if (is_certain) call find_between(way, quantity, value, earlier, turning, state, is_converged)
+               call find_turn(path, quantity, value, earlier, g, turning, is_certain)
+               if (is_certain) call find_between(path, quantity, value, earlier, turning, state, is_converged)
                return
             end if
             step = log(g/before)/4
@@ -221,18 +211,18 @@ contains
          state = found
          if (g >= cap .and. excess >= 0) then
             ! slip takes no more, or there is nothing left to take
-            state%is_found = way%slip_energy_ratio <= way%limit
+            state%is_found = path%slip_energy_ratio <= path%limit
             return
          end if
          if (abs(excess) <= round_off .or. (excess < 0 .and. .not. before > 0)) return
          if (excess < 0) then
-            call find_between(way, quantity, value, before, g, state, is_converged)
+            call find_between(path, quantity, value, before, g, state, is_converged)
             return
          end if
          if (at_before < at_earlier .and. at_before < min(excess, least_step)) then
-            call find_turn(way, quantity, value, earlier, g, turning, is_certain)
+            call find_turn(path, quantity, value, earlier, g, turning, is_certain)
             if (is_certain) then
-               call find_between(way, quantity, value, earlier, turning, state, is_converged)
+               call find_between(path, quantity, value, earlier, turning, state, is_converged)
                return
             end if
          end if
@@ -248,18 +238,15 @@ contains
    end subroutine find_first
 
    !> Between two g of which the first has a larger demand and the second a smaller one: the state, by the method of Illinois.
-   pure subroutine find_between(way, quantity, value, first, last, state, is_converged)
-      !> The way.
-      class(shrinking_way_t), intent(inout) :: way
+   pure subroutine find_between(path, quantity, value, first, last, state, is_converged)
+      class(shrinking_path_t), intent(inout) :: path
       !> One of `first_...`.
       integer, intent(in) :: quantity
       !> T or u, > 0.
       real(dp), intent(in) :: value
       !> The two g, > 0.
       real(dp), intent(in) :: first, last
-      !> Receives the state.
       type(slip_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       integer, parameter :: most_steps = 100
       real(dp) :: low, high, at_low, at_high, width, g, excess
@@ -267,8 +254,8 @@ contains
 
       low = first
       high = last
-      call get_demand(way, quantity, value, low, at_low, state)
-      call get_demand(way, quantity, value, high, at_high, state)
+      call get_demand(path, quantity, value, low, at_low, state)
+      call get_demand(path, quantity, value, high, at_high, state)
       side = 0
       is_converged = .true.
       do k = 1, most_steps
@@ -276,7 +263,7 @@ contains
          if (width <= round_off) return
          g = low*exp(width*(at_low/(at_low - at_high)))
          if (.not. (g > low .and. g < high)) g = low*exp(width/2)
-         call get_demand(way, quantity, value, g, excess, state)
+         call get_demand(path, quantity, value, g, excess, state)
          is_converged = state%is_found
          if (.not. is_converged .or. abs(excess) <= round_off) return
          if (excess > 0) then
@@ -295,9 +282,8 @@ contains
    end subroutine find_between
 
    !> Where the demand over g is least between two g, by the golden section; the search ends where the demand is less than g.
-   pure subroutine find_turn(way, quantity, value, first, last, place, is_found)
-      !> The way.
-      class(shrinking_way_t), intent(inout) :: way
+   pure subroutine find_turn(path, quantity, value, first, last, position, is_found)
+      class(shrinking_path_t), intent(inout) :: path
       !> One of `first_...`.
       integer, intent(in) :: quantity
       !> T or u, > 0.
@@ -305,35 +291,34 @@ contains
       !> The two g.
       real(dp), intent(in) :: first, last
       !> Receives a g with a smaller demand.
-      real(dp), intent(out) :: place
-      !> Is there one?
+      real(dp), intent(out) :: position
       logical, intent(out) :: is_found
       real(dp), parameter :: golden = 0.6180339887498949_dp
       integer, parameter :: most_steps = 45
       type(slip_state_t) :: state
-      real(dp) :: low, high, places(2), values(2)
+      real(dp) :: low, high, positions(2), values(2)
       integer :: k, new
 
       low = log(first)
       high = log(last)
-      places = [high - golden*(high - low), low + golden*(high - low)]
+      positions = [high - golden*(high - low), low + golden*(high - low)]
       values = huge(low)
       new = 0
-      place = first
+      position = first
       do k = 1, most_steps
-         if (new /= 2) call get_demand(way, quantity, value, exp(places(1)), values(1), state)
-         if (new /= 1) call get_demand(way, quantity, value, exp(places(2)), values(2), state)
+         if (new /= 2) call get_demand(path, quantity, value, exp(positions(1)), values(1), state)
+         if (new /= 1) call get_demand(path, quantity, value, exp(positions(2)), values(2), state)
          is_found = any(values < 0)
-         place = exp(places(minloc(values, 1)))
+         position = exp(positions(minloc(values, 1)))
          if (is_found) return
          if (values(1) < values(2) .or. .not. values(2) < huge(low)) then
-            high = places(2)
-            places = [high - golden*(high - low), places(1)]
+            high = positions(2)
+            positions = [high - golden*(high - low), positions(1)]
             values(2) = values(1)
             new = 1
          else
-            low = places(1)
-            places = [places(2), low + golden*(high - low)]
+            low = positions(1)
+            positions = [positions(2), low + golden*(high - low)]
             values(1) = values(2)
             new = 2
          end if

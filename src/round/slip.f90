@@ -7,10 +7,10 @@
 !>
 !>     u = mu m [g(a) - g(e)],   dT/du = 2 e/m,   W = 8 mu^2 m int [g(s) - g(e)] [g(a) - g(s)] ds,  e < s < a
 !>
-!> W being the energy of a cycle between T and -T. Where little slips, radii and depths are close together: the way from a down to e
-!> is then found from P - P* = int 2 a dg along it, and all else by integrals along it, none of which has a term below 0. Where much
-!> slips, W = 8 mu^2 m [(P + P*) (delta - delta*)/2 - (U - U*)], U the elastic energy. For r^n, q = e/a is (P*/P)^(1/(n + 1)), and
-!> W = 8 mu^2 m a g(a)^2 int (t^n - q^n) (1 - t^n) dt, q < t < 1.
+!> W being the energy of a cycle between T and -T. Where little slips, radii and depths are close together: the path from a down to
+!> e is then found from P - P* = int 2 a dg along it, and all else by integrals along it, none of which has a term below 0. Where
+!> much slips, W = 8 mu^2 m [(P + P*) (delta - delta*)/2 - (U - U*)], U the elastic energy. For r^n, q = e/a is (P*/P)^(1/(n + 1)),
+!> and W = 8 mu^2 m a g(a)^2 int (t^n - q^n) (1 - t^n) dt, q < t < 1.
 module adfric_round_slip
    use adfric_base_kinds, only: dp
    use adfric_round_contact, only: branch_stable, find_contact
@@ -31,7 +31,7 @@ module adfric_round_slip
    !> Below this share of a a stretch is short: load and depths along it are integrals. The nearest singularity is 19 times half its length
    !> away from its middle, so an error of Gauss's rule falls with each node by 38^2, and one between nodes by 38: 6 and 10 nodes do.
    real(dp), parameter :: short = 0.1_dp
-   !> Most stretches of a way: one on either side of the corner.
+   !> Most stretches of a path: one on either side of the corner.
    integer, parameter :: most_stretches = 2
 
    !> Slip of a contact.
@@ -46,8 +46,8 @@ module adfric_round_slip
       real(dp) :: energy = 0
    end type indenter_slip_t
 
-   !> A stretch of the way from a down to e, where u falls.
-   type :: stretch_t
+   !> A stretch of the path from a down to e, where u falls.
+   type :: slip_stretch_t
       !> Does it lie beyond the corner?
       logical :: is_beyond = .true.
       !> Its largest u, and its length in u.
@@ -56,25 +56,21 @@ module adfric_round_slip
       real(dp) :: before = 0, fall = 0
       !> What the shape is at its beginning, and at its end.
       type(spot_t) :: start, finish
-   end type stretch_t
+   end type slip_stretch_t
 
 contains
 
    !> The slip of a contact without adhesion.
    pure subroutine find_indenter_slip(curve, survey, contact, tau, slip, is_converged)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> Its survey.
       type(survey_t), intent(in) :: survey
       !> The contact, of a load > 0.
       type(contact_t), intent(in) :: contact
       !> T/(mu P), 0 to 1.
       real(dp), intent(in) :: tau
-      !> Receives the slip.
       type(indenter_slip_t), intent(out) :: slip
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
-      type(stretch_t) :: way(most_stretches)
+      type(slip_stretch_t) :: path(most_stretches)
       integer :: n
 
       is_converged = .true.
@@ -98,24 +94,21 @@ contains
          if (curve%shape%n_pieces > 0) slip%energy = (contact%load + slip%stick%load)*slip%fall/2 &
             & - (curve%shape%energy(contact%u, contact%is_beyond) - curve%shape%energy(slip%stick%u, slip%stick%is_beyond))
       else
-         call find_way(curve%shape, contact, tau*contact%load, way, n, is_converged)
-         slip%fall = way(n)%before + way(n)%fall
-         slip%energy = energy_of(curve%shape, way(:n))
+         call find_path(curve%shape, contact, tau*contact%load, path, n, is_converged)
+         slip%fall = path(n)%before + path(n)%fall
+         slip%energy = energy_of(curve%shape, path(:n))
          slip%stick = contact
-         slip%stick%u = way(n)%high - way(n)%length
-         slip%stick%is_beyond = way(n)%is_beyond
-         call set_stick(way(n)%finish, (1 - tau)*contact%load, slip)
+         slip%stick%u = path(n)%high - path(n)%length
+         slip%stick%is_beyond = path(n)%is_beyond
+         call set_stick(path(n)%finish, (1 - tau)*contact%load, slip)
       end if
       slip%ratio = min(slip%stick%spot%radius/contact%spot%radius, 1.0_dp)
    end subroutine find_indenter_slip
 
    !> What follows for the contact that sticks from its place.
    pure subroutine set_stick(spot, load, slip)
-      !> What the shape is there.
       type(spot_t), intent(in) :: spot
-      !> Its load.
       real(dp), intent(in) :: load
-      !> Receives the contact.
       type(indenter_slip_t), intent(inout) :: slip
 
       slip%stick%spot = spot
@@ -127,13 +120,10 @@ contains
 
    !> The slip of a single power of r.
    pure subroutine find_power_slip(shape, contact, tau, slip)
-      !> The shape.
       type(power_shape_t), intent(in) :: shape
-      !> The contact.
       type(contact_t), intent(in) :: contact
       !> T/(mu P), above 0, up to 1.
       real(dp), intent(in) :: tau
-      !> Receives the slip.
       type(indenter_slip_t), intent(inout) :: slip
       type(spot_t) :: spot
       real(dp) :: logarithm
@@ -199,54 +189,49 @@ contains
       end do
    end function power_energy
 
-   !> The way along which the load falls by a part of itself.
-   pure subroutine find_way(shape, contact, part, way, n, is_converged)
-      !> The shape of the indenter.
+   !> The path along which the load falls by a part of itself.
+   pure subroutine find_path(shape, contact, part, path, n, is_converged)
       class(shape_t), intent(in) :: shape
-      !> The contact where the way begins.
       type(contact_t), intent(in) :: contact
       !> By how much the load falls, > 0.
       real(dp), intent(in) :: part
       !> Receives the stretches, the first `n` of them.
-      type(stretch_t), intent(out) :: way(most_stretches)
+      type(slip_stretch_t), intent(out) :: path(most_stretches)
       !> Receives their number.
       integer, intent(out) :: n
-      !> Was the end found to round-off?
       logical, intent(out) :: is_converged
-      real(dp) :: left, outer, fall
+      real(dp) :: remaining, outer, fall
 
       n = 1
-      left = part
-      way(1)%is_beyond = contact%is_beyond
-      way(1)%high = contact%u
-      way(1)%start = contact%spot
+      remaining = part
+      path(1)%is_beyond = contact%is_beyond
+      path(1)%high = contact%u
+      path(1)%start = contact%spot
       if (contact%is_beyond .and. shape%inner_rise() > 0) then
-         call integrate_stretch(shape, way(1), contact%u, outer, fall)
+         call integrate_stretch(shape, path(1), contact%u, outer, fall)
          if (outer < part) then
-            ! the way goes on within the corner
-            way(1)%length = contact%u
-            way(1)%fall = fall
+            ! the path goes on within the corner
+            path(1)%length = contact%u
+            path(1)%fall = fall
             n = 2
-            way(2)%is_beyond = .false.
-            way(2)%high = shape%corner
-            way(2)%before = fall
-            call shape%evaluate(shape%corner, .false., way(2)%start)
-            left = part - outer
+            path(2)%is_beyond = .false.
+            path(2)%high = shape%corner
+            path(2)%before = fall
+            call shape%evaluate(shape%corner, .false., path(2)%start)
+            remaining = part - outer
          end if
       end if
-      call find_length(shape, way(n), left, is_converged)
-   end subroutine find_way
+      call find_length(shape, path(n), remaining, is_converged)
+   end subroutine find_path
 
    !> The length of a stretch along which the load falls by a part. The fall of the load is concave where the load rises ever faster
    !> with u, as it does along all shapes, so Newton's method comes from below; steps are those of a parabola where it has a root.
    pure subroutine find_length(shape, stretch, part, is_converged)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> In: where the stretch begins. Out: with its length, its end and the fall of g.
-      type(stretch_t), intent(inout) :: stretch
+      type(slip_stretch_t), intent(inout) :: stretch
       !> By how much the load falls, > 0.
       real(dp), intent(in) :: part
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       ! what this step leaves, its third power, is round-off
       real(dp), parameter :: small_step = 1.0e-6_dp
@@ -279,10 +264,8 @@ contains
 
    !> What load and g lose along the beginning of a stretch: integrals where it is short, else differences.
    pure subroutine integrate_stretch(shape, stretch, length, load, fall)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The stretch, for its beginning.
-      type(stretch_t), intent(in) :: stretch
+      type(slip_stretch_t), intent(in) :: stretch
       !> Length of the beginning in u.
       real(dp), intent(in) :: length
       !> Receive the losses.
@@ -309,47 +292,41 @@ contains
 
    !> Is the beginning of a stretch short?
    pure logical function is_short(shape, stretch, length)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The stretch.
-      type(stretch_t), intent(in) :: stretch
+      type(slip_stretch_t), intent(in) :: stretch
       !> Length of the beginning in u.
       real(dp), intent(in) :: length
 
       is_short = length < short*hypot(stretch%high, merge(shape%corner, 0.0_dp, stretch%is_beyond))
    end function is_short
 
-   !> int [g(s) - g(e)] [g(a) - g(s)] ds along the way.
-   pure real(dp) function energy_of(shape, way) result(energy)
-      !> The shape of the indenter.
+   !> int [g(s) - g(e)] [g(a) - g(s)] ds along the path.
+   pure real(dp) function energy_of(shape, path) result(energy)
       class(shape_t), intent(in) :: shape
-      !> The stretches, from a down to e.
-      type(stretch_t), intent(in) :: way(:)
+      type(slip_stretch_t), intent(in) :: path(:)
       type(spot_t) :: spot
       real(dp) :: fall, total
       integer :: k, node
 
       energy = 0
-      total = way(size(way))%before + way(size(way))%fall
-      do k = 1, size(way)
-         if (is_short(shape, way(k), way(k)%length)) then
-            energy = energy + short_energy(shape, way(k), total)
+      total = path(size(path))%before + path(size(path))%fall
+      do k = 1, size(path)
+         if (is_short(shape, path(k), path(k)%length)) then
+            energy = energy + short_energy(shape, path(k), total)
             cycle
          end if
          do node = 1, size(gauss_nodes)
-            call shape%evaluate(way(k)%high - way(k)%length*(1 + gauss_nodes(node))/2, way(k)%is_beyond, spot)
-            fall = way(k)%before + (way(k)%start%depth - spot%depth)
-            energy = energy + gauss_weights(node)*way(k)%length/2*spot%radius_slope*fall*(total - fall)
+            call shape%evaluate(path(k)%high - path(k)%length*(1 + gauss_nodes(node))/2, path(k)%is_beyond, spot)
+            fall = path(k)%before + (path(k)%start%depth - spot%depth)
+            energy = energy + gauss_weights(node)*path(k)%length/2*spot%radius_slope*fall*(total - fall)
          end do
       end do
    end function energy_of
 
    !> The same along a short stretch, where depths are integrals of their slopes at the same nodes.
    pure real(dp) function short_energy(shape, stretch, total) result(energy)
-      !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> The stretch.
-      type(stretch_t), intent(in) :: stretch
+      type(slip_stretch_t), intent(in) :: stretch
       !> g(a) - g(e).
       real(dp), intent(in) :: total
       type(spot_t) :: spots(size(gauss_nodes_10))

@@ -7,7 +7,7 @@ module adfric_round_sphere_case
    use adfric_interface_interaction_rows, only: slip_energy_ratio_of
    use adfric_round_sphere_contact, only: theory_hertz, control_load, control_approach, control_radius
    use adfric_round_sphere_units, only: get_sphere_units
-   use adfric_round_sphere_variables
+   use adfric_round_sphere_variables, only: state_sliding, units_si, in => sphere_input
    implicit none (type, external)
    private
    public :: sphere_case_t, resolve_case, has_ratio_of_body, theory_auto
@@ -23,9 +23,9 @@ module adfric_round_sphere_case
       integer :: theory = theory_auto
       !> Relative error that a theory chosen by `theory_auto` may have [-].
       real(dp) :: tolerance = 1.0e-8_dp
-      !> What is held (`control_...`), its value, and the branch.
+      !> What is prescribed (`control_...`), its value, and the branch.
       integer :: control = control_load, branch = 1
-      !> Load, approach or radius that is held, reduced.
+      !> Load, approach or radius that is prescribed, reduced.
       real(dp) :: value = 0
       !> Is there a law of friction, and does the sphere slide?
       logical :: has_friction = .false., is_sliding = .false.
@@ -52,10 +52,10 @@ contains
       !> Receives the point in reduced variables, with its units.
       type(sphere_case_t), intent(out) :: self
 
-      self%theory = nint(values(v_theory)) - 2
-      self%tolerance = values(v_relative_tolerance)
-      if (is_set(values(v_lambda))) self%lambda = values(v_lambda)
-      if (nint(values(v_units)) == units_si) call resolve_units(values, self)
+      self%theory = nint(values(in%theory)) - 2
+      self%tolerance = values(in%relative_tolerance)
+      if (is_set(values(in%lambda))) self%lambda = values(in%lambda)
+      if (nint(values(in%units)) == units_si) call resolve_units(values, self)
       call resolve_operation(values, self)
       call resolve_friction(values, self)
    end subroutine resolve_case
@@ -70,11 +70,11 @@ contains
 
       work = get_work(values)
       if (.not. work > 0) self%theory = theory_hertz
-      e = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
-      if (self%theory == theory_hertz) work = e*values(v_radius)
-      call get_sphere_units(values(v_radius), e, work, self%length_unit, self%approach_unit, self%force_unit, self%stress_unit)
-      if (is_set(values(v_adhesion_stress))) self%lambda = values(v_adhesion_stress)/self%stress_unit
-      if (is_set(values(v_adhesion_range))) self%lambda = work/values(v_adhesion_range)/self%stress_unit
+      e = contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio))
+      if (self%theory == theory_hertz) work = e*values(in%radius)
+      call get_sphere_units(values(in%radius), e, work, self%length_unit, self%approach_unit, self%force_unit, self%stress_unit)
+      if (is_set(values(in%adhesion_stress))) self%lambda = values(in%adhesion_stress)/self%stress_unit
+      if (is_set(values(in%adhesion_range))) self%lambda = work/values(in%adhesion_range)/self%stress_unit
    end subroutine resolve_units
 
    !> The work of adhesion; 0 where none is given.
@@ -83,26 +83,26 @@ contains
       real(dp), intent(in) :: values(:)
 
       work = 0
-      if (is_set(values(v_work_of_adhesion))) work = values(v_work_of_adhesion)
+      if (is_set(values(in%work_of_adhesion))) work = values(in%work_of_adhesion)
    end function get_work
 
-   !> What is held.
+   !> What is prescribed.
    pure subroutine resolve_operation(values, self)
       !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
-      !> In: with its units. Out: with what is held, too.
+      !> In: with its units. Out: with what is prescribed, too.
       type(sphere_case_t), intent(inout) :: self
 
-      self%branch = nint(values(v_branch))
-      if (is_set(values(v_load))) then
+      self%branch = nint(values(in%branch))
+      if (is_set(values(in%load))) then
          self%control = control_load
-         self%value = values(v_load)/self%force_unit
-      else if (is_set(values(v_approach))) then
+         self%value = values(in%load)/self%force_unit
+      else if (is_set(values(in%approach))) then
          self%control = control_approach
-         self%value = values(v_approach)/self%approach_unit
+         self%value = values(in%approach)/self%approach_unit
       else
          self%control = control_radius
-         self%value = values(v_contact_radius)/self%length_unit
+         self%value = values(in%contact_radius)/self%length_unit
       end if
    end subroutine resolve_operation
 
@@ -111,7 +111,7 @@ contains
       !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
 
-      has_ratio_of_body = is_set(values(v_body_poisson_ratio)) .and. .not. is_set(values(v_second_young_modulus))
+      has_ratio_of_body = is_set(values(in%body_poisson_ratio)) .and. .not. is_set(values(in%second_young_modulus))
    end function has_ratio_of_body
 
    !> Friction.
@@ -121,24 +121,24 @@ contains
       !> In: with its units. Out: with its friction, too.
       type(sphere_case_t), intent(inout) :: self
 
-      self%edge_fraction = values(v_edge_fraction)
-      self%is_sliding = nint(values(v_state)) == state_sliding
-      self%has_friction = is_set(values(v_shear_strength))
+      self%edge_fraction = values(in%edge_fraction)
+      self%is_sliding = nint(values(in%state)) == state_sliding
+      self%has_friction = is_set(values(in%shear_strength))
       if (.not. self%has_friction) return
-      self%strength = values(v_shear_strength)/self%stress_unit
-      if (is_set(values(v_pressure_factor))) self%pressure_factor = values(v_pressure_factor)
-      if (has_ratio_of_body(values)) self%poisson = values(v_body_poisson_ratio)
-      if (is_set(values(v_poisson_ratio))) self%poisson = values(v_poisson_ratio)
-      self%interaction = values(v_interaction)
-      self%slip_energy_ratio = slip_energy_ratio_of(values(v_interaction:v_slip_energy_ratio), values(v_shear_strength), &
+      self%strength = values(in%shear_strength)/self%stress_unit
+      if (is_set(values(in%pressure_factor))) self%pressure_factor = values(in%pressure_factor)
+      if (has_ratio_of_body(values)) self%poisson = values(in%body_poisson_ratio)
+      if (is_set(values(in%poisson_ratio))) self%poisson = values(in%poisson_ratio)
+      self%interaction = values(in%interaction)
+      self%slip_energy_ratio = slip_energy_ratio_of(values(in%interaction:in%slip_energy_ratio), values(in%shear_strength), &
          & get_work(values))
-      self%is_force_given = is_set(values(v_tangential_force))
-      self%is_displacement_given = is_set(values(v_tangential_displacement))
-      if (self%is_force_given) self%tangential = values(v_tangential_force)/self%force_unit
-      self%is_base_given = is_set(values(v_base_displacement))
-      if (self%is_base_given) self%tangential = values(v_base_displacement)/self%approach_unit
-      if (is_set(values(v_lateral_stiffness))) self%stiffness = values(v_lateral_stiffness)*(self%approach_unit/self%force_unit)
-      if (self%is_displacement_given) self%tangential = values(v_tangential_displacement)/self%approach_unit
+      self%is_force_given = is_set(values(in%tangential_force))
+      self%is_displacement_given = is_set(values(in%tangential_displacement))
+      if (self%is_force_given) self%tangential = values(in%tangential_force)/self%force_unit
+      self%is_base_given = is_set(values(in%base_displacement))
+      if (self%is_base_given) self%tangential = values(in%base_displacement)/self%approach_unit
+      if (is_set(values(in%lateral_stiffness))) self%stiffness = values(in%lateral_stiffness)*(self%approach_unit/self%force_unit)
+      if (self%is_displacement_given) self%tangential = values(in%tangential_displacement)/self%approach_unit
    end subroutine resolve_friction
 
 end module adfric_round_sphere_case

@@ -5,7 +5,7 @@ module adfric_round_sphere_dmt
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_numerics_powers, only: cube_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t, branch_stable
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, branch_stable
    implicit none (type, external)
    private
    public :: dmt_t
@@ -24,15 +24,14 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_radius(self, value, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
       !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
       !> Receives the contact; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
       if (has_asserts) call assert(value >= 0, 'of_radius: radius >= 0')
-      contact = contact_t()
+      contact = sphere_contact_t()
       contact%is_found = .true.
       contact%is_stable = .true.
       contact%radius = value
@@ -44,16 +43,15 @@ contains
 
    !> See `theory_t`. There is one branch, to a point contact at pull-off.
    pure subroutine of_load(self, value, branch, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
       !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
       !> One of `branch_...`; there is no unstable state.
       integer, intent(in) :: branch
       !> Receives the contact, with `is_found`; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       if (value < -self%pull() .or. branch /= branch_stable) return
       call self%of_radius(cube_root(value + self%pull()), contact)
       contact%load = value
@@ -61,16 +59,15 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_approach(self, value, branch, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
       !> Approach delta of the contact, reduced; without contact it is negative.
       real(dp), intent(in) :: value
       !> One of `branch_...`; there is no unstable state.
       integer, intent(in) :: branch
       !> Receives the contact, with `is_found`; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       if (value < 0 .or. branch /= branch_stable) return
       call self%of_radius(sqrt(value), contact)
       contact%approach = value
@@ -78,12 +75,11 @@ contains
 
    !> See `theory_t`: the point contact, under every control.
    pure subroutine pull_off(self, control, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
       !> One of `control_...`; it has no part in the result.
       integer, intent(in) :: control
       !> Receives the contact at the end of stability.
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
 
       call self%of_radius(0.0_dp, contact)
       associate (unused => control)
@@ -92,7 +88,6 @@ contains
 
    !> Force of adhesion.
    pure real(dp) function pull(self)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
 
       pull = 2*self%ratio

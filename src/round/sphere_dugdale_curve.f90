@@ -6,7 +6,7 @@
 !>     f = sin th cos th - th cos 2th,  k = th sin th + cos th - 1,  A = lambda f/2,  B = (4/3) X lambda^2 k
 !>     c = 2/(B + sqrt(B^2 + 4A)),  P = a^3 - X lambda c^2 (sin th cos th + th),  delta = a^2 - (4/3) X lambda c sin th
 !>
-!> c is the positive root of A c^2 + B c = 1, which is J 2.12: there is nothing to iterate. The place on the curve is
+!> c is the positive root of A c^2 + B c = 1, which is J 2.12: there is nothing to iterate. The position on the curve is
 !> y = ln tan th: it has all digits at both ends, th -> 0 (JKR, large contacts) and th -> pi/2 (DMT, point contact),
 !> and radii go like powers of exp y there.
 module adfric_round_sphere_dugdale_curve
@@ -16,37 +16,37 @@ module adfric_round_sphere_dugdale_curve
    use adfric_numerics_trigonometry, only: sinc_minus_cos
    implicit none (type, external)
    private
-   public :: curve_point_t, get_curve_point, get_disc_radius, get_disc, guess_place, farthest, largest_radius
+   public :: curve_point_t, get_curve_point, get_disc_radius, get_disc, guess_position, farthest, largest_radius
 
-   !> Contacts are looked for up to this reduced radius, and up to this place y towards a = 0; real ones are far from both.
+   !> Contacts are looked for up to this reduced radius, and up to this position y towards a = 0; real ones are far from both.
    real(dp), parameter :: largest_radius = 1.0e60_dp, farthest = 150.0_dp
    !> Below this angle the difference in f loses digits.
    real(dp), parameter :: narrow = 0.5_dp
 
-   !> A point of the curve, and its change with the place.
+   !> A point of the curve, and its change with the position.
    type :: curve_point_t
       !> Radii of contact and adhesion, load, approach.
       real(dp) :: radius = 0, adhesion_radius = 0, load = 0, approach = 0
-      !> Derivatives of these four by the place.
+      !> Derivatives of these four by the position.
       real(dp) :: radius_slope = 0, adhesion_radius_slope = 0, load_slope = 0, approach_slope = 0
    end type curve_point_t
 
 contains
 
-   !> The point at a place.
-   elemental subroutine get_curve_point(lambda, ratio, place, point)
+   !> The point at a position.
+   elemental subroutine get_curve_point(lambda, ratio, position, point)
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
-      !> X, the share of adhesion that is left [-], >= 0.
+      !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
-      !> Place y = ln tan th on the curve.
-      real(dp), intent(in) :: place
+      !> Position y = ln tan th on the curve.
+      real(dp), intent(in) :: position
       !> Receives radii, load and approach, reduced, and their slopes.
       type(curve_point_t), intent(out) :: point
       real(dp) :: t, th, s, c, s_c, cos_2, f, k, aa, bb, root, c_slope, total, pull
 
       if (has_asserts) call assert(lambda > 0 .and. ratio >= 0, 'get_curve_point: lambda > 0, X >= 0')
-      t = exp(place)
+      t = exp(position)
       th = atan(t)
       c = 1/sqrt(1 + t*t)
       s = t*c
@@ -85,7 +85,7 @@ contains
    elemental real(dp) function get_disc_radius(lambda, ratio) result(radius)
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
-      !> X, the share of adhesion that is left [-], >= 0.
+      !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
       real(dp) :: bb
 
@@ -98,7 +98,7 @@ contains
    elemental subroutine get_disc(lambda, ratio, radius, load, approach)
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
-      !> X, the share of adhesion that is left [-], >= 0.
+      !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
       !> Radius c of adhesion, reduced, >= 0.
       real(dp), intent(in) :: radius
@@ -113,10 +113,10 @@ contains
    end subroutine get_disc
 
    !> About where a contact of a radius is, from the leading terms of A c^2 + B c = 1 at both ends.
-   elemental real(dp) function guess_place(lambda, ratio, radius) result(place)
+   elemental real(dp) function guess_position(lambda, ratio, radius) result(position)
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
-      !> X, the share of adhesion that is left [-], >= 0.
+      !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
       !> Radius a of the contact, reduced, > 0.
       real(dp), intent(in) :: radius
@@ -126,10 +126,10 @@ contains
       ! (2/3) lambda th^3 a^2 + (2/3) X lambda^2 th^2 a = 1, by the harmonic sum of what each alone gives
       inverse = (2*lambda*radius**2/3)**(1.0_dp/3) + lambda*sqrt(2*ratio*radius/3)
       if (inverse >= 1) then
-         place = -log(inverse)
+         position = -log(inverse)
       else
-         place = max(log(get_disc_radius(lambda, ratio)) - log(radius), 0.0_dp)
+         position = max(log(get_disc_radius(lambda, ratio)) - log(radius), 0.0_dp)
       end if
-   end function guess_place
+   end function guess_position
 
 end module adfric_round_sphere_dugdale_curve

@@ -6,7 +6,7 @@ module adfric_round_sphere_jkr
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, branch_stable, control_approach
    implicit none (type, external)
    private
    public :: jkr_t, jkr_ratio_of_load, jkr_ratio_of_approach
@@ -32,16 +32,15 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_radius(self, value, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
       !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
       !> Receives the contact; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
       real(dp) :: tension
 
       if (has_asserts) call assert(value >= 0, 'of_radius: radius >= 0')
-      contact = contact_t()
+      contact = sphere_contact_t()
       contact%is_found = .true.
       contact%radius = value
       contact%adhesion_radius = value
@@ -53,17 +52,16 @@ contains
 
    !> See `theory_t`. P is quadratic in a^(3/2).
    pure subroutine of_load(self, value, branch, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
       !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> Receives the contact, with `is_found`; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
       real(dp) :: tension, discriminant, root
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       discriminant = 6*self%ratio + 4*value
       if (discriminant < 0) return
       tension = sqrt(6*self%ratio)
@@ -80,19 +78,18 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_approach(self, value, branch, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
       !> Approach delta of the contact, reduced; separation is negative.
       real(dp), intent(in) :: value
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> Receives the contact, with `is_found` and `is_converged`; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
       type(approach_equation_t) :: equation
       real(dp) :: fold, root, rest
       logical :: is_converged
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       equation%tension = 2*sqrt(6*self%ratio)/3
       equation%approach = value
       fold = 0
@@ -121,12 +118,11 @@ contains
 
    !> See `theory_t`: a^3 = 3 X/2 under load, X/6 under approach.
    pure subroutine pull_off(self, control, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
-      !> One of `control_...`: what is held. A given radius counts as a given load.
+      !> One of `control_...`: what is prescribed. A given radius counts as a given load.
       integer, intent(in) :: control
       !> Receives the contact at the end of stability.
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
 
       call self%of_radius(cube_root(self%ratio*merge(1/6.0_dp, 1.5_dp, control == control_approach)), contact)
       contact%is_stable = .true.
@@ -134,7 +130,6 @@ contains
 
    !> Value and slope of the equation of the approach.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation, with its tension and the given approach.
       class(approach_equation_t), intent(in) :: self
       !> Root q of the radius, reduced, >= 0.
       real(dp), intent(in) :: x

@@ -9,8 +9,8 @@ module adfric_round_sphere_maugis_dugdale
    use adfric_base_constants, only: pi
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
-   use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc, get_disc_radius, guess_place, &
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, branch_stable, control_approach
+   use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc, get_disc_radius, guess_position, &
       & farthest, largest_radius
    implicit none (type, external)
    private
@@ -30,7 +30,7 @@ module adfric_round_sphere_maugis_dugdale
    !> Quantities along the curve.
    integer, parameter :: radius_along = 1, load_along = 2, approach_along = 3
 
-   !> A quantity along the curve less a given value, or its slope, as a function of the place.
+   !> A quantity along the curve less a given value, or its slope, as a function of the position.
    type, extends(equation_t) :: curve_equation_t
       !> Maugis's parameter, X, and the given value of the quantity, reduced.
       real(dp) :: lambda = 1, ratio = 1, given = 0
@@ -44,7 +44,7 @@ module adfric_round_sphere_maugis_dugdale
       procedure :: excess_of
    end type curve_equation_t
 
-   !> Step of the place for the slope of a slope; it need not be exact.
+   !> Step of the position for the slope of a slope; it need not be exact.
    real(dp), parameter :: small_step = 1.0e-5_dp
    !> A Newton step below the first ends the search; a step above the second is not taken.
    real(dp), parameter :: close_enough = 1.0e-8_dp, longest_step = 1.0_dp
@@ -61,12 +61,12 @@ contains
       !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
       !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
       if (has_asserts) call assert(value >= 0 .and. self%lambda > 0 .and. self%ratio >= 0, &
          & 'of_radius: radius >= 0, lambda > 0, X >= 0')
       if (value > 0) then
-         if (.not. abs(contact%place) > 0) contact%place = guess_place(self%lambda, self%ratio, value)
+         if (.not. abs(contact%position) > 0) contact%position = guess_position(self%lambda, self%ratio, value)
          call go_to(self, radius_along, value, farthest, .true., contact)
       else
          call go_apart(self, get_disc_radius(self%lambda, self%ratio), contact)
@@ -83,27 +83,28 @@ contains
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
-      type(contact_t) :: fold
+      type(sphere_contact_t), intent(inout) :: contact
+      type(sphere_contact_t) :: fold
 
       if (branch == branch_stable .and. value > -2*self%ratio) then
-         if (.not. abs(contact%place) > 0) then
-            contact%place = guess_place(self%lambda, self%ratio, cube_root(value + (2 + sqrt(value + 2*self%ratio))*self%ratio))
+         if (.not. abs(contact%position) > 0) then
+            contact%position = guess_position(self%lambda, self%ratio, &
+               & cube_root(value + (2 + sqrt(value + 2*self%ratio))*self%ratio))
          end if
          call go_to(self, load_along, value, farthest, value > 0, contact)
          if (contact%is_converged .and. contact%is_stable) return
       end if
       call self%pull_off(0, fold)
-      contact = contact_t()
+      contact = sphere_contact_t()
       if (value < fold%load .or. .not. fold%is_found) return
       if (branch == branch_stable) then
-         contact%place = fold%place - 0.5_dp
-         call go_to(self, load_along, value, fold%place, .true., contact)
+         contact%position = fold%position - 0.5_dp
+         call go_to(self, load_along, value, fold%position, .true., contact)
       else if (value > 0) then
          return
       else if (2*value < -pi*self%ratio*self%lambda*get_disc_radius(self%lambda, self%ratio)**2) then
-         contact%place = fold%place + 0.5_dp
-         call go_to(self, load_along, value, farthest, .true., contact, rises_from=fold%place)
+         contact%position = fold%position + 0.5_dp
+         call go_to(self, load_along, value, farthest, .true., contact, rises_from=fold%position)
       else if (self%ratio > 0) then
          call go_apart(self, sqrt(-2*value/(pi*self%ratio*self%lambda)), contact)
          contact%load = value
@@ -120,8 +121,8 @@ contains
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
-      type(contact_t) :: fold
+      type(sphere_contact_t), intent(inout) :: contact
+      type(sphere_contact_t) :: fold
       real(dp) :: largest, mean, half, touching
 
       largest = get_disc_radius(self%lambda, self%ratio)
@@ -129,8 +130,8 @@ contains
       ! a = 0 as the end of the contacts: that of the discs loses its digits where lambda is small
       touching = -4*self%ratio*self%lambda*largest/3
       if (branch == branch_stable .and. value >= touching) then
-         if (.not. abs(contact%place) > 0) then
-            contact%place = guess_place(self%lambda, self%ratio, &
+         if (.not. abs(contact%position) > 0) then
+            contact%position = guess_position(self%lambda, self%ratio, &
                & max(sqrt(value - touching) + 0.6_dp*cube_root(self%ratio)*self%lambda/(1 + self%lambda), tiny(value)))
          end if
          call go_to(self, approach_along, value, farthest, value > touching, contact)
@@ -138,17 +139,17 @@ contains
          if (contact%is_stable) return
       end if
       call self%pull_off(control_approach, fold)
-      contact = contact_t()
+      contact = sphere_contact_t()
       if (value < fold%approach) return
       half = sqrt(max(0.0_dp, mean**2 + 2*(value + 2/(pi*self%lambda))))
       if (branch == branch_stable .and. largest > mean .and. value < touching) then
          call go_apart(self, mean + half, contact)
       else if (branch == branch_stable) then
-         contact%place = fold%place - 0.5_dp
-         call go_to(self, approach_along, value, merge(fold%place, farthest, largest <= mean), .true., contact)
+         contact%position = fold%position - 0.5_dp
+         call go_to(self, approach_along, value, merge(fold%position, farthest, largest <= mean), .true., contact)
       else if (largest <= mean .and. value < touching) then
-         contact%place = fold%place + 0.5_dp
-         call go_to(self, approach_along, value, farthest, .true., contact, rises_from=fold%place)
+         contact%position = fold%position + 0.5_dp
+         call go_to(self, approach_along, value, farthest, .true., contact, rises_from=fold%position)
       else if (value <= -2/(pi*self%lambda)) then
          ! the smaller root, from the product of both
          call go_apart(self, -2*(value + 2/(pi*self%lambda))/(mean + half), contact)
@@ -161,10 +162,10 @@ contains
    pure subroutine pull_off(self, control, contact)
       !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
-      !> One of `control_...`: what is held. A given radius counts as a given load.
+      !> One of `control_...`: what is prescribed. A given radius counts as a given load.
       integer, intent(in) :: control
       !> Receives the contact at the end of stability.
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
       type(curve_equation_t) :: equation
       type(curve_point_t) :: point
       real(dp) :: mean, largest
@@ -180,19 +181,19 @@ contains
          equation%ratio = self%ratio
          equation%is_slope = .true.
          equation%quantity = merge(approach_along, load_along, control == control_approach)
-         contact%place = guess_pull_off(control, self%ratio**(2.0_dp/3)*self%lambda)
-         call find_root(equation, start_of(self), farthest, .true., contact%place, contact%is_converged, &
+         contact%position = guess_pull_off(control, self%ratio**(2.0_dp/3)*self%lambda)
+         call find_root(equation, start_of(self), farthest, .true., contact%position, contact%is_converged, &
             & close_enough)
-         call get_curve_point(self%lambda, self%ratio, contact%place, point)
+         call get_curve_point(self%lambda, self%ratio, contact%position, point)
          call read_point(point, 0.0_dp, contact, equation%quantity)
       end if
       contact%is_stable = .true.
    end subroutine pull_off
 
-   !> A guess of the place of pull-off in intimate contact, to 0.001 under load and to 0.01 under approach: rational functions
-   !> fitted to places that were found for X = 1, with the limits of small and large lambda.
-   pure real(dp) function guess_pull_off(control, lambda) result(place)
-      !> One of `control_...`: what is held. A given radius counts as a given load.
+   !> A guess of the position of pull-off in intimate contact, to 0.001 under load and to 0.01 under approach: rational functions
+   !> fitted to positions that were found for X = 1, with the limits of small and large lambda.
+   pure real(dp) function guess_pull_off(control, lambda) result(position)
+      !> One of `control_...`: what is prescribed. A given radius counts as a given load.
       integer, intent(in) :: control
       !> Parameter X^(2/3) lambda [-]; under approach above `first_intimate`, where separation begins in intimate contact.
       real(dp), intent(in) :: lambda
@@ -200,16 +201,16 @@ contains
 
       if (control == control_approach) then
          v = first_intimate/lambda
-         place = 1.65077_dp + v*(-1.61163_dp + v*(0.77594_dp + v*(-0.07941_dp - 0.27036_dp*v)))
-         place = log(place/(max(1 - v, epsilon(v))*lambda))
+         position = 1.65077_dp + v*(-1.61163_dp + v*(0.77594_dp + v*(-0.07941_dp - 0.27036_dp*v)))
+         position = log(position/(max(1 - v, epsilon(v))*lambda))
       else
          v = sqrt(lambda)
-         place = 0.538865_dp + v*(0.001055_dp + v*(0.473604_dp + v*(0.522652_dp + 1.988951_dp*v)))
-         place = log(place/(1 + v*(0.025842_dp + v*(0.501305_dp + 1.736954_dp*v)))) - 3*log(v)
+         position = 0.538865_dp + v*(0.001055_dp + v*(0.473604_dp + v*(0.522652_dp + 1.988951_dp*v)))
+         position = log(position/(1 + v*(0.025842_dp + v*(0.501305_dp + 1.736954_dp*v)))) - 3*log(v)
       end if
    end function guess_pull_off
 
-   !> Find the place on the curve where a quantity has a value.
+   !> Find the position on the curve where a quantity has a value.
    pure subroutine go_to(self, quantity, value, high, is_alone, contact, rises_from)
       !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
@@ -217,13 +218,13 @@ contains
       integer, intent(in) :: quantity
       !> The value to be met, reduced.
       real(dp), intent(in) :: value
-      !> Place where the part of the curve ends.
+      !> Position where the part of the curve ends.
       real(dp), intent(in) :: high
       !> Does the quantity have the value only once there? Otherwise only the neighbourhood of the start is looked at.
       logical, intent(in) :: is_alone
-      !> In: a neighbour, or a new one with a place to start from. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
-      !> Place where the part begins, if the quantity rises along it; if absent, it falls from the largest contact on.
+      !> In: a neighbour, or a new one with a position to start from. Out: the contact, with `is_found` and `is_converged`.
+      type(sphere_contact_t), intent(inout) :: contact
+      !> Position where the part begins, if the quantity rises along it; if absent, it falls from the largest contact on.
       real(dp), intent(in), optional :: rises_from
       type(curve_equation_t) :: equation
       type(curve_point_t) :: point
@@ -241,17 +242,17 @@ contains
       if (abs(contact%slope) > 0) then
          ! the tangent at the neighbour has been found with it
          step = -equation%excess_of(contact%radius, contact%load, contact%approach)/contact%slope
-         if (contact%place + step > low .and. contact%place + step < high .and. abs(step) < longest_step) &
-            & contact%place = contact%place + step
+         if (contact%position + step > low .and. contact%position + step < high .and. abs(step) < longest_step) &
+            & contact%position = contact%position + step
          contact%slope = 0
       end if
       do iteration = 1, max_plain_steps
-         call get_curve_point(self%lambda, self%ratio, contact%place, point)
+         call get_curve_point(self%lambda, self%ratio, contact%position, point)
          call equation%compare(point, excess, slope)
          if (.not. abs(slope) > 0 .or. (slope > 0 .neqv. does_rise)) exit
          step = -excess/slope
-         if (.not. (contact%place + step > low .and. contact%place + step < high .and. abs(step) < longest_step)) exit
-         contact%place = contact%place + step
+         if (.not. (contact%position + step > low .and. contact%position + step < high .and. abs(step) < longest_step)) exit
+         contact%position = contact%position + step
          contact%is_converged = abs(step) < close_enough
          if (contact%is_converged) exit
       end do
@@ -261,31 +262,30 @@ contains
          contact%slope = slope
       else if (is_alone) then
          if (.not. does_rise) low = start_of(self)
-         call find_root(equation, low, high, does_rise, contact%place, contact%is_converged, close_enough)
-         call get_curve_point(self%lambda, self%ratio, contact%place, point)
+         call find_root(equation, low, high, does_rise, contact%position, contact%is_converged, close_enough)
+         call get_curve_point(self%lambda, self%ratio, contact%position, point)
          call read_point(point, 0.0_dp, contact, quantity)
       end if
       if (quantity == load_along) contact%load = value
       if (quantity == approach_along) contact%approach = value
    end subroutine go_to
 
-   !> The place of the largest contact there is.
+   !> The position of the largest contact there is.
    pure real(dp) function start_of(self)
       !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
 
-      start_of = guess_place(self%lambda, self%ratio, largest_radius)
+      start_of = guess_position(self%lambda, self%ratio, largest_radius)
    end function start_of
 
    !> The contact a small step from a point of the curve.
    pure subroutine read_point(point, step, contact, quantity)
-      !> Point of the curve, with its slopes.
       type(curve_point_t), intent(in) :: point
-      !> Change of the place from this point, so small that the curve is straight.
+      !> Change of the position from this point, so small that the curve is straight.
       real(dp), intent(in) :: step
       !> Receives the radii, load, approach and stability of the state; the rest stays.
-      type(contact_t), intent(inout) :: contact
-      !> One of `..._along`: what is held. The contact is stable where load or approach fall along the curve.
+      type(sphere_contact_t), intent(inout) :: contact
+      !> One of `..._along`: what is prescribed. The contact is stable where load or approach fall along the curve.
       integer, intent(in) :: quantity
 
       contact%is_found = .true.
@@ -303,9 +303,9 @@ contains
       !> Radius c of adhesion, reduced, >= 0.
       real(dp), intent(in) :: radius
       !> Receives the state, with contact radius 0.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       contact%is_found = .true.
       contact%adhesion_radius = radius
       call get_disc(self%lambda, self%ratio, radius, contact%load, contact%approach)
@@ -315,11 +315,11 @@ contains
    pure subroutine evaluate(self, x, value, slope)
       !> The equation, with lambda, X, the quantity and its given value.
       class(curve_equation_t), intent(in) :: self
-      !> Place on the curve.
+      !> Position on the curve.
       real(dp), intent(in) :: x
       !> Quantity less its given value, or the slope of the quantity.
       real(dp), intent(out) :: value
-      !> Derivative of the value by the place.
+      !> Derivative of the value by the position.
       real(dp), intent(out) :: slope
       type(curve_point_t) :: point, next
 
@@ -336,13 +336,11 @@ contains
    !> A quantity at a point less the given value, and its slope. Radii are compared by their logarithms, along which the
    !> curve is nearly straight.
    pure subroutine compare(self, point, value, slope)
-      !> The equation, with the quantity and its given value.
       class(curve_equation_t), intent(in) :: self
-      !> Point of the curve, with its slopes.
       type(curve_point_t), intent(in) :: point
       !> Quantity at the point less its given value.
       real(dp), intent(out) :: value
-      !> Derivative of the value by the place.
+      !> Derivative of the value by the position.
       real(dp), intent(out) :: slope
 
       value = self%excess_of(point%radius, point%load, point%approach)
@@ -358,7 +356,6 @@ contains
 
    !> One of three quantities less the given value.
    pure real(dp) function excess_of(self, radius, load, approach) result(excess)
-      !> The equation, with the quantity and its given value.
       class(curve_equation_t), intent(in) :: self
       !> Radius a of the contact, reduced; > 0 where radii are compared.
       real(dp), intent(in) :: radius

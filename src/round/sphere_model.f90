@@ -21,7 +21,8 @@ module adfric_round_sphere_model
    use adfric_round_sphere_profiles, only: contact_profile_t, new_profile
    use adfric_round_slip_annulus, only: shear_traction
    use adfric_round_sphere_shear_slip, only: shear_stress_of
-   use adfric_round_sphere_variables
+   use adfric_round_sphere_variables, only: get_sphere_profiles, get_sphere_results, get_sphere_variables, &
+      & units_reduced, in => sphere_input, out => sphere_output
    implicit none (type, external)
    private
    public :: sphere_model_t, new_sphere_model
@@ -67,7 +68,6 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model, whose table of variables is read.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -77,12 +77,11 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call check_sphere_values(self%variables, values, problems)
-      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_r_max, v_n_r], problems)
+      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [in%r_max, in%n_r], problems)
    end subroutine check_values
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
-      !> The model, whose table of results is read.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -94,7 +93,6 @@ contains
 
    !> See `model_t`.
    function describe_profiles(self, values) result(profiles)
-      !> The model, whose table of profiles is read.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -105,42 +103,38 @@ contains
    end function describe_profiles
 
    !> See `model_t`.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
+      unit = self%variables(index)%unit
       if (is_reduced(values) .and. len(unit) > 0) unit = '-'
    end function unit_of
 
    !> Are all quantities reduced?
    pure logical function is_reduced(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      is_reduced = nint(values(v_units)) == units_reduced
+      is_reduced = nint(values(in%units)) == units_reduced
    end function is_reduced
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = values(v_profiles) > 0
+      wants_profiles = values(in%profiles) > 0
       associate (unused => self)
       end associate
    end function wants_profiles
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for the name of its axis.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -153,14 +147,13 @@ contains
       axes(1)%unit = 'm'
       if (is_reduced(values)) axes(1)%unit = '-'
       axes(1)%long_name = 'distance from the axis'
-      n = nint(values(v_n_r))
+      n = nint(values(in%n_r))
       allocate (axes(1)%coordinates(n), source=0.0_dp)
-      if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
+      if (is_set(values(in%r_max))) axes(1)%coordinates = [(values(in%r_max)*k/(n - 1), k=0, n - 1)]
    end subroutine get_profile_axes
 
    !> See `model_t`: a paraboloid stands for the sphere. Reduced units have no radius of the sphere.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -170,15 +163,14 @@ contains
       real(dp), intent(inout) :: measures(:)
 
       if (is_reduced(values)) return
-      measures(doubt_contact_too_wide) = results(r_contact_radius)/values(v_radius)
-      if (is_set(values(v_contact_radius))) measures(doubt_contact_too_wide) = values(v_contact_radius)/values(v_radius)
+      measures(doubt_contact_too_wide) = results(out%contact_radius)/values(in%radius)
+      if (is_set(values(in%contact_radius))) measures(doubt_contact_too_wide) = values(in%contact_radius)/values(in%radius)
       associate (unused => self)
       end associate
    end subroutine measure
 
    !> See `pointwise_model_t`.
    subroutine solve_sphere_point(self, values, state, results, error_estimate, status, counts)
-      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -199,7 +191,7 @@ contains
       select type (state)
       type is (sphere_state_t)
          call resolve_case(values, case)
-         call solve_point(case, values(v_events) > 0, state%memory, point)
+         call solve_point(case, values(in%events) > 0, state%memory, point)
          status = point%status
          error_estimate = point%error_estimate
          call store(case, point, values, results)
@@ -211,11 +203,8 @@ contains
 
    !> Results of a point in the units of the case.
    pure subroutine store(case, point, values, results)
-      !> The point in reduced variables, with its units.
       type(sphere_case_t), intent(in) :: case
-      !> What has been found of the point, reduced.
       type(sphere_point_t), intent(in) :: point
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the results of the point in the units of the case; shape `(n_results)`; NaN where there is no value.
       real(dp), intent(out) :: results(:)
@@ -224,50 +213,49 @@ contains
       area_unit = case%length_unit**2
       results = not_a_number()
       ! these say why there is no state
-      results(r_pull_off_load) = point%pull_off_load*case%force_unit
+      results(out%pull_off_load) = point%pull_off_load*case%force_unit
       associate (events => point%events)
-         results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit &
+         results([out%peak_force, out%sliding_force, out%force_drop, out%snap_off_force]) = case%force_unit &
             & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
-         results([r_peak_displacement, r_snap_off_displacement]) = case%approach_unit &
+         results([out%peak_displacement, out%snap_off_displacement]) = case%approach_unit &
             & *[events%peak_displacement, events%snap_off_displacement]
-         results(r_critical_lateral_stiffness) = events%critical_stiffness*(case%force_unit/case%approach_unit)
-         results([r_jump_force, r_arrest_force]) = case%force_unit*[events%jump%force, events%jump%arrest_force]
-         results([r_jump_base_displacement, r_jump_displacement, r_jump_period]) = case%approach_unit &
+         results(out%critical_lateral_stiffness) = events%critical_stiffness*(case%force_unit/case%approach_unit)
+         results([out%jump_force, out%arrest_force]) = case%force_unit*[events%jump%force, events%jump%arrest_force]
+         results([out%jump_base_displacement, out%jump_displacement, out%jump_period]) = case%approach_unit &
             & *[events%jump%base_displacement, events%jump%displacement, events%jump%period]
-         results([r_jump_energy, r_period_work]) = case%force_unit*case%approach_unit*[events%jump%energy, events%jump%work]
+         results([out%jump_energy, out%period_work]) = case%force_unit*case%approach_unit*[events%jump%energy, events%jump%work]
       end associate
       if (point%status /= status_solved) return
       associate (contact => point%contact)
-         results(r_load) = contact%load*case%force_unit
-         results(r_approach) = contact%approach*case%approach_unit
-         results(r_contact_radius) = contact%radius*case%length_unit
-         results(r_contact_area) = pi*contact%radius**2*area_unit
+         results(out%load) = contact%load*case%force_unit
+         results(out%approach) = contact%approach*case%approach_unit
+         results(out%contact_radius) = contact%radius*case%length_unit
+         results(out%contact_area) = pi*contact%radius**2*area_unit
          ! what was given comes back to the last digit
-         if (is_set(values(v_load))) results(r_load) = values(v_load)
-         if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
-         if (is_set(values(v_contact_radius))) results(r_contact_radius) = values(v_contact_radius)
-         if (point%theory /= theory_dmt) results(r_adhesion_radius) = contact%adhesion_radius*case%length_unit
-         results(r_stable) = merge(1, 0, contact%is_stable)
+         if (is_set(values(in%load))) results(out%load) = values(in%load)
+         if (is_set(values(in%approach))) results(out%approach) = values(in%approach)
+         if (is_set(values(in%contact_radius))) results(out%contact_radius) = values(in%contact_radius)
+         if (point%theory /= theory_dmt) results(out%adhesion_radius) = contact%adhesion_radius*case%length_unit
+         results(out%stable) = merge(1, 0, contact%is_stable)
       end associate
-      results(r_friction_radius) = point%friction_radius*case%length_unit
-      results(r_adhesion_ratio) = point%ratio
-      results(r_theory_used) = point%theory
-      results(r_theory_error) = point%theory_error
+      results(out%friction_radius) = point%friction_radius*case%length_unit
+      results(out%adhesion_ratio) = point%ratio
+      results(out%theory_used) = point%theory
+      results(out%theory_error) = point%theory_error
       if (.not. case%has_friction) return
-      results(r_friction_area) = pi*point%friction_radius**2*area_unit
-      results(r_friction_force) = point%friction_force*case%force_unit
-      results(r_stick_radius) = point%gamma*point%friction_radius*case%length_unit
-      results(r_slip) = point%slip*case%approach_unit
-      results(r_largest_slip) = point%largest_slip*case%approach_unit
-      results(r_tangential_displacement) = point%displacement*case%approach_unit
-      if (is_set(values(v_tangential_force))) results(r_friction_force) = values(v_tangential_force)
-      if (is_set(values(v_tangential_displacement))) results(r_tangential_displacement) = values(v_tangential_displacement)
+      results(out%friction_area) = pi*point%friction_radius**2*area_unit
+      results(out%friction_force) = point%friction_force*case%force_unit
+      results(out%stick_radius) = point%gamma*point%friction_radius*case%length_unit
+      results(out%slip) = point%slip*case%approach_unit
+      results(out%largest_slip) = point%largest_slip*case%approach_unit
+      results(out%tangential_displacement) = point%displacement*case%approach_unit
+      if (is_set(values(in%tangential_force))) results(out%friction_force) = values(in%tangential_force)
+      if (is_set(values(in%tangential_displacement))) results(out%tangential_displacement) = values(in%tangential_displacement)
    end subroutine store
 
    !> See `pointwise_model_t`: pressure, shear stress and gap. The point is solved once more, by the theory that was used and
    !> without the point before it, which would change round-off; beside the samples of a profile that takes no time.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -286,7 +274,7 @@ contains
       real(dp) :: r(size(profiles, 1))
 
       call resolve_case(values, case)
-      case%theory = nint(results(r_theory_used))
+      case%theory = nint(results(out%theory_used))
       call solve_point(case, .false., memory, point)
       call new_profile(profile, memory%theory, point%contact)
       r = axes(1)%coordinates/case%length_unit
@@ -303,7 +291,6 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
-      !> The model, whose table of variables is read.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -312,7 +299,7 @@ contains
       character(*), parameter :: of_lambda = of_units//' adhesion_stress adhesion_range lambda'
       type(sphere_case_t) :: case
 
-      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+      associate (first => in%contact_modulus, last => in%second_poisson_ratio)
          derived = derive_contact_modulus(self%variables(first:last), values(first:last))
       end associate
       call resolve_case(values, case)

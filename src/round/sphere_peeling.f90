@@ -2,7 +2,7 @@
 !> Static friction of a sphere that takes from adhesion what it needs to slip, sliding, and the events between them
 !> (J 4.1-4.9, fig. 9).
 !>
-!> Everything in the reduced variables of J 2.11. What is held is a load, an approach or a radius. Under a growing
+!> Everything in the reduced variables of J 2.11. What is prescribed is a load, an approach or a radius. Under a growing
 !> force the contact follows the states of smallest slip; it is not found beyond the largest force or displacement it
 !> reaches before sliding.
 module adfric_round_sphere_peeling
@@ -11,17 +11,18 @@ module adfric_round_sphere_peeling
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_pulled_contact, only: pulled_curve_t
    use adfric_round_stick_slip, only: stick_slip_t, find_critical_stiffness, find_stick_slip, forget_stick_slip
-   use adfric_round_sphere_contact, only: contact_t, theory_t
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t
    use adfric_interface_interaction, only: is_valid_interaction
    use adfric_round_slip_annulus, only: slip_core, largest_slip_core, angle_of_gamma
    use adfric_round_sphere_static_friction, only: mean_slip, largest_slip
-   use adfric_round_sphere_peeling_path, only: friction_t, path_t, waypoint_t, new_path, get_waypoint, quantity_of, core_along, &
+   use adfric_round_sphere_peeling_path, only: peeling_friction_t, peeling_path_t, peeling_waypoint_t, new_path, get_waypoint, &
+      & quantity_of, core_along, &
       & force_along, displacement_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    use adfric_round_sphere_peeling_search, only: find_end, find_state, find_largest, get_capped
    use adfric_round_pulled_sphere, only: pulled_sphere_t, take_sphere_curve
    implicit none (type, external)
    private
-   public :: friction_t, friction_state_t, friction_events_t
+   public :: peeling_friction_t, friction_state_t, friction_events_t
    public :: describe, slide, is_valid_friction, find_static_state, find_sliding_state, find_friction_events, forget_events
    public :: given_gamma, given_force, given_displacement
    public :: end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
@@ -36,7 +37,7 @@ module adfric_round_sphere_peeling
       !> Have all searches converged?
       logical :: is_converged = .true.
       !> Radii, load and approach, with the adhesion that friction leaves.
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       !> g, X, b, gamma and arccos gamma.
       real(dp) :: slip_energy = 0, ratio = 1, friction_radius = 0, gamma = 1, angle = 0
       !> Tangential force in pi w R, and displacement. During sliding the displacement and slips are not numbers.
@@ -70,8 +71,7 @@ contains
 
    !> Are the parameters within their limits?
    elemental logical function is_valid_friction(friction)
-      !> Parameters of the law of friction, reduced.
-      type(friction_t), intent(in) :: friction
+      type(peeling_friction_t), intent(in) :: friction
 
       is_valid_friction = friction%strength > 0 .and. friction%poisson > -1 .and. friction%poisson <= 0.5_dp &
          & .and. friction%edge_fraction >= 0 .and. friction%edge_fraction <= 1 .and. friction%interaction >= 0 &
@@ -79,15 +79,15 @@ contains
    end function is_valid_friction
 
    !> The static state of a gamma, a tangential force or a tangential displacement.
-   pure subroutine find_static_state(theory, friction, control, held, branch, given, value, state)
+   pure subroutine find_static_state(theory, friction, control, prescribed, branch, given, value, state)
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
       !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
-      type(friction_t), intent(in) :: friction
-      !> One of `control_...`: what is held.
+      type(peeling_friction_t), intent(in) :: friction
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Value of the load, approach or radius that is held, reduced.
-      real(dp), intent(in) :: held
+      !> Value of the load, approach or radius that is prescribed, reduced.
+      real(dp), intent(in) :: prescribed
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> One of `given_...`: what is given of the static phase.
@@ -96,12 +96,12 @@ contains
       real(dp), intent(in) :: value
       !> Receives the state; not found where parameters are impossible, too.
       type(friction_state_t), intent(out) :: state
-      type(path_t) :: path
-      type(waypoint_t) :: waypoint
+      type(peeling_path_t) :: path
+      type(peeling_waypoint_t) :: waypoint
 
       if (.not. is_valid_friction(friction) .or. .not. value >= 0) return
       if (given == given_gamma .and. value > 1) return
-      call new_path(path, theory, friction, control, held, branch)
+      call new_path(path, theory, friction, control, prescribed, branch)
       if (given == given_gamma) then
          call find_state(path, given, sqrt(min(slip_core(value), largest_slip_core)), waypoint, state%is_converged)
          waypoint%angle = angle_of_gamma(value)
@@ -115,12 +115,11 @@ contains
       if (given == given_displacement) state%displacement = value
    end subroutine find_static_state
 
-   !> Fill in everything that follows from a state of the way.
+   !> Fill in everything that follows from a state of the path.
    pure subroutine describe(path, waypoint, state)
-      !> The way from rest to sliding, with its friction.
-      type(path_t), intent(in) :: path
-      !> State on the way, which has been found.
-      type(waypoint_t), intent(in) :: waypoint
+      !> The path from rest to sliding, with its friction.
+      type(peeling_path_t), intent(in) :: path
+      type(peeling_waypoint_t), intent(in) :: waypoint
       !> In: whether the search converged. Out: all that is known of the state.
       type(friction_state_t), intent(inout) :: state
 
@@ -142,41 +141,40 @@ contains
 
    !> gamma of a state.
    pure real(dp) function gamma_of(waypoint) result(gamma)
-      !> State on the way, whose angle is read.
-      type(waypoint_t), intent(in) :: waypoint
+      type(peeling_waypoint_t), intent(in) :: waypoint
 
       gamma = 0
       if (waypoint%angle < half_pi) gamma = cos(waypoint%angle)
    end function gamma_of
 
-   !> The state of sliding, gamma = 0 and g = g0; not found if adhesion that is left does not hold the contact.
-   pure subroutine find_sliding_state(theory, friction, control, held, branch, state)
+   !> The state of sliding, gamma = 0 and g = g0; not found if adhesion that remains does not hold the contact.
+   pure subroutine find_sliding_state(theory, friction, control, prescribed, branch, state)
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
       !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
-      type(friction_t), intent(in) :: friction
-      !> One of `control_...`: what is held.
+      type(peeling_friction_t), intent(in) :: friction
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Value of the load, approach or radius that is held, reduced.
-      real(dp), intent(in) :: held
+      !> Value of the load, approach or radius that is prescribed, reduced.
+      real(dp), intent(in) :: prescribed
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> Receives the state; not found where parameters are impossible, too.
       type(friction_state_t), intent(out) :: state
-      type(path_t) :: path
+      type(peeling_path_t) :: path
 
       if (.not. is_valid_friction(friction)) return
-      call new_path(path, theory, friction, control, held, branch)
+      call new_path(path, theory, friction, control, prescribed, branch)
       call slide(path, state)
    end subroutine find_sliding_state
 
-   !> The state of sliding of a way.
+   !> The state of sliding of a path.
    pure subroutine slide(path, state)
-      !> The way from rest to sliding, with its friction.
-      type(path_t), intent(in) :: path
+      !> The path from rest to sliding, with its friction.
+      type(peeling_path_t), intent(in) :: path
       !> In: a new one. Out: the state of sliding, if there is one.
       type(friction_state_t), intent(inout) :: state
-      type(waypoint_t) :: waypoint, sliding
+      type(peeling_waypoint_t) :: waypoint, sliding
 
       if (.not. is_valid_interaction(path%friction%slip_energy_ratio, path%friction%interaction)) return
       call get_waypoint(path, path%friction%slip_energy_ratio, path%start%contact, waypoint)
@@ -189,29 +187,29 @@ contains
    end subroutine slide
 
    !> What happens between rest and sliding.
-   pure subroutine find_friction_events(theory, friction, control, held, branch, events, stiffness)
+   pure subroutine find_friction_events(theory, friction, control, prescribed, branch, events, stiffness)
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
       !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
-      type(friction_t), intent(in) :: friction
-      !> One of `control_...`: what is held.
+      type(peeling_friction_t), intent(in) :: friction
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Value of the load, approach or radius that is held, reduced.
-      real(dp), intent(in) :: held
+      !> Value of the load, approach or radius that is prescribed, reduced.
+      real(dp), intent(in) :: prescribed
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> Receives the events; what does not happen is NaN.
       type(friction_events_t), intent(out) :: events
       !> Stiffness of a lateral spring, reduced; without it no jump is looked for.
       real(dp), intent(in), optional :: stiffness
-      type(path_t) :: path
-      type(waypoint_t) :: onset, peak
+      type(peeling_path_t) :: path
+      type(peeling_waypoint_t) :: onset, peak
       type(friction_state_t) :: sliding
       logical :: is_peak_converged
 
       call forget_events(events)
       if (.not. is_valid_friction(friction)) return
-      call new_path(path, theory, friction, control, held, branch)
+      call new_path(path, theory, friction, control, prescribed, branch)
       events%is_found = path%start%is_found
       if (.not. events%is_found) return
       call find_end(path, events%is_converged)
@@ -237,9 +235,8 @@ contains
 
    !> Add what happens on a lateral spring. Without interaction nothing jumps, and where nothing is left of adhesion nobody knows.
    pure subroutine add_jump(path, sliding, events, stiffness)
-      !> The way from rest to sliding, whose end is known.
-      type(path_t), intent(in) :: path
-      !> State of sliding, if there is one.
+      !> The path from rest to sliding, whose end is known.
+      type(peeling_path_t), intent(in) :: path
       type(friction_state_t), intent(in) :: sliding
       !> In: with all other events. Out: with the jump, too.
       type(friction_events_t), intent(inout) :: events

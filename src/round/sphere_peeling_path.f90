@@ -1,31 +1,31 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The way of a contact from rest to sliding, where friction takes from adhesion what it needs to slip, J 4.5-4.9.
+!> The path of a contact from rest to sliding, where friction takes from adhesion what it needs to slip, J 4.5-4.9.
 !>
-!> At rest g = 0 and gamma = 1. On the way, with what is held (load, approach or radius),
+!> At rest g = 0 and gamma = 1. On the path, with what is prescribed (load, approach or radius),
 !>
 !>     X = X(g),   contact = theory(X),   b = a + x (c - a),   slip core = g/(K b),   K = (2/3) (2 - nu)/(1 - nu) tau^2
 !>
 !> so a given g has one state, with nothing to iterate but the theory itself, while a given gamma, force or displacement
-!> has to be looked for: the area shrinks as they grow. The place on the way is z = sqrt(g), along which gamma's angle,
-!> force and displacement begin as straight lines. The way ends where g reaches g0 (from there on the contact stays
+!> has to be looked for: the area shrinks as they grow. The position on the path is z = sqrt(g), along which gamma's angle,
+!> force and displacement begin as straight lines. The path ends where g reaches g0 (from there on the contact stays
 !> and only gamma falls), where gamma reaches 0, where the contact snaps off, or where X reaches 0.
 module adfric_round_sphere_peeling_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_numerics_scalar_root, only: equation_t
-   use adfric_round_sphere_contact, only: contact_t, theory_t, control_load, branch_stable, find_contact, friction_radius
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, control_load, branch_stable, find_contact, friction_radius
    use adfric_interface_interaction, only: adhesion_ratio, largest_slip_energy
    use adfric_round_slip_annulus, only: force_of_angle, angle_of_slip, largest_slip_core
    use adfric_round_sphere_static_friction, only: slip_factor
    implicit none (type, external)
    private
-   public :: friction_t, path_t, waypoint_t
+   public :: peeling_friction_t, peeling_path_t, peeling_waypoint_t
    public :: new_path, get_waypoint, complete_waypoint, quantity_of, rate_of
    public :: core_along, force_along, displacement_along
    public :: end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
 
    !> The law of friction.
-   type :: friction_t
+   type :: peeling_friction_t
       !> tau, in the scale of lambda, > 0.
       real(dp) :: strength = 1
       !> nu, above -1, up to 1/2.
@@ -36,42 +36,42 @@ module adfric_round_sphere_peeling_path
       real(dp) :: interaction = 0
       !> g0 > 0; the largest number if slip never stops to take from adhesion.
       real(dp) :: slip_energy_ratio = huge(1.0_dp)
-   end type friction_t
+   end type peeling_friction_t
 
-   !> A state on the way.
-   type :: waypoint_t
+   !> A state on the path.
+   type :: peeling_waypoint_t
       !> Is there intimate contact?
       logical :: is_found = .false.
       !> Radii, load and approach at this X.
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       !> g, X, b.
       real(dp) :: slip_energy = 0, ratio = 1, friction_radius = 0
       !> Slip core, which passes its largest value where gamma would be below 0, and arccos gamma.
       real(dp) :: core = 0, angle = 0
-   end type waypoint_t
+   end type peeling_waypoint_t
 
-   !> Quantities along the way: the root of the slip core, force, displacement.
+   !> Quantities along the path: the root of the slip core, force, displacement.
    integer, parameter :: core_along = 1, force_along = 2, displacement_along = 3
-   !> How the way ends.
+   !> How the path ends.
    integer, parameter :: end_none = 0, end_capped = 1, end_sliding = 2, end_snap_off = 3, end_no_adhesion = 4
 
-   !> A way, and a quantity along it less a given value, or its rate, as a function of the place.
-   type, extends(equation_t) :: path_t
-      !> Theory of adhesion; its X is set at each place.
+   !> A path, and a quantity along it less a given value, or its rate, as a function of the position.
+   type, extends(equation_t) :: peeling_path_t
+      !> Theory of adhesion; its X is set at each position.
       class(theory_t), allocatable :: theory
       !> Law of friction.
-      type(friction_t) :: friction
-      !> What is held, one of `control_...`, and the branch, one of `branch_...`.
+      type(peeling_friction_t) :: friction
+      !> What is prescribed, one of `control_...`, and the branch, one of `branch_...`.
       integer :: control = control_load, branch = branch_stable
-      !> The load, approach or radius that is held.
-      real(dp) :: held = 0
+      !> The load, approach or radius that is prescribed.
+      real(dp) :: prescribed = 0
       !> K, and 2/3 (2 - nu)/(1 - nu) tau, of the displacement.
       real(dp) :: compliance = 0, displacement_scale = 0
       !> The largest g, where X is 0.
       real(dp) :: limit = huge(1.0_dp)
-      !> At rest, and where the way ends.
-      type(waypoint_t) :: start, finish
-      !> How the way ends, one of `end_...`.
+      !> At rest, and where the path ends.
+      type(peeling_waypoint_t) :: start, finish
+      !> How the path ends, one of `end_...`.
       integer :: ending = end_none
       !> What `evaluate` gives.
       integer :: quantity = force_along
@@ -81,7 +81,7 @@ module adfric_round_sphere_peeling_path
       logical :: is_rate = .false.
    contains
       procedure :: evaluate
-   end type path_t
+   end type peeling_path_t
 
    !> Steps of ln g for the slope of b, where it steers an iteration and where it is the result; of ln z, for the slope
    !> of that.
@@ -91,42 +91,41 @@ module adfric_round_sphere_peeling_path
 
 contains
 
-   !> A way; its start is not found if there is no contact at rest.
-   pure subroutine new_path(self, theory, friction, control, held, branch)
-      !> In: a new way. Out: the way with its parameters and its start.
-      type(path_t), intent(inout) :: self
+   !> A path; its start is not found if there is no contact at rest.
+   pure subroutine new_path(self, theory, friction, control, prescribed, branch)
+      !> In: a new way. Out: the path with its parameters and its start.
+      type(peeling_path_t), intent(inout) :: self
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
-      !> Parameters of the law of friction, reduced.
-      type(friction_t), intent(in) :: friction
-      !> One of `control_...`: what is held.
+      type(peeling_friction_t), intent(in) :: friction
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Value of the load, approach or radius that is held, reduced.
-      real(dp), intent(in) :: held
+      !> Value of the load, approach or radius that is prescribed, reduced.
+      real(dp), intent(in) :: prescribed
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
 
       allocate (self%theory, source=theory)
       self%friction = friction
       self%control = control
-      self%held = held
+      self%prescribed = prescribed
       self%branch = branch
       self%displacement_scale = 2*slip_factor(friction%poisson)*friction%strength/3
       self%compliance = self%displacement_scale*friction%strength
       self%limit = largest_slip_energy(friction%interaction)
-      call get_waypoint(self, 0.0_dp, contact_t(), self%start)
+      call get_waypoint(self, 0.0_dp, sphere_contact_t(), self%start)
    end subroutine new_path
 
    !> The state of a slip energy.
    pure subroutine get_waypoint(self, slip_energy, neighbour, waypoint)
-      !> The way, with its theory, its friction and what is held.
-      class(path_t), intent(in) :: self
-      !> Slip energy g [-], from 0 to the limit of the way.
+      !> The path, with its theory, its friction and what is prescribed.
+      class(peeling_path_t), intent(in) :: self
+      !> Slip energy g [-], from 0 to the limit of the path.
       real(dp), intent(in) :: slip_energy
       !> A contact nearby, which helps the search, or a new one.
-      type(contact_t), intent(in) :: neighbour
+      type(sphere_contact_t), intent(in) :: neighbour
       !> Receives the state; not found without intimate contact.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
       class(theory_t), allocatable :: theory
 
       waypoint%slip_energy = slip_energy
@@ -134,7 +133,7 @@ contains
       waypoint%contact = neighbour
       allocate (theory, source=self%theory)
       theory%ratio = waypoint%ratio
-      call find_contact(theory, self%control, self%held, self%branch, waypoint%contact)
+      call find_contact(theory, self%control, self%prescribed, self%branch, waypoint%contact)
       ! without intimate contact there is no friction
       waypoint%is_found = waypoint%contact%is_found .and. waypoint%contact%radius > 0
       if (waypoint%is_found) call complete_waypoint(self, waypoint)
@@ -142,10 +141,9 @@ contains
 
    !> b, slip core and angle of a contact and its g.
    pure subroutine complete_waypoint(self, waypoint)
-      !> The way, with its friction.
-      class(path_t), intent(in) :: self
+      class(peeling_path_t), intent(in) :: self
       !> In: with its contact and g. Out: with b, slip core and angle, too.
-      type(waypoint_t), intent(inout) :: waypoint
+      type(peeling_waypoint_t), intent(inout) :: waypoint
       real(dp) :: enough
 
       waypoint%friction_radius = friction_radius(waypoint%contact, self%friction%edge_fraction)
@@ -157,12 +155,10 @@ contains
 
    !> A quantity of a state: root of the slip core, force in pi w R, or displacement, reduced.
    pure real(dp) function quantity_of(self, quantity, waypoint) result(value)
-      !> The way, with its friction.
-      class(path_t), intent(in) :: self
+      class(peeling_path_t), intent(in) :: self
       !> One of `..._along`: the quantity that is asked for.
       integer, intent(in) :: quantity
-      !> State on the way, which has been found.
-      type(waypoint_t), intent(in) :: waypoint
+      type(peeling_waypoint_t), intent(in) :: waypoint
 
       select case (quantity)
       case (core_along)
@@ -176,12 +172,11 @@ contains
 
    !> d ln(quantity)/d ln g at a state, d core being th cos th d th.
    pure real(dp) function rate_of(self, quantity, waypoint, step, is_central) result(rate)
-      !> The way, with its theory, its friction and what is held.
-      class(path_t), intent(in) :: self
+      !> The path, with its theory, its friction and what is prescribed.
+      class(peeling_path_t), intent(in) :: self
       !> One of `..._along`: the quantity that is asked for.
       integer, intent(in) :: quantity
-      !> State on the way, which has been found.
-      type(waypoint_t), intent(in) :: waypoint
+      type(peeling_waypoint_t), intent(in) :: waypoint
       !> Step of ln g for differences, > 0, much below 1.
       real(dp), intent(in) :: step
       !> Shall the difference be central? Otherwise it is one upwards, if there is contact.
@@ -205,15 +200,14 @@ contains
 
    !> d ln b/d ln g at a state, from differences on the sides where there is contact.
    pure real(dp) function radius_rate(self, waypoint, step, is_central) result(rate)
-      !> The way, with its theory, its friction and what is held.
-      class(path_t), intent(in) :: self
-      !> State on the way, which has been found.
-      type(waypoint_t), intent(in) :: waypoint
+      !> The path, with its theory, its friction and what is prescribed.
+      class(peeling_path_t), intent(in) :: self
+      type(peeling_waypoint_t), intent(in) :: waypoint
       !> Step of ln g for differences, > 0, much below 1.
       real(dp), intent(in) :: step
       !> Shall the difference be central? Otherwise it is one upwards, if there is contact.
       logical, intent(in) :: is_central
-      type(waypoint_t) :: before, after
+      type(peeling_waypoint_t) :: before, after
       real(dp) :: width
 
       after = waypoint
@@ -239,15 +233,15 @@ contains
    !> A quantity less the given value, or its rate, and the slope of that. Beyond the last contact both are as if the
    !> root had been passed.
    pure subroutine evaluate(self, x, value, slope)
-      !> The way; its `quantity`, `given` and `is_rate` say what is evaluated.
-      class(path_t), intent(in) :: self
-      !> Place z = sqrt(g) on the way, > 0.
+      !> The path; its `quantity`, `given` and `is_rate` say what is evaluated.
+      class(peeling_path_t), intent(in) :: self
+      !> Position z = sqrt(g) on the path, > 0.
       real(dp), intent(in) :: x
       !> Quantity less its given value, or the rate of the quantity.
       real(dp), intent(out) :: value
       !> Derivative of the value by z.
       real(dp), intent(out) :: slope
-      type(waypoint_t) :: waypoint, near
+      type(peeling_waypoint_t) :: waypoint, near
       real(dp) :: quantity
 
       call get_waypoint(self, x**2, self%start%contact, waypoint)

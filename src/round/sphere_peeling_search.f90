@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What is looked for on the way from rest to sliding: its end, and states with a given angle, force or displacement.
+!> What is looked for on the path from rest to sliding: its end, and states with a given angle, force or displacement.
 !>
 !> Where the contact shrinks as slip takes from adhesion, which it does in stable contact under a given load or approach, the first
 !> state with a force or displacement and the largest force are found for certain (`adfric_round_shrinking_path`): the force may
@@ -8,26 +8,27 @@ module adfric_round_sphere_peeling_search
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t, control_load, control_approach, branch_stable
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, control_load, control_approach, branch_stable
    use adfric_interface_interaction, only: slip_energy_of_ratio
    use adfric_round_largest_force, only: find_largest_force
    use adfric_round_shrinking_path, only: find_first, first_displacement, first_force, slip_state_t
    use adfric_round_slip_annulus, only: angle_of_force, angle_of_slip, slip_of_angle, largest_slip_core
-   use adfric_round_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, complete_waypoint, quantity_of, rate_of, &
+   use adfric_round_sphere_peeling_path, only: peeling_path_t, peeling_waypoint_t, get_waypoint, complete_waypoint, quantity_of, &
+      & rate_of, &
       & core_along, force_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    use adfric_round_shrinking_sphere, only: new_shrinking, shrinking_sphere_t, state_of
    implicit none (type, external)
    private
    public :: find_end, find_state, find_largest, get_capped
 
-   !> The last intimate contact less what is held, as a function of X.
+   !> The last intimate contact less what is prescribed, as a function of X.
    type, extends(equation_t) :: last_contact_t
       !> Theory of adhesion; its X is set by `evaluate`.
       class(theory_t), allocatable :: theory
-      !> What is held: `control_load` or `control_approach`.
+      !> What is prescribed: `control_load` or `control_approach`.
       integer :: control = control_load
-      !> Load or approach that is held, reduced.
-      real(dp) :: held = 0
+      !> Load or approach that is prescribed, reduced.
+      real(dp) :: prescribed = 0
    contains
       procedure :: evaluate
    end type last_contact_t
@@ -38,17 +39,16 @@ module adfric_round_sphere_peeling_search
 
 contains
 
-   !> The state with a value of a quantity, the first on the way; not found if there is none before sliding.
+   !> The state with a value of a quantity, the first on the path; not found if there is none before sliding.
    pure subroutine find_state(self, quantity, value, waypoint, is_converged)
-      !> The way; where its end is needed it receives that, too.
-      type(path_t), intent(inout) :: self
+      !> The path; where its end is needed it receives that, too.
+      type(peeling_path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, >= 0.
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
-      type(waypoint_t), intent(out) :: waypoint
-      !> Did all searches converge?
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
 
       is_converged = .true.
@@ -72,23 +72,22 @@ contains
       if (is_converged) call find_before_end(self, quantity, value, waypoint, is_converged)
    end subroutine find_state
 
-   !> The first state with a force or a displacement on a way along which the contact shrinks.
+   !> The first state with a force or a displacement on a path along which the contact shrinks.
    pure subroutine find_first_state(self, quantity, value, waypoint, is_converged)
-      !> The way.
-      type(path_t), intent(in) :: self
+      type(peeling_path_t), intent(in) :: self
       !> `force_along` or `displacement_along`.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, > 0.
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
-      type(waypoint_t), intent(out) :: waypoint
-      !> Did the search converge?
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
-      type(shrinking_sphere_t) :: way
+      type(shrinking_sphere_t) :: retreat
       type(slip_state_t) :: state
 
-      call new_shrinking(way, self)
-      call find_first(way, merge(first_force, first_displacement, quantity == force_along), value, state_of(self%start), state, &
+      call new_shrinking(retreat, self)
+      call find_first(retreat, merge(first_force, first_displacement, quantity == force_along), value, state_of(self%start), &
+         & state, &
          & is_converged)
       if (.not. state%is_found) return
       call get_waypoint(self, state%slip_energy, self%start%contact, waypoint)
@@ -96,19 +95,18 @@ contains
       waypoint%core = state%core
    end subroutine find_first_state
 
-   !> `find_state` on the whole way, whose end is known.
+   !> `find_state` on the whole path, whose end is known.
    pure subroutine find_before_end(self, quantity, value, waypoint, is_converged)
-      !> The way, whose end is known; it serves as the equation of searches.
-      type(path_t), intent(inout) :: self
+      !> The path, whose end is known; it serves as the equation of searches.
+      type(peeling_path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, > 0.
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
-      type(waypoint_t), intent(out) :: waypoint
-      !> Did all searches converge?
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
-      type(waypoint_t) :: peak
+      type(peeling_waypoint_t) :: peak
 
       is_converged = .true.
       if (value <= quantity_of(self, quantity, self%finish)) then
@@ -128,16 +126,14 @@ contains
 
    !> The state of an unchanged contact with a value of a quantity; not found if that is beyond gamma = 0.
    pure subroutine turn(self, from, quantity, value, waypoint)
-      !> The way, with its friction.
-      type(path_t), intent(in) :: self
-      !> State whose contact is kept.
-      type(waypoint_t), intent(in) :: from
+      type(peeling_path_t), intent(in) :: self
+      type(peeling_waypoint_t), intent(in) :: from
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, >= 0.
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is beyond gamma = 0.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
       real(dp) :: largest
 
       call get_capped(from, half_pi, waypoint)
@@ -157,12 +153,11 @@ contains
 
    !> The state of an unchanged contact with another angle.
    pure subroutine get_capped(from, angle, waypoint)
-      !> State whose contact is kept.
-      type(waypoint_t), intent(in) :: from
+      type(peeling_waypoint_t), intent(in) :: from
       !> Angle arccos gamma of the new state [rad], 0 to pi/2.
       real(dp), intent(in) :: angle
       !> Receives the state with this angle and its slip core.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
 
       waypoint = from
       waypoint%angle = angle
@@ -170,13 +165,12 @@ contains
       if (angle < half_pi) waypoint%core = slip_of_angle(angle)
    end subroutine get_capped
 
-   !> Find where the way ends, and how.
+   !> Find where the path ends, and how.
    pure subroutine find_end(self, is_converged)
-      !> The way, which receives its end in `finish` and `ending`.
-      type(path_t), intent(inout) :: self
-      !> Did all searches converge?
+      !> The path, which receives its end in `finish` and `ending`.
+      type(peeling_path_t), intent(inout) :: self
       logical, intent(out) :: is_converged
-      type(waypoint_t) :: last
+      type(peeling_waypoint_t) :: last
       real(dp) :: cap, expected
       integer :: k
 
@@ -192,7 +186,7 @@ contains
          expected = 2*expected
       end do
       if (.not. is_shrinking(self)) then
-         call march(self, last)
+         call stepping(self, last)
       else if (.not. last%is_found) then
          call find_snap_off(self, last, is_converged)
       end if
@@ -205,22 +199,21 @@ contains
       end if
    end subroutine find_end
 
-   !> Does the area shrink all the way, so that gamma falls all the way? Not on the other branch, and not with a radius
+   !> Does the area shrink all the path, so that gamma falls all the path? Not on the other branch, and not with a radius
    !> held, where the reach of adhesion widens.
    pure logical function is_shrinking(self)
-      !> The way; its control and branch are read.
-      type(path_t), intent(in) :: self
+      type(peeling_path_t), intent(in) :: self
 
       is_shrinking = self%branch == branch_stable .and. (self%control == control_load .or. self%control == control_approach)
    end function is_shrinking
 
    !> Where the area may grow: go step by step to where contact is lost or gamma falls below 0 for the first time.
-   pure subroutine march(self, last)
-      !> The way; its `ending` is set where contact is lost.
-      type(path_t), intent(inout) :: self
+   pure subroutine stepping(self, last)
+      !> The path; its `ending` is set where contact is lost.
+      type(peeling_path_t), intent(inout) :: self
       !> In: a state at or beyond the end. Out: the last state with contact, or the first one with gamma < 0.
-      type(waypoint_t), intent(inout) :: last
-      type(waypoint_t) :: next, known
+      type(peeling_waypoint_t), intent(inout) :: last
+      type(peeling_waypoint_t) :: next, known
       real(dp) :: whole, low, high
       integer :: k
 
@@ -233,7 +226,7 @@ contains
          known = next
          if (known%core >= largest_slip_core) exit
       end do
-      ! nothing on the way: the state at its end stands, which the last step may miss by round-off
+      ! nothing on the path: the state at its end stands, which the last step may miss by round-off
       if (next%is_found .and. known%core < largest_slip_core .and. last%is_found) return
       if (.not. next%is_found) then
          self%ending = end_snap_off
@@ -246,15 +239,14 @@ contains
          end do
       end if
       last = known
-   end subroutine march
+   end subroutine stepping
 
    !> The last contact on the way to a state without contact.
    pure subroutine find_snap_off(self, last, is_converged)
-      !> The way, whose `ending` is set.
-      type(path_t), intent(inout) :: self
+      !> The path, whose `ending` is set.
+      type(peeling_path_t), intent(inout) :: self
       !> In: a state without contact. Out: the last one with contact.
-      type(waypoint_t), intent(inout) :: last
-      !> Did all searches converge?
+      type(peeling_waypoint_t), intent(inout) :: last
       logical, intent(out) :: is_converged
       type(last_contact_t) :: equation
       real(dp) :: ratio
@@ -262,7 +254,7 @@ contains
       self%ending = end_snap_off
       allocate (equation%theory, source=self%theory)
       equation%control = self%control
-      equation%held = self%held
+      equation%prescribed = self%prescribed
       ratio = last%ratio + (1 - last%ratio)/2
       call find_root(equation, last%ratio, 1.0_dp, .false., ratio, is_converged)
       equation%theory%ratio = ratio
@@ -277,27 +269,26 @@ contains
    pure subroutine get_last_contact(theory, control, contact)
       !> Theory of adhesion, for the X that its `ratio` holds.
       class(theory_t), intent(in) :: theory
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Receives the last intimate contact.
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
 
       call theory%pull_off(control, contact)
       if (.not. contact%radius > 0) call theory%of_radius(0.0_dp, contact)
    end subroutine get_last_contact
 
-   !> The last contact less what is held.
+   !> The last contact less what is prescribed.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation, with its theory, control and the value that is held.
+      !> The equation, with its theory, control and the value that is prescribed.
       class(last_contact_t), intent(in) :: self
-      !> X, the share of adhesion that is left [-], > 0.
+      !> X, the share of adhesion that remains [-], > 0.
       real(dp), intent(in) :: x
-      !> Load or approach of the last contact less the one that is held, reduced.
+      !> Load or approach of the last contact less the one that is prescribed, reduced.
       real(dp), intent(out) :: value
       !> Derivative of the value by X, from a difference.
       real(dp), intent(out) :: slope
       class(theory_t), allocatable :: theory
-      type(contact_t) :: here, near
+      type(sphere_contact_t) :: here, near
 
       allocate (theory, source=self%theory)
       theory%ratio = x
@@ -305,32 +296,30 @@ contains
       theory%ratio = x*(1 - ratio_step)
       call get_last_contact(theory, self%control, near)
       if (self%control == control_approach) then
-         value = here%approach - self%held
+         value = here%approach - self%prescribed
          slope = (here%approach - near%approach)/(x*ratio_step)
       else
-         value = here%load - self%held
+         value = here%load - self%prescribed
          slope = (here%load - near%load)/(x*ratio_step)
       end if
    end subroutine evaluate
 
-   !> The state of the largest force before the contact is constant; not found if the end of the way bears more.
+   !> The state of the largest force before the contact is constant; not found if the end of the path bears more.
    pure subroutine find_largest(self, onset, waypoint, is_converged)
-      !> The way, whose end is known.
-      type(path_t), intent(inout) :: self
-      !> The last static state.
-      type(waypoint_t), intent(in) :: onset
-      !> Receives the state.
-      type(waypoint_t), intent(out) :: waypoint
-      !> Did the search converge?
+      !> The path, whose end is known.
+      type(peeling_path_t), intent(inout) :: self
+      type(peeling_waypoint_t), intent(in) :: onset
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
-      type(shrinking_sphere_t) :: way
+      type(shrinking_sphere_t) :: retreat
       type(slip_state_t) :: state
       logical :: is_larger
 
       is_converged = .true.
       if (is_shrinking(self)) then
-         call new_shrinking(way, self)
-         call find_largest_force(way, state_of(self%start), state_of(self%finish), quantity_of(self, force_along, onset), state, &
+         call new_shrinking(retreat, self)
+         call find_largest_force(retreat, state_of(self%start), state_of(self%finish), quantity_of(self, force_along, onset), &
+            & state, &
             & is_larger)
          if (is_larger) call get_waypoint(self, state%slip_energy, self%start%contact, waypoint)
       else
@@ -338,15 +327,14 @@ contains
       end if
    end subroutine find_largest
 
-   !> The largest value of a quantity before the end of the way; not found if it still rises there.
+   !> The largest value of a quantity before the end of the path; not found if it still rises there.
    pure subroutine find_peak(self, quantity, waypoint, is_converged)
-      !> The way, whose end is known; it serves as the equation of the search.
-      type(path_t), intent(inout) :: self
+      !> The path, whose end is known; it serves as the equation of the search.
+      type(peeling_path_t), intent(inout) :: self
       !> One of `..._along`: the quantity whose largest value is wanted.
       integer, intent(in) :: quantity
       !> Receives the state of the largest value; not found if the quantity still rises at the end.
-      type(waypoint_t), intent(out) :: waypoint
-      !> Did all searches converge?
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
       real(dp) :: z, high
 
@@ -363,17 +351,16 @@ contains
 
    !> The state with a value of a quantity, 0 < value <= that of a state which lies after it.
    pure subroutine find_crossing(self, quantity, value, last, waypoint, is_converged)
-      !> The way, which serves as the equation of the search.
-      type(path_t), intent(inout) :: self
+      !> The path, which serves as the equation of the search.
+      type(peeling_path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, > 0, at most that of the state `last`.
       real(dp), intent(in) :: value
       !> State on the way that lies after the one with the value, or is that one.
-      type(waypoint_t), intent(in) :: last
+      type(peeling_waypoint_t), intent(in) :: last
       !> Receives the state with the value.
-      type(waypoint_t), intent(inout) :: waypoint
-      !> Did all searches converge?
+      type(peeling_waypoint_t), intent(inout) :: waypoint
       logical, intent(out) :: is_converged
       real(dp) :: z, high
 

@@ -6,18 +6,19 @@ module adfric_round_sphere_point
    use adfric_base_not_a_number, only: not_a_number
    use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_round_sphere_case, only: sphere_case_t, theory_auto
-   use adfric_round_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius, &
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, &
+      & friction_radius, &
       & part_bodies
    use adfric_round_driven_contact, only: driven_error
    use adfric_interface_interaction, only: adhesion_ratio
-   use adfric_round_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
+   use adfric_round_sphere_peeling, only: peeling_friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
    use adfric_round_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
    use adfric_round_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, &
       & find_slip_of_displacement
-   use adfric_round_sphere_spring_drive, only: spring_drive_t, new_spring_drive, find_driven_state
+   use adfric_round_sphere_spring_drive, only: sphere_spring_drive_t, new_spring_drive, find_driven_state
    use adfric_round_sphere_static_friction, only: slip_factor, mean_slip, largest_slip
-   use adfric_round_sphere_theory_choice, only: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
+   use adfric_round_sphere_theory_choice, only: new_theory, theory_choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
    implicit none (type, external)
    private
    public :: sphere_point_t, sphere_memory_t, solve_point
@@ -27,7 +28,7 @@ module adfric_round_sphere_point
       !> One of `status_...`, and of `theory_...`.
       integer :: status = status_solved, theory = theory_maugis_dugdale
       !> Radii, load and approach.
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       !> X, the share of adhesion that friction leaves.
       real(dp) :: ratio = 1
       !> Proved error of the theory, and the error estimate of the point, which contains it.
@@ -53,12 +54,12 @@ module adfric_round_sphere_point
       !> Maugis's parameter of this theory.
       real(dp) :: lambda = 0
       !> The last contact that this theory found.
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       !> What the choice of a theory needs.
-      type(choice_t) :: choice
+      type(theory_choice_t) :: choice
       !> The last pull-off load, and what it belongs to.
       real(dp) :: pull_off_load = 0, pull_off_ratio = -1
-      !> What was held for that load, one of `control_...`; 0: none is known.
+      !> What was prescribed for that load, one of `control_...`; 0: none is known.
       integer :: pull_off_control = 0
       !> The last events of the static phase, and the contact and friction they belong to.
       logical :: has_events = .false.
@@ -71,14 +72,13 @@ module adfric_round_sphere_point
       !> The point that it belongs to.
       type(sphere_case_t) :: drive_case
       !> That way.
-      type(spring_drive_t) :: drive
+      type(sphere_spring_drive_t) :: drive
    end type sphere_memory_t
 
 contains
 
    !> Solve a point.
    subroutine solve_point(case, needs_events, memory, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> Are the events of the static phase asked for?
       logical, intent(in) :: needs_events
@@ -105,7 +105,7 @@ contains
             & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
          call take_state(state, point)
       else
-         ! with events X changes on the way, and with it what could be proved; nothing is proved of what r < b carries
+         ! with events X changes on the path, and with it what could be proved; nothing is proved of what r < b carries
          if (case%theory == theory_auto .and. .not. (needs_events .or. case%pressure_factor > 0)) &
             & call try_limit(case, memory, point)
          memory%theory%ratio = point%ratio
@@ -127,11 +127,10 @@ contains
       if (needs_events .and. .not. case%pressure_factor > 0) call add_events(case, memory, point)
    end subroutine solve_point
 
-   !> Take the way on a driven spring into the memory.
+   !> Take the path on a driven spring into the memory.
    pure subroutine take_drive(case, memory)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
-      !> Receives the way, if it is a new one.
+      !> Receives the path, if it is a new one.
       type(sphere_memory_t), intent(inout) :: memory
 
       if (memory%has_drive) then
@@ -144,7 +143,6 @@ contains
 
    !> Does static friction change the contact?
    pure logical function is_peeling(case)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
 
       is_peeling = case%has_friction .and. case%interaction > 0 .and. (case%is_force_given .or. case%is_displacement_given) &
@@ -152,16 +150,14 @@ contains
    end function is_peeling
 
    !> The law of friction of a case.
-   pure type(friction_t) function new_friction(case) result(friction)
-      !> The point in reduced variables.
+   pure type(peeling_friction_t) function new_friction(case) result(friction)
       type(sphere_case_t), intent(in) :: case
 
-      friction = friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
+      friction = peeling_friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
    end function new_friction
 
    !> A state of the static phase.
    pure subroutine take_state(state, point)
-      !> State of the static phase.
       type(friction_state_t), intent(in) :: state
       !> Receives the contact, X and friction of the state.
       type(sphere_point_t), intent(inout) :: point
@@ -179,7 +175,6 @@ contains
 
    !> What happens between rest and sliding; a tangential force or displacement has no part in it.
    pure subroutine add_events(case, memory, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> What earlier points left; it receives the events if they are new.
       type(sphere_memory_t), intent(inout) :: memory
@@ -202,7 +197,6 @@ contains
 
    !> Have two points of one theory the same way from rest to sliding?
    pure logical function has_same_events(one, two)
-      !> Two points of one theory, in reduced variables.
       type(sphere_case_t), intent(in) :: one, two
 
       has_same_events = one%control == two%control .and. one%branch == two%branch .and. .not. any(abs( &
@@ -225,7 +219,7 @@ contains
       call new_theory(memory%theory, number, lambda)
       memory%number = number
       memory%lambda = lambda
-      memory%contact = contact_t()
+      memory%contact = sphere_contact_t()
       memory%pull_off_ratio = -1
       memory%has_events = .false.
       memory%has_drive = .false.
@@ -233,7 +227,6 @@ contains
 
    !> The contact of a limit theory, where it will do.
    pure subroutine try_limit(case, memory, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> What earlier points left; it receives the choice if that is another one.
       type(sphere_memory_t), intent(inout) :: memory
@@ -250,13 +243,12 @@ contains
 
    !> Add what follows from the contact alone.
    subroutine finish_contact(case, memory, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> What earlier points left; it receives the pull-off load, and the contact as a neighbour.
       type(sphere_memory_t), intent(inout) :: memory
       !> In: with theory, X and contact. Out: with status, error estimate, pull-off load and friction radius, too.
       type(sphere_point_t), intent(inout) :: point
-      type(contact_t) :: fold
+      type(sphere_contact_t) :: fold
 
       if (abs(memory%pull_off_ratio - point%ratio) > 0 .or. memory%pull_off_control /= case%control) then
          ! of Maugis-Dugdale, where that stands for a limit theory: what is proved of the contact is not proved of its end
@@ -286,7 +278,7 @@ contains
       type(sphere_memory_t), intent(in) :: memory
       !> What is found of the point, with theory and contact.
       type(sphere_point_t), intent(in) :: point
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
 
       if (point%theory == memory%number) then
@@ -300,9 +292,7 @@ contains
 
    !> Friction of a strength that grows with pressure.
    subroutine add_sheared(case, memory, needs_events, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
-      !> Holds the theory that has found the contact.
       type(sphere_memory_t), intent(in) :: memory
       !> Are the events asked for? At the onset of sliding nothing drops.
       logical, intent(in) :: needs_events
@@ -362,7 +352,6 @@ contains
 
    !> Friction that leaves the contact alone: during sliding, or without interaction.
    pure subroutine add_friction(case, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> In: with its contact. Out: with its friction, too, or with the status of a force that it does not bear.
       type(sphere_point_t), intent(inout) :: point
@@ -393,7 +382,6 @@ contains
 
    !> Add force, displacement and slip that follow from arccos gamma.
    pure subroutine add_static_friction(case, angle, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> Angle arccos gamma [rad], 0 to pi/2.
       real(dp), intent(in) :: angle

@@ -29,7 +29,7 @@ module adfric_round_sphere_profiles
    use adfric_numerics_elliptic, only: carlson_d, carlson_f
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_numerics_trigonometry, only: sinc_minus_cos
-   use adfric_round_sphere_contact, only: contact_t, theory_t
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_hertz, only: hertz_t
    use adfric_round_sphere_jkr, only: jkr_t
@@ -70,7 +70,7 @@ contains
       !> Theory that has found the contact, one of the four.
       class(theory_t), intent(in) :: theory
       !> The contact as the theory gives it; where it is not found all values of the profile are NaN.
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
 
       self%is_found = contact%is_found
       self%radius = contact%radius
@@ -83,8 +83,8 @@ contains
       type is (maugis_t)
          self%tension = theory%ratio*theory%lambda
          if (contact%radius > 0) then
-            ! the place is ln(s0/a); the difference of c and a has lost its digits where lambda is large
-            self%width = contact%radius*exp(contact%place)
+            ! the position is ln(s0/a); the difference of c and a has lost its digits where lambda is large
+            self%width = contact%radius*exp(contact%position)
          else
             self%width = contact%adhesion_radius
             self%least_gap = axial_gap(theory%lambda, self%tension, contact%adhesion_radius)

@@ -10,7 +10,7 @@ module adfric_round_sphere_shape
    use adfric_round_shape, only: shape_t, spot_t
    use adfric_numerics_gauss, only: gauss_nodes_10, gauss_weights_10
    use adfric_numerics_libm, only: expm1
-   use adfric_numerics_panels, only: integrand_t, integrate
+   use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
    public :: sphere_shape_t, new_sphere_shape
@@ -37,7 +37,7 @@ module adfric_round_sphere_shape
    end type sphere_shape_t
 
    !> [g(a) - g(x)]^2 dx/du.
-   type, extends(integrand_t) :: energy_integrand_t
+   type, extends(panel_integrand_t) :: energy_integrand_t
       !> g(a).
       real(dp) :: depth = 0
    contains
@@ -48,7 +48,6 @@ contains
 
    !> The shape.
    pure subroutine new_sphere_shape(self)
-      !> Receives the shape.
       type(sphere_shape_t), intent(out) :: self
 
       self%edge = 1
@@ -57,7 +56,6 @@ contains
 
    !> See `shape_t`.
    pure subroutine evaluate(self, u, is_beyond, spot)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
       !> The unknown artanh(a), >= 0.
       real(dp), intent(in) :: u
@@ -110,7 +108,6 @@ contains
 
    !> See `shape_t`.
    elemental real(dp) function unknown_of(self, radius)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
       !> Radius of contact, 0 <= radius < 1.
       real(dp), intent(in) :: radius
@@ -122,7 +119,6 @@ contains
 
    !> See `shape_t`: sqrt(s) g' is above 2 s^(3/2), and from u = 1 on above 2/3 cosh(u)^2.
    pure real(dp) function get_end(self, target)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
       !> The number, > 0.
       real(dp), intent(in) :: target
@@ -140,7 +136,6 @@ contains
 
    !> See `shape_t`.
    elemental real(dp) function rise(self, v)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
       !> Radius x, 0 < x < 1.
       real(dp), intent(in) :: v
@@ -152,7 +147,6 @@ contains
 
    !> See `shape_t`: there is no corner.
    pure real(dp) function inner_rise(self)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
 
       inner_rise = 0
@@ -162,7 +156,6 @@ contains
 
    !> See `shape_t`.
    pure real(dp) function energy(self, u, is_beyond)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
       !> The unknown artanh(a), >= 0.
       real(dp), intent(in) :: u
@@ -184,23 +177,21 @@ contains
       end associate
    end function energy
 
-   !> See `integrand_t`.
-   pure real(dp) function value_at(self, place)
-      !> The integrand with g(a).
+   !> See `panel_integrand_t`.
+   pure real(dp) function value_at(self, position)
       class(energy_integrand_t), intent(in) :: self
       !> The unknown artanh(x) of a radius inside the contact.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
 
       real(dp) :: less
 
-      less = expm1(-2*place)
+      less = expm1(-2*position)
       ! tanh(u) and 1/cosh(u)^2
-      value_at = (self%depth + place*less/(2 + less))**2*(4*(1 + less)/(2 + less)**2)
+      value_at = (self%depth + position*less/(2 + less))**2*(4*(1 + less)/(2 + less)**2)
    end function value_at
 
    !> See `shape_t`.
    pure subroutine get_profile(self, r, height, slope)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
       !> Distance from the axis, 0 <= r < 1.
       real(dp), intent(in) :: r
@@ -217,7 +208,6 @@ contains
 
    !> See `shape_t`; above the equator there is none but 1.
    pure real(dp) function radius_of_height(self, height)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
       !> The height, > 0.
       real(dp), intent(in) :: height
@@ -230,9 +220,7 @@ contains
 
    !> See `shape_t`.
    pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
-      !> The shape, of which nothing is needed.
       class(sphere_shape_t), intent(in) :: self
-      !> What the shape is at the contact.
       type(spot_t), intent(in) :: spot
       !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond

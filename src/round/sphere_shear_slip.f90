@@ -17,7 +17,7 @@ module adfric_round_sphere_shear_slip
       & sum_force, sum_rest, uniform_force
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
@@ -71,12 +71,11 @@ contains
 
    !> A contact that resists shear.
    pure subroutine new_sheared_sphere(self, theory, contact, strength, factor, edge_fraction, poisson)
-      !> Receives the contact.
       type(sheared_sphere_t), intent(out) :: self
       !> The theory that has found it, with its X.
       class(theory_t), intent(in) :: theory
       !> The contact, of a radius > 0.
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
       !> Shear strength tau0, reduced (J 2.11).
       real(dp), intent(in) :: strength
       !> alpha.
@@ -91,8 +90,8 @@ contains
       carried = contact%load
       select type (theory)
       type is (maugis_t)
-         ! the place is ln(s/a), s^2 = c^2 - a^2
-         whole_zone = (contact%radius*exp(contact%place))**2
+         ! the position is ln(s/a), s^2 = c^2 - a^2
+         whole_zone = (contact%radius*exp(contact%position))**2
          self%stress = stress_unit*theory%ratio*theory%lambda
       class is (dmt_t)
          carried = carried + theory%pull()
@@ -115,11 +114,9 @@ contains
 
    !> The slip under a force.
    pure subroutine find_slip_of_force(self, force, slip)
-      !> The contact.
       type(sheared_sphere_t), intent(in) :: self
       !> T, from 0 to that of sliding, reduced (J 2.11).
       real(dp), intent(in) :: force
-      !> Receives the slip.
       type(sphere_slip_t), intent(out) :: slip
       type(slip_equation_t) :: equation
       real(dp) :: zone, given, beside
@@ -144,11 +141,9 @@ contains
 
    !> The slip of a displacement.
    pure subroutine find_slip_of_displacement(self, displacement, slip)
-      !> The contact.
       type(sheared_sphere_t), intent(in) :: self
       !> Displacement, from 0 to that of the onset of sliding, reduced (J 2.11).
       real(dp), intent(in) :: displacement
-      !> Receives the slip.
       type(sphere_slip_t), intent(out) :: slip
       type(slip_equation_t) :: equation
       real(dp) :: zone, given
@@ -171,13 +166,12 @@ contains
       slip%displacement = displacement
    end subroutine find_slip_of_displacement
 
-   !> The slip whose place lies in contact. Up to the middle arccos(e/a) is the unknown, beyond it arcsin(e/a).
+   !> The slip whose position lies in contact. Up to the middle arccos(e/a) is the unknown, beyond it arcsin(e/a).
    pure subroutine find_in_contact(equation, total, slip)
       !> In: contact, kind and target. It serves the search.
       type(slip_equation_t), intent(inout) :: equation
       !> Force or displacement of sliding.
       real(dp), intent(in) :: total
-      !> Receives the slip.
       type(sphere_slip_t), intent(inout) :: slip
       ! logarithm of the smallest angle
       real(dp), parameter :: smallest = -300.0_dp, middle = half_pi/2
@@ -206,7 +200,6 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation with its contact.
       class(slip_equation_t), intent(in) :: self
       !> Logarithm of the angle.
       real(dp), intent(in) :: x
@@ -238,9 +231,8 @@ contains
       end associate
    end subroutine evaluate
 
-   !> What follows from the place: force, displacement and slip.
+   !> What follows from the position: force, displacement and slip.
    pure subroutine describe(self, angle, square, slip)
-      !> The contact.
       type(sheared_sphere_t), intent(in) :: self
       !> arccos(e/b).
       real(dp), intent(in) :: angle
@@ -273,7 +265,6 @@ contains
 
    !> a^3 - e^3 from a^2 - e^2.
    pure real(dp) function cube_difference(a, e, square) result(difference)
-      !> a and e.
       real(dp), intent(in) :: a, e
       !> a^2 - e^2.
       real(dp), intent(in) :: square
@@ -284,7 +275,6 @@ contains
    !> The integrals of the slip at the edge over the terms of alpha: with x = b cos y, dv/dy = b^2 sin 2y [1 + S/sqrt(z^2 + b^2 sin^2 y)],
    !> z^2 = c^2 - b^2, of y and of sin y cos y. Near the edge y = (z/b) sinh w takes the root, beyond it one panel does.
    pure function edge_integrals(self, e, square) result(parts)
-      !> The contact.
       type(sheared_sphere_t), intent(in) :: self
       !> e, at most a.
       real(dp), intent(in) :: e
@@ -318,7 +308,6 @@ contains
 
    !> The integrals over a panel.
    pure function panel_integrals(self, least, low, high, scale) result(parts)
-      !> The contact.
       type(sheared_sphere_t), intent(in) :: self
       !> The least angle, which round-off does not pass.
       real(dp), intent(in) :: least
@@ -346,7 +335,6 @@ contains
 
    !> Shear stress at a distance from the axis, reduced (J 2.11); where JKR's tension passes tau0/alpha there is none.
    elemental real(dp) function shear_stress_of(self, gamma, r, pressure) result(stress)
-      !> The contact.
       type(sheared_sphere_t), intent(in) :: self
       !> e/b.
       real(dp), intent(in) :: gamma

@@ -50,7 +50,7 @@ contains
       integer, intent(in) :: theory
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
-      !> X, the share of adhesion that is left [-], > 0.
+      !> X, the share of adhesion that remains [-], > 0.
       real(dp), intent(in) :: ratio
       real(dp) :: widest
 
@@ -72,7 +72,6 @@ contains
    !> Bounds of the differences of load and approach at a radius. They grow with the radius, JKR's of the approach where a is
    !> not small.
    elemental subroutine get_bounds(self, radius, load, approach)
-      !> The limit theory beside Maugis-Dugdale.
       class(limit_t), intent(in) :: self
       !> Radius a of the contact, reduced, > 0.
       real(dp), intent(in) :: radius

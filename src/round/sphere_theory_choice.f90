@@ -5,7 +5,7 @@
 !> Maugis-Dugdale, and Maugis-Dugdale otherwise.
 module adfric_round_sphere_theory_choice
    use adfric_base_kinds, only: dp
-   use adfric_round_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
       & control_load, control_approach, control_radius, branch_stable, find_contact
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc
@@ -15,22 +15,22 @@ module adfric_round_sphere_theory_choice
    use adfric_round_sphere_theory_bounds, only: limit_t, new_limit
    implicit none (type, external)
    private
-   public :: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
+   public :: new_theory, theory_choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
 
    !> A relative error is the error over the value, or over this where the value is smaller.
    real(dp), parameter :: least_value = 0.1_dp
    !> Below this X nothing is proved.
    real(dp), parameter :: least_ratio = 1.0e-30_dp
-   !> Largest t^2 and u of a proof (see `theory_bounds`), which leave room for the neighbouring radii, and largest z (see `prove`).
+   !> Largest t^2 and u of a proof (see `theory_bounds`), which leave space for the neighbouring radii, and largest z (see `prove`).
    real(dp), parameter :: largest_square = 0.08_dp, largest_cosine = 0.35_dp, largest_share = 0.09_dp
    !> Relative round-off of a term of an equation.
    real(dp), parameter :: round_off = 2*epsilon(1.0_dp)
 
-   !> What a choice needs that does not depend on what is held. It follows from its parameters alone.
-   type :: choice_t
+   !> What a choice needs that does not depend on what is prescribed. It follows from its parameters alone.
+   type :: theory_choice_t
       !> The parameters; see `new_choice`.
       real(dp) :: lambda = 0, ratio = 0, tolerance = 0
-      !> What is held, one of `control_...`.
+      !> What is prescribed, one of `control_...`.
       integer :: control = 0
       !> Does a result depend on c, so that DMT, which has none, cannot do?
       logical :: needs_edge = .false.
@@ -40,15 +40,14 @@ module adfric_round_sphere_theory_choice
       type(jkr_t) :: jkr
       !> DMT for this X.
       type(dmt_t) :: dmt
-      !> Only between these values of what is held a proof is tried.
+      !> Only between these values of what is prescribed a proof is tried.
       real(dp) :: low = huge(1.0_dp), high = -huge(1.0_dp)
-   end type choice_t
+   end type theory_choice_t
 
 contains
 
    !> A theory by its number, for X = 1.
    subroutine new_theory(theory, number, lambda)
-      !> Receives the theory.
       class(theory_t), allocatable, intent(out) :: theory
       !> One of `theory_...`.
       integer, intent(in) :: number
@@ -67,15 +66,15 @@ contains
       end select
    end subroutine new_theory
 
-   !> The limit theory that may do, and the range of held values where it may.
+   !> The limit theory that may do, and the range of prescribed values where it may.
    pure subroutine new_choice(self, lambda, ratio, control, needs_edge, tolerance)
-      !> Receives the limit theory that may do, and its range of what is held.
-      type(choice_t), intent(out) :: self
+      !> Receives the limit theory that may do, and its range of what is prescribed.
+      type(theory_choice_t), intent(out) :: self
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
-      !> X, the share of adhesion that is left [-], >= 0.
+      !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> Is the radius c of adhesion needed, too? Then DMT will not do.
       logical, intent(in) :: needs_edge
@@ -101,13 +100,12 @@ contains
 
    !> Was the choice made for these parameters?
    pure logical function is_choice_of(self, lambda, ratio, control, needs_edge, tolerance)
-      !> The choice, whose parameters are compared.
-      type(choice_t), intent(in) :: self
+      type(theory_choice_t), intent(in) :: self
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
-      !> X, the share of adhesion that is left [-], >= 0.
+      !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> Is the radius c of adhesion needed, too?
       logical, intent(in) :: needs_edge
@@ -121,9 +119,9 @@ contains
    !> Below a radius t^2 is too large for a proof, or c/a - 1, or what the far term of the bounds makes of load and approach, is
    !> more than the tolerance.
    pure subroutine set_range_of_jkr(self)
-      !> In: with its parameters and JKR. Out: with the range of what is held, too.
-      type(choice_t), intent(inout) :: self
-      type(contact_t) :: contact
+      !> In: with its parameters and JKR. Out: with the range of what is prescribed, too.
+      type(theory_choice_t), intent(inout) :: self
+      type(sphere_contact_t) :: contact
       real(dp) :: least
 
       least = self%limit%far/self%tolerance
@@ -146,8 +144,8 @@ contains
    !> Above a radius u is too large; below another one the error of radius or approach is more than the tolerance, even where the
    !> bounds are smallest.
    pure subroutine set_range_of_dmt(self)
-      !> In: with its parameters and DMT. Out: with the range of what is held, too.
-      type(choice_t), intent(inout) :: self
+      !> In: with its parameters and DMT. Out: with the range of what is prescribed, too.
+      type(theory_choice_t), intent(inout) :: self
       real(dp) :: approach
 
       approach = self%limit%far/self%tolerance
@@ -169,11 +167,11 @@ contains
    end subroutine set_range_of_dmt
 
    !> The simplest theory that is proved to be within the tolerance, and its contact. It depends on the parameters of the choice
-   !> and on what is held, and on nothing else.
+   !> and on what is prescribed, and on nothing else.
    pure subroutine choose_theory(self, value, branch, number, error, contact)
       !> The choice, with its limit theory and its range.
-      type(choice_t), intent(in) :: self
-      !> Value of the load, approach or radius that is held, reduced.
+      type(theory_choice_t), intent(in) :: self
+      !> Value of the load, approach or radius that is prescribed, reduced.
       real(dp), intent(in) :: value
       !> One of `branch_...`; a limit theory will do for the stable state only.
       integer, intent(in) :: branch
@@ -182,7 +180,7 @@ contains
       !> Proved bound of the relative error of that theory [-]; 0 for Maugis-Dugdale.
       real(dp), intent(out) :: error
       !> Receives the contact of the limit theory; for Maugis-Dugdale none is found.
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
 
       number = theory_maugis_dugdale
       error = 0
@@ -197,26 +195,24 @@ contains
          if (error <= self%tolerance) number = self%limit%theory
       end if
       if (number == self%limit%theory) return
-      contact = contact_t()
+      contact = sphere_contact_t()
       error = 0
    end subroutine choose_theory
 
    !> Bound of the relative error of radius, load and approach of a contact; huge where there is none.
    !>
-   !> Where a load P is held, Maugis-Dugdale's radius lies between a (1 - s) and a (1 + s) if the bounds there leave no doubt on
-   !> which side of P its load is. With the bound E of the load, S = a dP/da, s0 = E/S and z = m s0, m = 3 a^3/S, that is so for
+   !> Where a load P is prescribed, Maugis-Dugdale's radius lies between a (1 - s) and a (1 + s) if the bounds there leave no doubt
+   !> on which side of P its load is. With the bound E of the load, S = a dP/da, s0 = E/S and z = m s0, m = 3 a^3/S, that is so for
    !> s = s0 (1 + 4 z), z <= 0.09:
    !>
    !> - Downwards P falls by S (s - m s^2) or more, and E falls.
    !> - Upwards JKR's P grows by S s or more, E by (1 + s)^2 or less; DMT's by S s (1 + s), and (1 + s)^3.3.
    !>
-   !> Where an approach is held it is the same with m = 2 a^2/S; E grows downwards, too, by (1 - s)^(-1/2) or less, and upwards by
-   !> 1 + s or less.
+   !> Where an approach is prescribed it is the same with m = 2 a^2/S; E grows downwards, too, by (1 - s)^(-1/2) or less, and
+   !> upwards by 1 + s or less.
    pure subroutine prove(self, contact, error)
-      !> The choice, with its limit theory.
-      type(choice_t), intent(in) :: self
-      !> Contact that the limit theory has found.
-      type(contact_t), intent(in) :: contact
+      type(theory_choice_t), intent(in) :: self
+      type(sphere_contact_t), intent(in) :: contact
       !> Bound of the relative error [-]; huge where there is none.
       real(dp), intent(out) :: error
       real(dp) :: load, approach, load_slope, approach_slope, s, z, cube, square
@@ -257,29 +253,29 @@ contains
       end associate
    end subroutine prove
 
-   !> How well a contact is known: how far it is from fulfilling the equations of its theory at the place where it was found,
-   !> and what the round-off of what is held does to the place. The largest relative error of radius, load and approach.
+   !> How well a contact is known: how far it is from fulfilling the equations of its theory at the position where it was found,
+   !> and what the round-off of what is prescribed does to the position. The largest relative error of radius, load and approach.
    pure real(dp) function get_mismatch(theory, number, control, contact) result(mismatch)
       !> Theory that has found the contact.
       class(theory_t), intent(in) :: theory
       !> Number of this theory, one of `theory_...`.
       integer, intent(in) :: number
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> The contact, which has been found.
-      type(contact_t), intent(in) :: contact
-      type(contact_t) :: again
+      type(sphere_contact_t), intent(in) :: contact
+      type(sphere_contact_t) :: again
       type(curve_point_t) :: point
       real(dp), dimension(3) :: values, others, terms, slopes, sizes, powers
       real(dp) :: shift
-      integer :: held
+      integer :: prescribed
 
-      again = contact_t()
+      again = sphere_contact_t()
       slopes = 0
       select type (theory)
       type is (maugis_t)
          if (contact%radius > 0) then
-            call get_curve_point(theory%lambda, theory%ratio, contact%place, point)
+            call get_curve_point(theory%lambda, theory%ratio, contact%position, point)
             again%radius = point%radius
             again%load = point%load
             again%approach = point%approach
@@ -300,14 +296,14 @@ contains
       ! load and approach are differences of these
       terms = [contact%radius, contact%radius**3 + abs(contact%load - contact%radius**3), &
          & contact%radius**2 + abs(contact%approach - contact%radius**2)]
-      held = 1
-      if (control == control_load) held = 2
-      if (control == control_approach) held = 3
-      ! at the end of stability what is held has no slope, but a curvature of about that of a, a^3 or a^2
+      prescribed = 1
+      if (control == control_load) prescribed = 2
+      if (control == control_approach) prescribed = 3
+      ! at the end of stability what is prescribed has no slope, but a curvature of about that of a, a^3 or a^2
       powers = [contact%radius, contact%radius**3, contact%radius**2]
       shift = 0.5_dp
-      if (round_off*terms(held) < shift**2*powers(held)) shift = sqrt(round_off*terms(held)/powers(held))
-      if (round_off*terms(held) < shift*abs(slopes(held))) shift = round_off*terms(held)/abs(slopes(held))
+      if (round_off*terms(prescribed) < shift**2*powers(prescribed)) shift = sqrt(round_off*terms(prescribed)/powers(prescribed))
+      if (round_off*terms(prescribed) < shift*abs(slopes(prescribed))) shift = round_off*terms(prescribed)/abs(slopes(prescribed))
       mismatch = maxval((abs(others - values) + abs(slopes)*shift + round_off*terms)/sizes)
    end function get_mismatch
 
@@ -315,7 +311,7 @@ contains
    pure subroutine get_slopes(number, ratio, radius, load_slope, approach_slope)
       !> `theory_jkr`; any other number means DMT or Hertz.
       integer, intent(in) :: number
-      !> X, the share of adhesion that is left [-], >= 0.
+      !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
       !> Radius a of the contact, reduced, > 0.
       real(dp), intent(in) :: radius

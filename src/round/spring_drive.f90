@@ -1,15 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> An indenter whose lateral spring is driven: the state at a displacement of the base that has grown from rest, reduced (J 2.11).
 !>
-!> It is the first place of the way where h = u + T/k reaches the displacement, which is the running maximum. Beyond the largest h it
-!> is an indenter that slides, or in stick-slip the same places again and again, from the force of sliding up to the jump.
+!> It is the first position of the path where h = u + T/k reaches the displacement, which is the running maximum. Beyond the largest
+!> h it is an indenter that slides, or in stick-slip the same positions again and again, from the force of sliding up to the jump.
 module adfric_round_spring_drive
    use adfric_base_kinds, only: dp
    use adfric_round_interaction_events, only: slide
-   use adfric_round_interaction_path, only: path_t, waypoint_t
+   use adfric_round_interaction_path, only: interaction_path_t, waypoint_t
    use adfric_round_interaction_search, only: end_capped, end_sliding, find_end
    use adfric_round_pulled_indenter, only: get_waypoint_of, pulled_indenter_t, take_indenter_curve
-   use adfric_round_driven_contact, only: find_driven_place
+   use adfric_round_driven_contact, only: find_driven_position
    use adfric_round_pulled_contact, only: pulled_curve_t
    use adfric_round_shrinking_path, only: force_of
    use adfric_round_stick_slip, only: find_stick_slip, stick_slip_t
@@ -17,17 +17,17 @@ module adfric_round_spring_drive
    private
    public :: spring_drive_t, driven_state_t, new_spring_drive, find_driven_state
 
-   !> The way of an indenter, and what happens on its spring.
+   !> The path of an indenter, and what happens on its spring.
    type :: spring_drive_t
       !> Is there a contact at rest, and has all been found to round-off?
       logical :: is_found = .false., is_converged = .true.
       !> Stiffness of the spring.
       real(dp) :: stiffness = 1
-      !> The way from rest to sliding, as a contact that is pulled, and as polynomials.
+      !> The path from rest to sliding, as a contact that is pulled, and as polynomials.
       type(pulled_indenter_t) :: contact
       !> The polynomials.
       type(pulled_curve_t) :: curve
-      !> The state of sliding; not found where the way does not end in it.
+      !> The state of sliding; not found where the path does not end in it.
       type(waypoint_t) :: sliding
       !> The jump.
       type(stick_slip_t) :: jump
@@ -45,15 +45,13 @@ module adfric_round_spring_drive
 
 contains
 
-   !> The way of an indenter on a spring.
+   !> The path of an indenter on a spring.
    pure subroutine new_spring_drive(self, start, stiffness)
-      !> Receives the way.
       type(spring_drive_t), intent(out) :: self
-      !> The way from rest, not yet followed.
-      type(path_t), intent(in) :: start
+      type(interaction_path_t), intent(in) :: start
       !> Stiffness of the spring, reduced, > 0.
       real(dp), intent(in) :: stiffness
-      type(path_t) :: path
+      type(interaction_path_t) :: path
       type(waypoint_t) :: finish
       real(dp) :: force
       integer :: ending
@@ -77,26 +75,25 @@ contains
 
    !> The state at a displacement of the base.
    pure subroutine find_driven_state(self, base, state)
-      !> The way, which has been found to round-off.
       type(spring_drive_t), intent(in) :: self
       !> Displacement of the base from rest, reduced, >= 0.
       real(dp), intent(in) :: base
       !> Receives the state; not found where contact is lost, or jumps to a smaller one.
       type(driven_state_t), intent(out) :: state
-      real(dp) :: place
+      real(dp) :: position
       integer :: piece
       logical :: is_reached
 
       if (.not. self%is_found) return
-      call find_driven_place(self%contact, self%curve, self%jump, self%stiffness, base, piece, place, is_reached)
+      call find_driven_position(self%contact, self%curve, self%jump, self%stiffness, base, piece, position, is_reached)
       if (is_reached) then
-         call get_waypoint_of(self%contact, piece, place, state%waypoint)
+         call get_waypoint_of(self%contact, piece, position, state%waypoint)
          state%force = force_of(self%contact%path, state%waypoint)
       else
          if (self%jump%is_lost .or. .not. self%curve%slides) return
          state%waypoint = self%sliding
          state%is_sliding = .true.
-         ! a force of sliding above that of the end of the way is not reached at once
+         ! a force of sliding above that of the end of the path is not reached at once
          state%force = min(self%curve%force_after, self%stiffness*(base - self%curve%last_displacement))
       end if
       state%is_found = .true.

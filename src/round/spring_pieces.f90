@@ -6,8 +6,10 @@
 !> y = 1/sqrt(3). So where m falls, m/q falls; and where h = d(ln m)/d(ln a) = 1/2 + a g''/g' is at least 0.268, m/q rises: everywhere
 !> if g' never falls, where h >= 1/2, and for r^n from n = 0.768 on. Two sorts of pieces are left:
 !>
-!> - r^n with n < 0.768: h = n - 1/2 is constant, and r, which rises and falls, is h at two places, on both sides of y = 1/sqrt(3);
-!> - beyond the place where m of `flat_cone`, `flat_paraboloid` or `rounded_cone` is least: h rises from 0, where it is below 0.27
+!> - r^n with n < 0.768: h = n - 1/2 is constant, and r, which rises and falls, is h at two positions, on both sides of y =
+!> 1/sqrt(3);
+!> - beyond the position where m of `flat_cone`, `flat_paraboloid` or `rounded_cone` is least: h rises from 0, where it is below
+!> 0.27
 !>   with a slope dh/d(ln a) of at least 1.0, 11.8 and 1.4, and stays above; that of r is at most 0.101. So h - r has one root.
 module adfric_round_spring_pieces
    use adfric_base_kinds, only: dp
@@ -18,14 +20,13 @@ module adfric_round_spring_pieces
 
    !> Most pieces on a spring.
    integer, parameter :: most_divided_pieces = most_pieces + 2
-   !> Most doublings of a place, and halvings of a range.
+   !> Most doublings of a position, and halvings of a range.
    integer, parameter :: most_doublings = 1000, most_halvings = 60
 
 contains
 
    !> Divide the pieces of a shape where m/q turns.
    pure subroutine divide_pieces(shape, compliance, pieces, n)
-      !> The shape.
       class(shape_t), intent(in) :: shape
       !> Compliance of the spring, > 0.
       real(dp), intent(in) :: compliance
@@ -60,23 +61,21 @@ contains
    end subroutine divide_pieces
 
    !> Divide the last piece.
-   pure subroutine divide_last(pieces, n, place)
-      !> The pieces.
+   pure subroutine divide_last(pieces, n, position)
       type(piece_t), intent(inout) :: pieces(:)
       !> Their number, which grows by 1.
       integer, intent(inout) :: n
       !> Where, within the last piece.
-      real(dp), intent(in) :: place
+      real(dp), intent(in) :: position
 
       pieces(n + 1) = pieces(n)
-      pieces(n)%high = place
-      pieces(n + 1)%low = place
+      pieces(n)%high = position
+      pieces(n + 1)%low = position
       n = n + 1
    end subroutine divide_last
 
    !> (h - r) da/du / a, which has the sign of the slope of m/q.
    pure real(dp) function excess(shape, compliance, u)
-      !> The shape.
       class(shape_t), intent(in) :: shape
       !> Compliance of the spring.
       real(dp), intent(in) :: compliance
@@ -93,11 +92,10 @@ contains
 
    !> Where the slope of m/q changes its sign.
    pure real(dp) function turn_between(shape, compliance, falling, rising) result(turn)
-      !> The shape.
       class(shape_t), intent(in) :: shape
       !> Compliance of the spring.
       real(dp), intent(in) :: compliance
-      !> Places > 0 where m/q falls, and where it rises.
+      !> Positions > 0 where m/q falls, and where it rises.
       real(dp), intent(in) :: falling, rising
       real(dp) :: ends(2)
       integer :: k

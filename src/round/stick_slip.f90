@@ -1,25 +1,25 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Stick-slip of a contact that is pulled through a spring: its base moves by x, T = k (x - D), and T(D) is that of the contact at rest.
 !>
-!> States are stable where h = D + T/k rises along the way, so x is the running maximum of h: the contact creeps along its way up to a
-!> maximum of h, and jumps to the next place where h is as large, or beyond all of them to sliding at the force T_s. In a jump the
-!> spring gives more than the contact takes on its way, by
+!> States are stable where h = D + T/k rises along the path, so x is the running maximum of h: the contact creeps along its path up
+!> to a maximum of h, and jumps to the next position where h is as large, or beyond all of them to sliding at the force T_s. In a
+!> jump the spring gives more than the contact takes on its path, by
 !>
 !>     E = k int (x - h) dD + k (x - h_s)^2/2,    h_s = D_s + T_s/k at the onset of sliding, D_s the displacement there.
 !>
 !> Motion ends there (damping takes E), and rest restores adhesion: the contact goes on as one that has been loaded to T_s from rest.
 !> So the base moves by x - h(T_s) from one jump to the next, and its work is int T dh, which is what the contact takes and E.
 !>
-!> A jump ends in sliding where some h on the way is above h_s, that is for
+!> A jump ends in sliding where some h on the path is above h_s, that is for
 !>
 !>     k < max (T - T_s)/(D_s - D)
 !>
-!> whose right side is found by Dinkelbach's procedure for the largest of ratios: the place of the largest T + k D gives the next k,
-!> which never falls. There T - T_s - k (D_s - D) > 0 as long as k is too small, for it is at the place of the largest ratio.
+!> whose right side is found by Dinkelbach's procedure for the largest of ratios: the position of the largest T + k D gives the next
+!> k, which never falls. There T - T_s - k (D_s - D) > 0 as long as k is too small, for it is at the position of the largest ratio.
 module adfric_round_stick_slip
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_round_pulled_contact, only: pulled_curve_t, spot_t, displacement_at, extension_at, first_fall, first_reach, &
+   use adfric_round_pulled_contact, only: pulled_curve_t, pulled_spot_t, displacement_at, extension_at, first_fall, first_reach, &
       & force_at, work_between
    implicit none (type, external)
    private
@@ -32,8 +32,8 @@ module adfric_round_stick_slip
 
    !> A jump.
    type :: jump_t
-      !> Where it begins and, if that is on the way, ends.
-      type(spot_t) :: onset, landing
+      !> Where it begins and, if that is on the path, ends.
+      type(pulled_spot_t) :: onset, landing
       !> Force after it, and its energy.
       real(dp) :: arrest_force = 0, energy = 0
    end type jump_t
@@ -56,7 +56,6 @@ contains
 
    !> The jumps of a pulled contact.
    pure subroutine find_stick_slip(curve, stiffness, found)
-      !> The way of the contact.
       type(pulled_curve_t), intent(in) :: curve
       !> k > 0.
       real(dp), intent(in) :: stiffness
@@ -84,7 +83,6 @@ contains
 
    !> Nothing happens.
    pure subroutine forget_stick_slip(found)
-      !> Receives numbers that are none.
       type(stick_slip_t), intent(inout) :: found
       real(dp) :: none
 
@@ -100,22 +98,20 @@ contains
 
    !> The jumps as the base moves on from rest.
    pure subroutine list_jumps(curve, stiffness, jumps, n, slides)
-      !> The way of the contact.
       type(pulled_curve_t), intent(in) :: curve
       !> k.
       real(dp), intent(in) :: stiffness
-      !> Receives the jumps.
       type(jump_t), intent(out) :: jumps(most_jumps)
       !> Receives their number.
       integer, intent(out) :: n
-      !> Does the last one leave the way?
+      !> Does the last one leave the path?
       logical, intent(out) :: slides
-      type(spot_t) :: spot
+      type(pulled_spot_t) :: spot
       logical :: falls, lands
 
       n = 0
       slides = .false.
-      spot = spot_t(1, -1.0_dp)
+      spot = pulled_spot_t(1, -1.0_dp)
       do while (n < most_jumps)
          call first_fall(curve, 1.0_dp, 1/stiffness, (spot), spot, falls)
          if (.not. (falls .or. drops(curve))) return
@@ -130,20 +126,18 @@ contains
             & spot, jumps(n)%landing)
          spot = jumps(n)%landing
       end do
-      if (n > 0) call leave_way(curve, stiffness, jumps(n), slides)
+      if (n > 0) call leave_path(curve, stiffness, jumps(n), slides)
    end subroutine list_jumps
 
    !> Does the force fall at the onset of sliding?
    pure logical function drops(curve)
-      !> The way of the contact.
       type(pulled_curve_t), intent(in) :: curve
 
       drops = curve%last_force - curve%force_after > round_off*curve%last_force
    end function drops
 
-   !> A jump beyond the end of the way. Where sliding needs more force than the end has, it may be short of that.
-   pure subroutine leave_way(curve, stiffness, jump, slides)
-      !> The way of the contact.
+   !> A jump beyond the end of the path. Where sliding needs more force than the end has, it may be short of that.
+   pure subroutine leave_path(curve, stiffness, jump, slides)
       type(pulled_curve_t), intent(in) :: curve
       !> k.
       real(dp), intent(in) :: stiffness
@@ -151,10 +145,11 @@ contains
       type(jump_t), intent(inout) :: jump
       !> Does it come to sliding, or lose contact?
       logical, intent(out) :: slides
-      real(dp) :: held, excess
+      real(dp) :: prescribed, excess
 
-      held = extension_at(curve, 1.0_dp, 1/stiffness, jump%onset)
-      jump%energy = stiffness*work_between(curve, held, 1.0_dp, 1/stiffness, jump%onset, spot_t(size(curve%panels), 1.0_dp))
+      prescribed = extension_at(curve, 1.0_dp, 1/stiffness, jump%onset)
+      jump%energy = stiffness*work_between(curve, prescribed, 1.0_dp, 1/stiffness, jump%onset, pulled_spot_t(size(curve%panels), &
+         & 1.0_dp))
       ! differences first, or a stiff spring would leave no digits
       excess = (displacement_at(curve, jump%onset) - curve%last_displacement) &
          & + (force_at(curve, jump%onset) - curve%force_after)/stiffness
@@ -163,13 +158,12 @@ contains
       if (slides) then
          jump%energy = jump%energy + stiffness*excess**2/2
       else
-         jump%arrest_force = stiffness*(held - curve%last_displacement)
+         jump%arrest_force = stiffness*(prescribed - curve%last_displacement)
       end if
-   end subroutine leave_way
+   end subroutine leave_path
 
    !> From one jump to the next.
    pure subroutine add_period(curve, stiffness, jumps, found)
-      !> The way of the contact.
       type(pulled_curve_t), intent(in) :: curve
       !> k.
       real(dp), intent(in) :: stiffness
@@ -177,13 +171,13 @@ contains
       type(jump_t), intent(in) :: jumps(:)
       !> In: the last jump. Out: with period, work, and the energy of all jumps of a period.
       type(stick_slip_t), intent(inout) :: found
-      type(spot_t) :: arrest, from
+      type(pulled_spot_t) :: arrest, from
       real(dp) :: force, last
       integer :: k
       logical :: is_reached
 
       ! T rises from 0, and is above the force of sliding at the onset of a jump that ends there
-      call first_reach(curve, 0.0_dp, 1.0_dp, curve%force_after, spot_t(1, -1.0_dp), arrest, is_reached)
+      call first_reach(curve, 0.0_dp, 1.0_dp, curve%force_after, pulled_spot_t(1, -1.0_dp), arrest, is_reached)
       found%slides = is_reached
       if (.not. is_reached) return
       found%period = found%base_displacement - (displacement_at(curve, arrest) + curve%force_after/stiffness)
@@ -203,21 +197,19 @@ contains
       end do
    end subroutine add_period
 
-   !> Does a place come before another one?
+   !> Does a position come before another one?
    pure logical function is_before(one, other)
-      !> The places.
-      type(spot_t), intent(in) :: one, other
+      type(pulled_spot_t), intent(in) :: one, other
 
       is_before = one%panel < other%panel .or. (one%panel == other%panel .and. one%x < other%x)
    end function is_before
 
    !> The stiffness from which on there is no stick-slip: 0 where there never is; NaN where each stiffness has it, or loses contact.
    pure subroutine find_critical_stiffness(curve, stiffness)
-      !> The way of the contact.
       type(pulled_curve_t), intent(in) :: curve
       !> Receives the stiffness.
       real(dp), intent(out) :: stiffness
-      type(spot_t) :: top
+      type(pulled_spot_t) :: top
       real(dp) :: next
       integer :: k
 
@@ -238,19 +230,17 @@ contains
       end do
    end subroutine find_critical_stiffness
 
-   !> The place of the largest p D + q T.
+   !> The position of the largest p D + q T.
    pure subroutine find_top(curve, p, q, top)
-      !> The way of the contact.
       type(pulled_curve_t), intent(in) :: curve
       !> Weights.
       real(dp), intent(in) :: p, q
-      !> Receives the place.
-      type(spot_t), intent(out) :: top
-      type(spot_t) :: spot
+      type(pulled_spot_t), intent(out) :: top
+      type(pulled_spot_t) :: spot
       logical :: falls
 
-      spot = spot_t(1, -1.0_dp)
-      top = spot_t(size(curve%panels), 1.0_dp)
+      spot = pulled_spot_t(1, -1.0_dp)
+      top = pulled_spot_t(size(curve%panels), 1.0_dp)
       do
          call first_fall(curve, p, q, (spot), spot, falls)
          if (.not. falls) return

@@ -6,8 +6,8 @@
 module adfric_round_survey
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_round_contact_state, only: held_of
-   use adfric_round_curve, only: curve_t, state_t, interval_t, disc_range_t, stability_control, most_intervals, &
+   use adfric_round_contact_state, only: prescribed_of
+   use adfric_round_curve, only: curve_t, state_t, curve_interval_t, disc_range_t, stability_control, most_intervals, &
       & most_disc_ranges
    use adfric_round_face_contact, only: get_face_end
    use adfric_round_prescribed, only: measure_interval
@@ -15,7 +15,7 @@ module adfric_round_survey
    private
    public :: ends_t, survey_t, survey_curve
 
-   !> Where contacts end under what is held; NaN where there is no such end.
+   !> Where contacts end under what is prescribed; NaN where there is no such end.
    type :: ends_t
       !> Have all been found to round-off?
       logical :: is_converged = .true.
@@ -27,13 +27,13 @@ module adfric_round_survey
       real(dp) :: jump_outward_load = 0, jump_outward_approach = 0
    end type ends_t
 
-   !> The stable and the unstable parts of a curve under what is held, and where contacts end: all that does not depend on the value
-   !> that is held.
+   !> The stable and the unstable parts of a curve under what is prescribed, and where contacts end: all that does not depend on the
+   !> value that is prescribed.
    type :: survey_t
       !> Number of the parts.
       integer :: n = 0
       !> The parts, from the smallest contacts to the largest.
-      type(interval_t) :: intervals(most_intervals)
+      type(curve_interval_t) :: intervals(most_intervals)
       !> Number of the ranges of discs without touch that are stable.
       integer :: n_discs = 0
       !> The ranges, from the smallest discs to the largest.
@@ -44,42 +44,36 @@ module adfric_round_survey
 
 contains
 
-   !> The parts of a curve, and where contacts end under what is held.
+   !> The parts of a curve, and where contacts end under what is prescribed.
    pure subroutine survey_curve(curve, control, survey)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held; a given radius counts as a given load.
+      !> What is prescribed; a given radius counts as a given load.
       integer, intent(in) :: control
       !> Receives the parts and the ends.
       type(survey_t), intent(out) :: survey
-      integer :: held_control, k
+      integer :: prescribed_control, k
 
       call clear_ends(survey%ends)
-      held_control = stability_control(control)
-      call curve%find_intervals(held_control, survey%intervals, survey%n, survey%ends%is_converged)
+      prescribed_control = stability_control(control)
+      call curve%find_intervals(prescribed_control, survey%intervals, survey%n, survey%ends%is_converged)
       do k = 1, survey%n
-         call measure_interval(curve, held_control, survey%intervals(k))
+         call measure_interval(curve, prescribed_control, survey%intervals(k))
       end do
       if (curve%shape%n_pieces == 0) then
-         call get_face_end(curve, held_control, survey%ends%pull_off_load, survey%ends%pull_off_approach)
+         call get_face_end(curve, prescribed_control, survey%ends%pull_off_load, survey%ends%pull_off_approach)
       else
-         call curve%find_discs(held_control, survey%discs, survey%n_discs)
-         call find_pull_off(curve, held_control, survey%intervals(:survey%n), survey%discs(:survey%n_discs), survey%ends)
-         call find_jumps(curve, held_control, survey%intervals(:survey%n), survey%ends)
+         call curve%find_discs(prescribed_control, survey%discs, survey%n_discs)
+         call find_pull_off(curve, prescribed_control, survey%intervals(:survey%n), survey%discs(:survey%n_discs), survey%ends)
+         call find_jumps(curve, prescribed_control, survey%intervals(:survey%n), survey%ends)
       end if
    end subroutine survey_curve
 
-   !> The stable state where what is held is least.
+   !> The stable state where what is prescribed is least.
    pure subroutine find_pull_off(curve, control, intervals, discs, ends)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> The intervals of the curve.
-      type(interval_t), intent(in) :: intervals(:)
-      !> The discs that are stable.
+      type(curve_interval_t), intent(in) :: intervals(:)
       type(disc_range_t), intent(in) :: discs(:)
-      !> Receives the pull-off.
       type(ends_t), intent(inout) :: ends
       type(state_t) :: state
       real(dp) :: least
@@ -99,19 +93,15 @@ contains
 
    !> Take a state as the pull-off if it is the least one so far.
    pure subroutine take_least(curve, control, state, least, ends)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> The state.
       type(state_t), intent(in) :: state
-      !> The least that is held so far.
+      !> The least that is prescribed so far.
       real(dp), intent(inout) :: least
-      !> Receives the pull-off.
       type(ends_t), intent(inout) :: ends
 
-      if (.not. held_of(curve, control, state) < least) return
-      least = held_of(curve, control, state)
+      if (.not. prescribed_of(curve, control, state) < least) return
+      least = prescribed_of(curve, control, state)
       ends%pull_off_load = state%load
       ends%pull_off_approach = state%approach
    end subroutine take_least
@@ -132,16 +122,13 @@ contains
    !> Jumps between stable parts: inward where a fold has another stable state, smaller and under the same load or approach;
    !> outward from the fold at the end of a stable part.
    pure subroutine find_jumps(curve, control, intervals, ends)
-      !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
       !> The intervals of the curve, from the smallest contacts to the largest.
-      type(interval_t), intent(in) :: intervals(:)
-      !> Receives the jumps.
+      type(curve_interval_t), intent(in) :: intervals(:)
       type(ends_t), intent(inout) :: ends
       type(state_t) :: fold
-      real(dp) :: held
+      real(dp) :: prescribed
       integer :: k, j
 
       do k = 1, size(intervals)
@@ -153,10 +140,10 @@ contains
          end if
          if (.not. intervals(k)%begins_at_fold) cycle
          call curve%get_state(intervals(k)%low, intervals(k)%is_beyond, fold)
-         held = held_of(curve, control, fold)
+         prescribed = prescribed_of(curve, control, fold)
          do j = 1, k - 1
             if (.not. intervals(j)%is_stable) cycle
-            if (held < intervals(j)%first .or. held > intervals(j)%last) cycle
+            if (prescribed < intervals(j)%first .or. prescribed > intervals(j)%last) cycle
             ends%jump_inward_load = fold%load
             ends%jump_inward_approach = fold%approach
          end do

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of an indenter while friction takes from its adhesion: the work of adhesion falls from w to X w, and with it the stress of
-!> adhesion from S to X S, at one range h; what is held stays.
+!> adhesion from S to X S, at one range h; what is prescribed stays.
 !>
 !> **What shrinks.** Outside the contact the displacement of the half-space is monotone in the stress that pulls there: more stress on the
 !> same disc, or the same stress on a larger one, lifts the surface everywhere (Green's function is positive, and of an obstacle that keeps
@@ -9,28 +9,29 @@
 !> adhesion, which falls with both, the load falls with X at given approach; so where a state is stable under a load, or on a spring, a
 !> and c rise with X there, too. **As X falls a, c and each radius between them fall**, for every profile, up to the fold where the state ends.
 !>
-!> **JKR.** At a radius a the neck Dl follows from what is held, and X = Dl^2/(2 pi W a) from it: the way is known in closed form. It ends
-!> where dX/da = 0, which is a g' = q Dl (`adfric_round_curve`), and along the way
+!> **JKR.** At a radius a the neck Dl follows from what is prescribed, and X = Dl^2/(2 pi W a) from it: the path is known in closed
+!> form. It ends where dX/da = 0, which is a g' = q Dl (`adfric_round_curve`), and along the path
 !>
 !>     a g' d/q - N,    Dl = N/d,  N = P1 - P, g - delta or g + s P1 - base,  d = 2 a, 1 or 1 + 2 s a
 !>
 !> has a derivative of the sign of that of sqrt(a) g'/q: monotone on each piece of the shape. So no fold is passed over.
 !>
-!> **Maugis.** A state at X is sought below one of a larger X, by the sign of what is held less what is given where the state is stable; an
-!> unstable one lies below the fold. For kinds that are proved to have one fold that is certain. For others the way is followed in steps
-!> in which the contact changes little, 8 and more in a decade, and a step that does not become small as X does is a jump.
+!> **Maugis.** A state at X is sought below one of a larger X, by the sign of what is prescribed less what is given where the state
+!> is stable; an unstable one lies below the fold. For kinds that are proved to have one fold that is certain. For others the path
+!> is followed in steps in which the contact changes little, 8 and more in a decade, and a step that does not become small as X does
+!> is a jump.
 module adfric_round_weak_contact
    use adfric_base_kinds, only: dp
    use adfric_round_contact, only: take_given
-   use adfric_round_contact_state, only: contact_t, held_by, set_contact
+   use adfric_round_contact_state, only: contact_t, prescribed_by, set_contact
    use adfric_round_curve, only: at_corner, control_spring, curve_t, state_t
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_weak_end, only: find_closed_end
    use adfric_round_weak_state, only: find_below
-   use adfric_round_weak_path, only: middle, node_t, weak_way_t, weaken
+   use adfric_round_weak_path, only: middle, path_node_t, weak_path_t, weaken
    implicit none (type, external)
    private
-   public :: weak_way_t, new_weak_way, extend_way, find_known, find_last
+   public :: weak_path_t, new_weak_path, extend_path, find_known, find_last
 
    !> Most nodes of a way that is followed in steps.
    integer, parameter :: most_nodes = 400
@@ -39,15 +40,11 @@ module adfric_round_weak_contact
 
 contains
 
-   !> A way from a contact with all of its adhesion.
-   pure subroutine new_weak_way(self, curve, control, given, contact)
-      !> Receives the way.
-      type(weak_way_t), intent(out) :: self
-      !> The curve with all of its adhesion.
+   !> A path from a contact with all of its adhesion.
+   pure subroutine new_weak_path(self, curve, control, given, contact)
+      type(weak_path_t), intent(out) :: self
       class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> What is given, reduced.
       real(dp), intent(in) :: given
       !> The contact, stable and of a radius > 0.
       type(contact_t), intent(in) :: contact
@@ -62,38 +59,37 @@ contains
       end select
       allocate (self%nodes(merge(most_nodes, 1, self%is_followed)))
       self%n = 1
-      self%nodes(1) = node_t(1.0_dp, contact)
+      self%nodes(1) = path_node_t(1.0_dp, contact)
       if (self%is_closed .and. curve%shape%n_pieces > 0) call find_closed_end(self)
-   end subroutine new_weak_way
+   end subroutine new_weak_path
 
-   !> The state of the way at an X.
+   !> The state of the path at an X.
    pure subroutine find_weaker(self, ratio, contact)
-      !> The way; one that is followed receives the nodes up to there.
-      type(weak_way_t), intent(inout) :: self
+      !> The path; one that is followed receives the nodes up to there.
+      type(weak_path_t), intent(inout) :: self
       !> X, from 0 to 1.
       real(dp), intent(in) :: ratio
       !> Receives the state, with `is_found`.
       type(contact_t), intent(out) :: contact
 
-      call extend_way(self, ratio)
+      call extend_path(self, ratio)
       call find_known(self, ratio, contact)
    end subroutine find_weaker
 
    !> Follow the way as far as an X, if it is one that is followed.
-   pure subroutine extend_way(self, ratio)
-      !> The way, which receives the nodes up to there.
-      type(weak_way_t), intent(inout) :: self
+   pure subroutine extend_path(self, ratio)
+      !> The path, which receives the nodes up to there.
+      type(weak_path_t), intent(inout) :: self
       !> X, from 0 to 1.
       real(dp), intent(in) :: ratio
 
       if (.not. self%is_followed .or. self%is_lost .or. self%n == 0) return
       if (ratio < self%nodes(self%n)%ratio) call follow(self, ratio)
-   end subroutine extend_way
+   end subroutine extend_path
 
-   !> The state at an X up to which the way is known.
+   !> The state at an X up to which the path is known.
    pure subroutine find_known(self, ratio, contact)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
+      type(weak_path_t), intent(in) :: self
       !> X, from 0 to 1.
       real(dp), intent(in) :: ratio
       !> Receives the state, with `is_found`.
@@ -113,10 +109,10 @@ contains
       end if
    end subroutine find_known
 
-   !> Follow the way down to an X, or to where its state is lost.
+   !> Follow the path down to an X, or to where its state is lost.
    pure subroutine follow(self, ratio)
-      !> The way, which receives nodes, and maybe its end.
-      type(weak_way_t), intent(inout) :: self
+      !> The path, which receives nodes, and maybe its end.
+      type(weak_path_t), intent(inout) :: self
       !> X.
       real(dp), intent(in) :: ratio
       ! a step of X that leaves round-off only
@@ -132,7 +128,7 @@ contains
             if (contact%is_found) contact%is_found = is_near(self, last%contact, contact)
             if (contact%is_found) then
                if (self%n < most_nodes) self%n = self%n + 1
-               self%nodes(self%n) = node_t(goal, contact)
+               self%nodes(self%n) = path_node_t(goal, contact)
                if (.not. goal > ratio) return
                step = 2*step
             else
@@ -145,10 +141,10 @@ contains
       self%least_ratio = self%nodes(self%n)%ratio
    end subroutine follow
 
-   !> Is a state of the way near another one, so that no fold hides between them?
+   !> Is a state of the path near another one, so that no fold hides between them?
    pure logical function is_near(self, before, after)
-      !> The way, whose range of adhesion tells what is near a corner.
-      type(weak_way_t), intent(in) :: self
+      !> The path, whose range of adhesion tells what is near a corner.
+      type(weak_path_t), intent(in) :: self
       !> The states, from the larger to the smaller one.
       type(contact_t), intent(in) :: before, after
       real(dp) :: smallest
@@ -168,17 +164,14 @@ contains
       end if
    end function is_near
 
-   !> The last state of the way, where it is lost above an X that has none.
+   !> The last state of the path, where it is lost above an X that has none.
    pure subroutine find_last(self, ratio, last_ratio, contact, is_converged)
-      !> The way.
-      type(weak_way_t), intent(inout) :: self
+      type(weak_path_t), intent(inout) :: self
       !> An X without a state.
       real(dp), intent(in) :: ratio
       !> Receives X of the last state.
       real(dp), intent(out) :: last_ratio
-      !> Receives the last state.
       type(contact_t), intent(out) :: contact
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       class(curve_t), allocatable :: curve
 
@@ -198,15 +191,12 @@ contains
 
    !> The last state of a way that is no closed form: the X at which the fold below a state has what is given.
    pure subroutine find_last_ratio(self, ratio, last_ratio, contact, is_converged)
-      !> The way.
-      type(weak_way_t), intent(inout) :: self
+      type(weak_path_t), intent(inout) :: self
       !> An X without a state.
       real(dp), intent(in) :: ratio
       !> Receives X of the last state.
       real(dp), intent(out) :: last_ratio
-      !> Receives the last state.
       type(contact_t), intent(out) :: contact
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       integer, parameter :: most_steps = 200
       type(contact_t) :: upper, trial, fold
@@ -265,11 +255,9 @@ contains
 
    !> The first fold below a state, or the contact of radius 0, and how much more than what is given it holds.
    pure subroutine find_fold_below(self, ratio, upper, fold, value)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
+      type(weak_path_t), intent(in) :: self
       !> X.
       real(dp), intent(in) :: ratio
-      !> A state that is stable at this X.
       type(contact_t), intent(in) :: upper
       !> Receives the state at the fold.
       type(contact_t), intent(out) :: fold
@@ -318,7 +306,7 @@ contains
          if (.not. state%is_stable(self%control)) low = step
       end do
       call set_contact(curve, self%control, high, is_beyond, fold)
-      value = held_by(curve, self%control, fold) - self%given
+      value = prescribed_by(curve, self%control, fold) - self%given
       call take_given(curve, self%control, self%given, fold)
    end subroutine find_fold_below
 

@@ -1,21 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Where a way in closed form ends while friction takes from adhesion: JKR, DMT (`adfric_round_weak_contact`).
+!> Where a path in closed form ends while friction takes from adhesion: JKR, DMT (`adfric_round_weak_contact`).
 module adfric_round_weak_end
    use adfric_base_kinds, only: dp
    use adfric_round_curve, only: control_approach, control_load, control_spring, get_stability_factor
    use adfric_round_shape, only: piece_t, spot_t
    use adfric_round_spring_pieces, only: divide_pieces, most_divided_pieces
-   use adfric_round_weak_path, only: weak_way_t
+   use adfric_round_weak_path, only: weak_path_t
    implicit none (type, external)
    private
    public :: find_closed_end
 
 contains
 
-   !> Where a way in closed form ends.
+   !> Where a path in closed form ends.
    pure subroutine find_closed_end(self)
-      !> The way, with its beginning.
-      type(weak_way_t), intent(inout) :: self
+      type(weak_path_t), intent(inout) :: self
       type(piece_t) :: pieces(most_divided_pieces)
       type(spot_t) :: spot
       real(dp) :: high
@@ -52,10 +51,9 @@ contains
       end associate
    end subroutine find_closed_end
 
-   !> Dl of a spot, of what is held.
+   !> Dl of a spot, of what is prescribed.
    pure real(dp) function neck_of(self, spot) result(neck)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
+      type(weak_path_t), intent(in) :: self
       !> What the shape is there, of a radius > 0.
       type(spot_t), intent(in) :: spot
 
@@ -64,9 +62,7 @@ contains
 
    !> N = P1 - P, g - delta or g + s P1 - base.
    pure real(dp) function excess_of(self, spot) result(excess)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
-      !> What the shape is there.
+      type(weak_path_t), intent(in) :: self
       type(spot_t), intent(in) :: spot
 
       select case (self%control)
@@ -81,9 +77,7 @@ contains
 
    !> d = 2 a, 1 or 1 + 2 s a.
    pure real(dp) function share_of(self, spot) result(share)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
-      !> What the shape is there.
+      type(weak_path_t), intent(in) :: self
       type(spot_t), intent(in) :: spot
 
       share = 1
@@ -91,13 +85,11 @@ contains
       if (self%control == control_spring) share = 1 + 2*self%curve%compliance*spot%radius
    end function share_of
 
-   !> (a g' d/q - N) da/du: > 0 where the state of JKR on the way is stable.
+   !> (a g' d/q - N) da/du: > 0 where the state of JKR on the path is stable.
    pure real(dp) function closed_margin(self, u, is_beyond) result(margin)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
+      type(weak_path_t), intent(in) :: self
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
-      !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       type(spot_t) :: spot
       real(dp) :: factor, slope
@@ -109,11 +101,10 @@ contains
 
    !> Where the margin is 0, by the method of Illinois.
    pure real(dp) function closed_fold(self, is_beyond, first, last) result(fold)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
-      !> Do the places lie beyond the corner?
+      type(weak_path_t), intent(in) :: self
+      !> Do the positions lie beyond the corner?
       logical, intent(in) :: is_beyond
-      !> Places of an unstable and of a stable state.
+      !> Positions of an unstable and of a stable state.
       real(dp), intent(in) :: first, last
       integer, parameter :: most_steps = 200
       real(dp) :: low, high, at_low, at_high, value

@@ -7,23 +7,23 @@ module adfric_round_weak_path
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    implicit none (type, external)
    private
-   public :: node_t, weak_way_t, weaken, middle
+   public :: path_node_t, weak_path_t, weaken, middle
 
    !> A state at one X.
-   type :: node_t
+   type :: path_node_t
       !> X.
       real(dp) :: ratio = 1
       !> The state.
       type(contact_t) :: contact
-   end type node_t
+   end type path_node_t
 
    !> The states of contact as X falls.
-   type :: weak_way_t
+   type :: weak_path_t
       !> The curve with all of its adhesion.
       class(curve_t), allocatable :: curve
-      !> What is held; not `control_radius`.
+      !> What is prescribed; not `control_radius`.
       integer :: control = control_load
-      !> Load, approach, or approach of the base that is held.
+      !> Load, approach, or approach of the base that is prescribed.
       real(dp) :: given = 0
       !> Are its states known in closed form (JKR, DMT, a flat face)?
       logical :: is_closed = .true.
@@ -36,12 +36,12 @@ module adfric_round_weak_path
       !> Number of nodes; 0 without contact.
       integer :: n = 0
       !> The nodes from X = 1 down, so far.
-      type(node_t), allocatable :: nodes(:)
+      type(path_node_t), allocatable :: nodes(:)
       !> The last state in closed form: the lower end of the unknown, and whether it lies beyond the corner.
       real(dp) :: low = 0
       !> Does it lie beyond the corner?
       logical :: low_is_beyond = .true.
-   end type weak_way_t
+   end type weak_path_t
 
 contains
 
@@ -62,9 +62,9 @@ contains
       end select
    end subroutine weaken
 
-   !> A place between two, in the middle of their logarithms where that is possible.
+   !> A position between two, in the middle of their logarithms where that is possible.
    pure real(dp) function middle(low, high)
-      !> The places, >= 0.
+      !> The positions, >= 0.
       real(dp), intent(in) :: low, high
       real(dp), parameter :: share = 1.0e-2_dp
 

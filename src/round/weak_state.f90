@@ -3,10 +3,10 @@
 module adfric_round_weak_state
    use adfric_base_kinds, only: dp
    use adfric_round_contact, only: branch_stable, find_contact, take_given
-   use adfric_round_contact_state, only: contact_t, held_of, held_slope, set_contact
+   use adfric_round_contact_state, only: contact_t, prescribed_of, prescribed_slope, set_contact
    use adfric_round_curve, only: at_corner, curve_t, state_t
    use adfric_round_survey, only: survey_t
-   use adfric_round_weak_path, only: middle, weak_way_t, weaken
+   use adfric_round_weak_path, only: middle, weak_path_t, weaken
    implicit none (type, external)
    private
    public :: find_below
@@ -15,11 +15,9 @@ contains
 
    !> The state at an X below a state at a larger one.
    pure subroutine find_below(self, ratio, upper, contact)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
+      type(weak_path_t), intent(in) :: self
       !> X.
       real(dp), intent(in) :: ratio
-      !> The state at the larger X.
       type(contact_t), intent(in) :: upper
       !> Receives the state, with `is_found`.
       type(contact_t), intent(out) :: contact
@@ -38,7 +36,7 @@ contains
       is_beyond = upper%is_beyond
       high = upper%u
       low = 0
-      ! a way in closed form may end beyond the corner
+      ! a path in closed form may end beyond the corner
       if (is_beyond .and. curve%shape%corner > 0 .and. .not. (self%is_closed .and. self%low_is_beyond)) then
          call curve%get_state(0.0_dp, .true., corner)
          if (is_above(self, curve, corner)) then
@@ -58,32 +56,23 @@ contains
 
    !> Does a state lie above the one that is sought? It is stable then, and holds more than what is given.
    pure logical function is_above(self, curve, state)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
-      !> Its curve at this X.
+      type(weak_path_t), intent(in) :: self
       class(curve_t), intent(in) :: curve
-      !> The state.
       type(state_t), intent(in) :: state
 
-      is_above = held_of(curve, self%control, state) > self%given .and. (self%is_closed .or. state%is_stable(self%control))
+      is_above = prescribed_of(curve, self%control, state) > self%given .and. (self%is_closed .or. state%is_stable(self%control))
    end function is_above
 
    !> Newton's method in the logarithm of the unknown, within a bracket.
    pure subroutine search_below(self, curve, is_beyond, first, last, u, is_found, is_converged)
-      !> The way.
-      type(weak_way_t), intent(in) :: self
-      !> Its curve at this X.
+      type(weak_path_t), intent(in) :: self
       class(curve_t), intent(in) :: curve
-      !> Does u lie beyond the corner?
       logical, intent(in) :: is_beyond
       !> The bracket; its upper end lies above the state, or is it.
       real(dp), intent(in) :: first, last
       !> Receives the unknown.
       real(dp), intent(out) :: u
-      !> Is there such a state?
-      logical, intent(out) :: is_found
-      !> Was it found to round-off?
-      logical, intent(out) :: is_converged
+      logical, intent(out) :: is_found, is_converged
       ! a step after this one is round-off; where Newton's method is left; what next to a fold is a root
       real(dp), parameter :: close_enough = 1.0e-9_dp, little = 1.0e-12_dp, next_to_nothing = 1.0e-40_dp
       integer, parameter :: most_steps = 300, patience = 40
@@ -104,8 +93,8 @@ contains
          call curve%get_state(u, is_beyond, state)
          is_converged = state%is_converged
          if (.not. is_converged) exit
-         value = held_of(curve, self%control, state) - self%given
-         slope = u*held_slope(curve, self%control, state)
+         value = prescribed_of(curve, self%control, state) - self%given
+         slope = u*prescribed_slope(curve, self%control, state)
          if (is_above(self, curve, state)) then
             high = u
          else

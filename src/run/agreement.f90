@@ -96,16 +96,16 @@ contains
       !> In: all blocks of the part, marked as solved in the first process. Out: marked everywhere.
       type(block_list_t), intent(inout) :: list
       integer(int8), allocatable :: is_done(:)
-      integer(i8) :: place
+      integer(i8) :: index
 
       if (world%n_ranks == 1) return
       allocate (is_done(list%blocks%n_blocks()), source=0_int8)
-      do place = 1, size(is_done, kind=i8)
-         if (list%is_solved(place)) is_done(place) = 1
+      do index = 1, size(is_done, kind=i8)
+         if (list%is_solved(index)) is_done(index) = 1
       end do
       call world%share_bytes(is_done, 0)
-      do place = 1, size(is_done, kind=i8)
-         if (is_done(place) == 1) call list%mark_done(place)
+      do index = 1, size(is_done, kind=i8)
+         if (is_done(index) == 1) call list%mark_done(index)
       end do
    end subroutine share_done_blocks
 

@@ -8,11 +8,11 @@ module adfric_run_batch
    private
    public :: batch_store_t, new_batch_store, batch_bytes
 
-   !> Where a thread finds room for the next batch while others wait for the sink.
+   !> Where a thread finds space for the next batch while others wait for the sink.
    type :: batch_store_t
       !> The batches, taken or not.
       type(batch_t), allocatable :: batches(:)
-      !> Is the batch at a place taken?
+      !> Is the batch at a index taken?
       logical, allocatable, private :: is_taken(:)
       !> Sizes of a batch, which gets its memory when it is first taken.
       integer, private :: n_results = 0, n_counts = 0, block_size = 0, max_blocks = 0
@@ -27,13 +27,13 @@ module adfric_run_batch
       integer(i8) :: first = 1
       !> Number of points whose results are in the batch, and of their blocks.
       integer :: n_points = 0, n_blocks = 0
-      !> Results of the points; shape `(n_points, n_results)`, with room for more.
+      !> Results of the points; shape `(n_points, n_results)`, with space for more.
       real(dp), allocatable :: results(:, :)
-      !> Relative error of the main result at each point; shape `(n_points)`, with room for more.
+      !> Relative error of the main result at each point; shape `(n_points)`, with space for more.
       real(dp), allocatable :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`, with room for more.
+      !> One of `status_...` for each point; shape `(n_points)`, with space for more.
       integer, allocatable :: status(:)
-      !> What the model counted; shape `(n_blocks, n_counts)`, with room for more.
+      !> What the model counted; shape `(n_blocks, n_counts)`, with space for more.
       real(dp), allocatable :: counts(:, :)
    contains
       procedure :: put_into
@@ -42,9 +42,9 @@ module adfric_run_batch
 
 contains
 
-   !> Make room for a batch; it is empty.
+   !> Make space for a batch; it is empty.
    pure subroutine new_batch(self, n_results, n_counts, block_size, max_blocks)
-      !> Receives room for results; it has no points yet.
+      !> Receives space for results; it has no points yet.
       type(batch_t), intent(out) :: self
       !> Number of results per point.
       integer, intent(in) :: n_results
@@ -83,34 +83,34 @@ contains
    end subroutine new_batch_store
 
    !> Take an empty batch; by one thread at a time.
-   pure subroutine take(self, place)
+   pure subroutine take(self, index)
       !> The store, in which the batch is marked as taken.
       class(batch_store_t), intent(inout) :: self
-      !> Place of the batch in the store, from 1; 0 if all are taken.
-      integer, intent(out) :: place
+      !> Index of the batch in the store, from 1; 0 if all are taken.
+      integer, intent(out) :: index
 
-      place = findloc(self%is_taken, .false., dim=1)
-      if (place == 0) return
-      self%is_taken(place) = .true.
-      if (.not. allocated(self%batches(place)%status)) call new_batch(self%batches(place), self%n_results, self%n_counts, &
+      index = findloc(self%is_taken, .false., dim=1)
+      if (index == 0) return
+      self%is_taken(index) = .true.
+      if (.not. allocated(self%batches(index)%status)) call new_batch(self%batches(index), self%n_results, self%n_counts, &
          self%block_size, self%max_blocks)
    end subroutine take
 
    !> Give back a batch, which is empty again; by one thread at a time.
-   pure subroutine give_back(self, place)
+   pure subroutine give_back(self, index)
       !> The store, in which the batch is marked as free.
       class(batch_store_t), intent(inout) :: self
-      !> Place of the batch in the store, from 1.
-      integer, intent(in) :: place
+      !> Index of the batch in the store, from 1.
+      integer, intent(in) :: index
 
-      self%is_taken(place) = .false.
+      self%is_taken(index) = .false.
    end subroutine give_back
 
    !> Memory of a batch [bytes].
    pure real(dp) function batch_bytes(n_results, n_points)
       !> Number of results per point.
       integer, intent(in) :: n_results
-      !> Number of points that the batch has room for.
+      !> Number of points that the batch has space for.
       integer, intent(in) :: n_points
       integer, parameter :: real_bytes = 8, integer_bytes = 4
 
@@ -121,9 +121,7 @@ contains
    subroutine put_into(self, sink, error)
       !> In: the results of some points. Out: an empty batch that begins with the point behind them.
       class(batch_t), intent(inout) :: self
-      !> Receives the results.
       class(sink_t), intent(inout) :: sink
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       associate (n => self%n_points)

@@ -13,7 +13,7 @@ module adfric_run_block_source
       !> The blocks that there are.
       type(blocks_t) :: blocks
       !> Blocks that have not been taken yet.
-      integer(i8) :: n_left = 0
+      integer(i8) :: n_remaining = 0
       !> Points that were solved before this run.
       integer(i8) :: n_points_before = 0
       !> Points that other processes have taken in this run, as far as is known.
@@ -42,9 +42,9 @@ module adfric_run_block_source
    !> The blocks of a part of a run in their order, but for those that have been solved before.
    type, extends(block_source_t) :: block_list_t
       private
-      !> Place of the next block.
+      !> Index of the next block.
       integer(i8) :: next = 1
-      !> Is the block at a place solved (1) or not (0)? Not allocated if none is; a byte for up to 256 points.
+      !> Is the block at a index solved (1) or not (0)? Not allocated if none is; a byte for up to 256 points.
       integer(int8), allocatable :: is_done(:)
    contains
       procedure :: take_blocks => take_from_list
@@ -57,10 +57,9 @@ contains
 
    !> Nothing more will be asked for, though blocks are left: other processes shall end, too. Here there are none.
    subroutine end_alone(self)
-      !> The source, in which nothing is left afterwards.
       class(block_source_t), intent(inout) :: self
 
-      self%n_left = 0
+      self%n_remaining = 0
    end subroutine end_alone
 
    !> All blocks of a part of a run.
@@ -71,26 +70,25 @@ contains
       type(blocks_t), intent(in) :: blocks
 
       self%blocks = blocks
-      self%n_left = blocks%n_blocks()
+      self%n_remaining = blocks%n_blocks()
    end subroutine new_block_list
 
    !> Leave a block out, since it is solved.
-   subroutine mark_done(self, place)
+   subroutine mark_done(self, index)
       !> The list, in which the block is marked as solved; its points count as solved before.
       class(block_list_t), intent(inout) :: self
-      !> Place of the block in the part, from 1.
-      integer(i8), intent(in) :: place
+      !> Index of the block in the part, from 1.
+      integer(i8), intent(in) :: index
 
       if (.not. allocated(self%is_done)) allocate (self%is_done(self%blocks%n_blocks()), source=0_int8)
-      if (self%is_done(place) == 1) return
-      self%is_done(place) = 1
-      self%n_left = self%n_left - 1
-      self%n_points_before = self%n_points_before + self%blocks%n_points_of(self%blocks%block_at(place))
+      if (self%is_done(index) == 1) return
+      self%is_done(index) = 1
+      self%n_remaining = self%n_remaining - 1
+      self%n_points_before = self%n_points_before + self%blocks%n_points_of(self%blocks%block_at(index))
    end subroutine mark_done
 
    !> See `block_source_t`.
    subroutine take_from_list(self, most, first, n)
-      !> The list, which has these blocks no more.
       class(block_list_t), intent(inout) :: self
       !> Largest number of blocks to take, at least 1.
       integer, intent(in) :: most
@@ -102,7 +100,7 @@ contains
 
       first = 0
       n = 0
-      if (self%n_left == 0) return
+      if (self%n_remaining == 0) return
       do while (self%is_solved(self%next))
          self%next = self%next + 1
       end do
@@ -113,14 +111,14 @@ contains
          n = n + 1
          self%next = self%next + 1
       end do
-      self%n_left = self%n_left - n
+      self%n_remaining = self%n_remaining - n
    end subroutine take_from_list
 
-   !> Leave out the next blocks that are left.
+   !> Leave out the next blocks that remain.
    subroutine leave_out(self, n)
       !> The list, which goes on behind the blocks that are left out.
       class(block_list_t), intent(inout) :: self
-      !> Number of blocks to leave out, at most `n_left`.
+      !> Number of blocks to leave out, at most `n_remaining`.
       integer(i8), intent(in) :: n
       integer(i8) :: n_passed
 
@@ -129,18 +127,18 @@ contains
          if (.not. self%is_solved(self%next)) n_passed = n_passed + 1
          self%next = self%next + 1
       end do
-      self%n_left = self%n_left - n
+      self%n_remaining = self%n_remaining - n
    end subroutine leave_out
 
-   !> Was the block at a place solved before?
-   pure logical function is_solved(self, place)
+   !> Was the block at a index solved before?
+   pure logical function is_solved(self, index)
       !> The list, which knows what has been marked as solved.
       class(block_list_t), intent(in) :: self
-      !> Place of the block in the part, from 1.
-      integer(i8), intent(in) :: place
+      !> Index of the block in the part, from 1.
+      integer(i8), intent(in) :: index
 
       is_solved = .false.
-      if (allocated(self%is_done)) is_solved = self%is_done(place) == 1
+      if (allocated(self%is_done)) is_solved = self%is_done(index) == 1
    end function is_solved
 
 end module adfric_run_block_source

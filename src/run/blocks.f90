@@ -5,7 +5,7 @@
 !> blocks, and in what order. A part of a run takes every so many stretches of blocks: neighbours cost about as much as
 !> each other, and points far apart up to a thousand times as much, so parts of one piece would be done at very different
 !> times. In each round of stretches every part gets one; whose turn is first changes every few rounds, lest a part meets
-!> the same places of the fastest axis again and again. (Every round would be worse: the dearest points of a sweep often
+!> the same indices of the fastest axis again and again. (Every round would be worse: the dearest points of a sweep often
 !> stand side by side, and are shared out evenly as long as the turns stay as they are.)
 module adfric_run_blocks
    use adfric_base_kinds, only: i8
@@ -35,7 +35,7 @@ module adfric_run_blocks
    end type part_t
 
    !> The blocks of a part of a run. Blocks are numbered from 1 in the order of their points in the run; those of the part
-   !> have places from 1 in the same order.
+   !> have indices from 1 in the same order.
    type :: blocks_t
       !> The part of the run; the whole run where nothing else is said.
       type(part_t) :: part
@@ -49,7 +49,7 @@ module adfric_run_blocks
       procedure :: n_blocks
       procedure :: n_points
       procedure :: block_at
-      procedure :: place_of
+      procedure :: index_of
       procedure :: n_neighbours
       procedure :: first_point
       procedure :: n_points_of
@@ -96,7 +96,6 @@ contains
 
    !> Number of blocks of the part; 0 where there are more parts than blocks.
    pure integer(i8) function n_blocks(self)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       integer(i8) :: n_rounds, n_stretches, last
 
@@ -112,7 +111,6 @@ contains
 
    !> Number of points of the part.
    pure integer(i8) function n_points(self)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       integer(i8) :: n
 
@@ -124,7 +122,6 @@ contains
    !> Which turn the part has in a round, from 0. The first turn goes round the parts by the golden section, which meets all
    !> of them evenly (Knuth, The Art of Computer Programming 3, 6.4).
    pure integer(i8) function turn_of(self, round)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the round, from 0.
       integer(i8), intent(in) :: round
@@ -136,42 +133,38 @@ contains
       turn_of = modulo(self%part%number - 1 - share*self%part%of/half_word, int(self%part%of, i8))
    end function turn_of
 
-   !> Number of the block at a place of the part.
-   pure integer(i8) function block_at(self, place)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
+   !> Number of the block at a index of the part.
+   pure integer(i8) function block_at(self, index)
       class(blocks_t), intent(in) :: self
-      !> Place of the block in the part, from 1.
-      integer(i8), intent(in) :: place
+      !> Index of the block in the part, from 1.
+      integer(i8), intent(in) :: index
       integer(i8) :: round
 
-      round = (place - 1)/self%stretch
-      block_at = (round*self%part%of + self%turn_of(round))*self%stretch + mod(place - 1, self%stretch) + 1
+      round = (index - 1)/self%stretch
+      block_at = (round*self%part%of + self%turn_of(round))*self%stretch + mod(index - 1, self%stretch) + 1
    end function block_at
 
-   !> Place of a block of the part.
-   pure integer(i8) function place_of(self, block)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
+   !> Index of a block of the part.
+   pure integer(i8) function index_of(self, block)
       class(blocks_t), intent(in) :: self
       !> Number of the block in the run, from 1; it must be one of the part.
       integer(i8), intent(in) :: block
 
-      place_of = (block - 1)/(self%stretch*self%part%of)*self%stretch + mod(block - 1, self%stretch) + 1
-   end function place_of
+      index_of = (block - 1)/(self%stretch*self%part%of)*self%stretch + mod(block - 1, self%stretch) + 1
+   end function index_of
 
-   !> How many blocks, from a place on, stand side by side in the run.
-   pure integer(i8) function n_neighbours(self, place)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
+   !> How many blocks, from a index on, stand side by side in the run.
+   pure integer(i8) function n_neighbours(self, index)
       class(blocks_t), intent(in) :: self
-      !> Place of the block in the part, from 1.
-      integer(i8), intent(in) :: place
+      !> Index of the block in the part, from 1.
+      integer(i8), intent(in) :: index
 
-      n_neighbours = self%n_blocks() - place + 1
-      if (.not. self%part%is_whole()) n_neighbours = min(n_neighbours, self%stretch - mod(place - 1, self%stretch))
+      n_neighbours = self%n_blocks() - index + 1
+      if (.not. self%part%is_whole()) n_neighbours = min(n_neighbours, self%stretch - mod(index - 1, self%stretch))
    end function n_neighbours
 
    !> Number of the first point of a block in the run, from 1.
    pure integer(i8) function first_point(self, block)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
@@ -181,7 +174,6 @@ contains
 
    !> Number of points of a block.
    pure integer function n_points_of(self, block)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
@@ -191,12 +183,11 @@ contains
 
    !> Where a point of the run stands among the points of the part, from 1.
    pure integer(i8) function row_of(self, point)
-      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the point in the run, from 1; it must be one of the part.
       integer(i8), intent(in) :: point
 
-      row_of = (self%place_of((point - 1)/self%size + 1) - 1)*self%size + mod(point - 1, int(self%size, i8)) + 1
+      row_of = (self%index_of((point - 1)/self%size + 1) - 1)*self%size + mod(point - 1, int(self%size, i8)) + 1
    end function row_of
 
 end module adfric_run_blocks

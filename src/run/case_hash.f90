@@ -55,9 +55,7 @@ contains
 
    !> Add what is wanted beside the results.
    subroutine add_variation(wanted, sum)
-      !> What is wanted.
       type(variation_t), intent(in) :: wanted
-      !> The checksum so far.
       type(checksum_t), intent(inout) :: sum
       integer :: i
 

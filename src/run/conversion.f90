@@ -75,10 +75,7 @@ contains
    !> What of adhesion a scene leaves out that its solver asks for. Round bodies ask for the work beside another one, surfaces of
    !> waves and heights for the stress.
    pure integer function find_what_follows(solver, facts) result(follows)
-      !> Name of the solver.
-      character(*), intent(in) :: solver
-      !> Facts of the scene, separated by a blank.
-      character(*), intent(in) :: facts
+      character(*), intent(in) :: solver, facts
 
       follows = follows_nothing
       if (has_word('sphere indenter', solver)) then

@@ -92,7 +92,6 @@ contains
 
    !> How a variable is converted.
    pure integer function conversion_of(variable) result(how)
-      !> Its row.
       type(variable_t), intent(in) :: variable
 
       how = as_it_is
@@ -106,7 +105,6 @@ contains
 
    !> A variable is an angle for the scene, in at of a word or of degrees.
    pure subroutine be_angle(variable, how)
-      !> Its row.
       type(variable_t), intent(inout) :: variable
       !> How it is converted.
       integer, intent(in) :: how
@@ -129,7 +127,6 @@ contains
 
    !> Have the results of a period count over its nominal area.
    subroutine count_over_area(self, surface)
-      !> The solver with the values of a scene.
       class(converted_model_t), intent(inout) :: self
       !> The surface of the scene.
       character(*), intent(in) :: surface
@@ -146,7 +143,6 @@ contains
 
    !> See `wrapped_model_t`.
    pure function inner_values(self, values) result(converted)
-      !> The model.
       class(converted_model_t), intent(in) :: self
       !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -171,7 +167,6 @@ contains
 
    !> Does a scene count a variable otherwise than the solver?
    pure logical function is_converted(self, at)
-      !> The solver with the values of a scene.
       class(converted_model_t), intent(in) :: self
       !> Index of the variable.
       integer, intent(in) :: at
@@ -181,7 +176,6 @@ contains
 
    !> Value of a scene.
    pure real(dp) function of_scene(self, at, value)
-      !> The solver with the values of a scene.
       class(converted_model_t), intent(in) :: self
       !> Index of the variable.
       integer, intent(in) :: at
@@ -193,7 +187,6 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model.
       class(converted_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -221,7 +214,6 @@ contains
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The model; all threads solve with the same one.
       class(converted_model_t), intent(in) :: self
       !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -240,7 +232,6 @@ contains
 
    !> Values of the solver for each point.
    pure function all_to_solver(self, values) result(converted)
-      !> The model.
       class(converted_model_t), intent(in) :: self
       !> Values of the scene for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -254,7 +245,6 @@ contains
 
    !> Have results of a period count over its nominal area.
    pure subroutine divide_results(self, values, results)
-      !> The model.
       class(converted_model_t), intent(in) :: self
       !> Values of the scene for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -270,7 +260,6 @@ contains
 
    !> See `model_t`.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
-      !> The model; all threads solve with the same one.
       class(converted_model_t), intent(in) :: self
       !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -282,7 +271,7 @@ contains
       integer, intent(out) :: status(:)
       !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
+      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
       !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
@@ -294,7 +283,6 @@ contains
 
    !> See `wrapped_model_t`.
    pure function inner_results(self, values, results) result(inner)
-      !> The model.
       class(converted_model_t), intent(in) :: self
       !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -310,7 +298,6 @@ contains
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
-      !> The model, whose table of results is read.
       class(converted_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -324,36 +311,34 @@ contains
    end function describe_results
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model.
+   subroutine take_dataset(self, index, values, problems)
       class(converted_model_t), intent(inout) :: self
       !> Index of the dataset in `variables`.
-      integer, intent(in) :: place
+      integer, intent(in) :: index
       !> Values of the dataset; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (self%variables(place)%is_called('surface', 'heights')) then
+      if (self%variables(index)%is_called('surface', 'heights')) then
          self%n_x = size(values, 1)
          self%n_y = size(values, 2)
       end if
-      call self%inner%take_dataset(place, values, problems)
+      call self%inner%take_dataset(index, values, problems)
       self%largest_block = self%inner%largest_block
    end subroutine take_dataset
 
    !> See `model_t`.
-   function unit_of(self, values, place) result(unit)
-      !> The model.
+   function unit_of(self, values, index) result(unit)
       class(converted_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Index of the variable in `variables`.
-      integer, intent(in) :: place
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
-      if (self%how(place) == as_it_is) unit = self%inner%unit_of(self%inner_values(values), place)
+      unit = self%variables(index)%unit
+      if (self%how(index) == as_it_is) unit = self%inner%unit_of(self%inner_values(values), index)
    end function unit_of
 
 end module adfric_run_converted_model

@@ -71,7 +71,6 @@ contains
 
    !> The dataset with its shape and range, or the numbers of a list, in words.
    pure function describe(self) result(text)
-      !> A dataset that has been loaded.
       class(dataset_t), intent(in) :: self
       character(:), allocatable :: text
       integer :: k

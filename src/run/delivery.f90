@@ -34,12 +34,12 @@ module adfric_run_delivery
       integer :: n_workers = 0
       !> Number of those threads that have not ended yet.
       integer, private :: n_working = 0
-      !> Places of the batches that wait for the sink; the one that has waited longest stands first.
+      !> Indices of the batches that wait for the sink; the one that has waited longest stands first.
       integer, allocatable, private :: queue(:)
       !> Number of batches that wait for the sink.
       integer, private :: n_waiting = 0
-      !> The bell counts the batches that wait, and at the end one more; the room counts those that may still be left.
-      type(semaphore_t), private :: bell, room
+      !> The bell counts the batches that wait, and at the end one more; the space counts those that may still be left.
+      type(semaphore_t), private :: bell, space
       !> The semaphore counts the threads that may end, once everything is written.
       type(semaphore_t), private :: finish
       !> Can the sink take results?
@@ -81,14 +81,14 @@ contains
       integer, intent(in) :: block_size
       !> Largest number of blocks of a batch.
       integer, intent(in) :: max_blocks
-      integer :: i, place
+      integer :: i, index
 
       self%n_workers = n_workers
       self%n_working = n_workers
       allocate (self%queue(n_workers + most_waiting))
       call new_batch_store(self%store, size(self%queue), n_results, n_counts, block_size, max_blocks)
       do i = 1, n_workers
-         call self%store%take(place)
+         call self%store%take(index)
       end do
    end subroutine new_delivery
 
@@ -99,45 +99,44 @@ contains
       logical :: is_made(3)
 
       call self%bell%make(0, is_made(1))
-      call self%room%make(most_waiting, is_made(2))
+      call self%space%make(most_waiting, is_made(2))
       call self%finish%make(0, is_made(3))
       self%has_writer = all(is_made)
    end subroutine make_writer
 
    !> The thread that wrote has ended.
    subroutine remove_writer(self)
-      !> What the threads share; its semaphores are given back.
       class(delivery_t), intent(inout) :: self
 
       call self%bell%free()
-      call self%room%free()
+      call self%space%free()
       call self%finish%free()
    end subroutine remove_writer
 
    !> Leave a batch to be put into the sink, and go on with an empty one behind it.
-   subroutine leave_batch(sink, self, place)
+   subroutine leave_batch(sink, self, index)
       !> Receives the results at once where no thread writes for the others.
       class(sink_t), intent(inout) :: sink
       !> What the threads share; the batch is added to its queue.
       type(delivery_t), intent(inout) :: self
-      !> In: place of the batch that is left. Out: place of the empty one.
-      integer, intent(inout) :: place
+      !> In: index of the batch that remains. Out: index of the empty one.
+      integer, intent(inout) :: index
       integer :: next
 
-      if (self%store%batches(place)%n_blocks == 0) return
+      if (self%store%batches(index)%n_blocks == 0) return
       if (.not. self%has_writer) then
-         call put_batch(sink, self, place)
+         call put_batch(sink, self, index)
          return
       end if
-      call self%room%wait()
+      call self%space%wait()
       !$omp critical (adfric_run_store)
       call self%store%take(next)
-      self%store%batches(next)%first = self%store%batches(place)%first + self%store%batches(place)%n_points
+      self%store%batches(next)%first = self%store%batches(index)%first + self%store%batches(index)%n_points
       self%n_waiting = self%n_waiting + 1
-      self%queue(self%n_waiting) = place
+      self%queue(self%n_waiting) = index
       !$omp end critical (adfric_run_store)
       call self%bell%post()
-      place = next
+      index = next
    end subroutine leave_batch
 
    !> A thread solves nothing more, and sleeps until all is written.
@@ -157,29 +156,28 @@ contains
 
    !> Put into the sink what the others leave, until all of them have ended.
    subroutine deliver(sink, self)
-      !> Receives the results.
       class(sink_t), intent(inout) :: sink
       !> What the threads share; batches are taken from its queue and given back to its store.
       type(delivery_t), intent(inout) :: self
-      integer :: place, i
+      integer :: index, i
 
       call prepare_sink(sink, self)
       do
          call self%bell%wait()
          !$omp critical (adfric_run_store)
-         place = 0
+         index = 0
          if (self%n_waiting > 0) then
-            place = self%queue(1)
+            index = self%queue(1)
             self%queue(:self%n_waiting - 1) = self%queue(2:self%n_waiting)
             self%n_waiting = self%n_waiting - 1
          end if
          !$omp end critical (adfric_run_store)
-         if (place == 0) exit
-         call put_batch(sink, self, place)
+         if (index == 0) exit
+         call put_batch(sink, self, index)
          !$omp critical (adfric_run_store)
-         call self%store%give_back(place)
+         call self%store%give_back(index)
          !$omp end critical (adfric_run_store)
-         call self%room%post()
+         call self%space%post()
       end do
       do i = 1, self%n_workers
          call self%finish%post()
@@ -204,35 +202,33 @@ contains
    end subroutine prepare_sink
 
    !> Put a batch into the sink; it is empty then.
-   subroutine put_batch(sink, self, place)
-      !> Receives the results.
+   subroutine put_batch(sink, self, index)
       class(sink_t), intent(inout) :: sink
       !> What the threads share; it keeps the error if the sink fails, and the time.
       type(delivery_t), intent(inout) :: self
-      !> Place of the batch in the store, from 1.
-      integer, intent(in) :: place
+      !> Index of the batch in the store, from 1.
+      integer, intent(in) :: index
       type(error_t), allocatable :: error
       real(dp) :: start
 
       !$omp critical (adfric_run_sink)
       start = wall_clock()
       if (.not. has_failed(self)) then
-         call self%store%batches(place)%put_into(sink, error)
+         call self%store%batches(index)%put_into(sink, error)
          call keep_error(error, self%error)
       else
-         call self%store%batches(place)%clear()
+         call self%store%batches(index)%clear()
       end if
       self%seconds = self%seconds + wall_clock() - start
       !$omp end critical (adfric_run_sink)
    end subroutine put_batch
 
    !> See `profile_receiver_t`.
-   subroutine put_profiles(self, place, profiles, goes_on)
+   subroutine put_profiles(self, index, profiles, goes_on)
       !> The way to the sink; it is closed if the sink has failed.
       class(profile_gate_t), intent(inout) :: self
-      !> Place of the point in its block, from 1.
-      integer, intent(in) :: place
-      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
+      !> Index of the point in its block, from 1.
+      integer, intent(in) :: index
       real(dp), intent(in) :: profiles(:, :, :)
       !> False: nothing more of this block is wanted, its results neither.
       logical, intent(out) :: goes_on
@@ -246,7 +242,7 @@ contains
          !$omp critical (adfric_run_sink)
          start = wall_clock()
          if (.not. has_failed(delivery)) then
-            call self%sink%put_profiles(self%first + place - 1, profiles, error)
+            call self%sink%put_profiles(self%first + index - 1, profiles, error)
             call keep_error(error, delivery%error)
          end if
          self%is_closed = has_failed(delivery)

@@ -42,9 +42,7 @@ contains
 
    !> A table with the doubt behind its rows.
    subroutine append_doubt(rows, results)
-      !> Rows of the inner model.
       type(result_t), intent(in) :: rows(:)
-      !> Receives them, and the doubt.
       type(result_t), allocatable, intent(out) :: results(:)
       integer :: i
 
@@ -57,13 +55,10 @@ contains
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The model; all threads solve with the same one.
       class(doubting_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
-      !> Relative error of the main result, estimated; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
       !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
@@ -76,19 +71,16 @@ contains
 
    !> See `model_t`.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
-      !> The model; all threads solve with the same one.
       class(doubting_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
-      !> Relative error of the main result, estimated; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
       !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
       !> Receives what was counted at the points of the block; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
+      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
       !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
@@ -100,9 +92,7 @@ contains
 
    !> Add the doubt of each point that is solved.
    subroutine add_doubts(self, values, error_estimate, status, results)
-      !> The model.
       class(doubting_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
       !> Relative error of each point.
       real(dp), intent(in) :: error_estimate(:)
@@ -126,9 +116,7 @@ contains
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
-      !> The model, whose table of results is read.
       class(doubting_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
 

@@ -42,9 +42,9 @@ module adfric_run_memory_sink
 
 contains
 
-   !> Make room for the results of a run.
+   !> Make space for the results of a run.
    subroutine new_memory_sink(self, run, error)
-      !> Receives room for every point, none of which is solved.
+      !> Receives space for every point, none of which is solved.
       class(memory_sink_t), intent(out) :: self
       !> The run, which says how many points, results, counts and profiles there are.
       class(run_t), intent(in) :: run
@@ -74,7 +74,6 @@ contains
 
    !> See `sink_t`.
    subroutine put(self, first, results, error_estimate, status, counts, error)
-      !> The sink, which keeps a copy of the results.
       class(memory_sink_t), intent(inout) :: self
       !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
@@ -86,17 +85,17 @@ contains
       integer, intent(in) :: status(:)
       !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
-      !> Never allocated: there is room for all points.
+      !> Never allocated: there is space for all points.
       type(error_t), allocatable, intent(out) :: error
-      integer(i8) :: row, place
+      integer(i8) :: row, index
       integer :: i
 
       row = self%blocks%row_of(first)
-      place = (row - 1)/self%blocks%size + 1
+      index = (row - 1)/self%blocks%size + 1
       self%results(row:row + size(status) - 1, :) = results
       self%error_estimate(row:row + size(status) - 1) = error_estimate
       self%status(row:row + size(status) - 1) = status
-      self%counts(place:place + size(counts, 1) - 1, :) = counts
+      self%counts(index:index + size(counts, 1) - 1, :) = counts
       if (size(self%profiles) > 0) then
          do i = 1, size(status)
             if (status(i) /= status_solved) self%profiles(:, :, :, row + i - 1) = not_a_number()
@@ -108,13 +107,12 @@ contains
 
    !> See `sink_t`.
    subroutine put_profiles(self, point, profiles, error)
-      !> The sink, which keeps a copy of the profiles.
       class(memory_sink_t), intent(inout) :: self
       !> Number of the point in the run, from 1.
       integer(i8), intent(in) :: point
       !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
-      !> Never allocated: there is room for all points.
+      !> Never allocated: there is space for all points.
       type(error_t), allocatable, intent(out) :: error
 
       self%profiles(:, :, :, self%blocks%row_of(point)) = profiles
@@ -124,7 +122,6 @@ contains
 
    !> Means over the points of what the model counts, as they stand in a results file; shape `(n_counts)`.
    pure function mean_counts(self) result(means)
-      !> The sink, which has the results of all points.
       class(memory_sink_t), intent(in) :: self
       real(dp) :: means(size(self%counts, 2))
 

@@ -11,7 +11,7 @@ module adfric_run_plan
       !> Name of the dimension where it is none of a variable, such as `case` or `sample`; not allocated: that of the first
       !> variable, with which the others go in step.
       character(:), allocatable :: name
-      !> Places of the variables in the model's table, from 1.
+      !> Indices of the variables in the model's table, from 1.
       integer, allocatable :: variables(:)
       !> Values of the variables, in the order given by the user; shape `(n_variables, n_values)`.
       real(dp), allocatable :: values(:, :)
@@ -37,7 +37,7 @@ contains
    pure subroutine new_axis(self, variable, values)
       !> Receives the variable and its values.
       type(axis_t), intent(out) :: self
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> Values that the variable takes, in the order given by the user.
       real(dp), intent(in) :: values(:)
@@ -57,7 +57,6 @@ contains
 
    !> Number of values of each axis, the slowest first.
    pure function plan_shape(self) result(counts)
-      !> The run, the values of whose axes are counted.
       class(plan_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
       integer :: k
@@ -67,9 +66,8 @@ contains
 
    !> Is a variable swept, alone or together with others?
    pure logical function is_swept(self, variable)
-      !> The run, whose axes are searched.
       class(plan_t), intent(in) :: self
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       integer :: k
 
@@ -81,9 +79,8 @@ contains
 
    !> Every value that a variable takes: those of its axis, or the one of all points.
    pure function values_of(self, variable) result(values)
-      !> The run, with its base values and axes.
       class(plan_t), intent(in) :: self
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       real(dp), allocatable :: values(:)
       integer :: j, k
@@ -97,19 +94,18 @@ contains
 
    !> Values of all variables at the points `first`, `first + 1`, ...
    pure subroutine get_values(self, first, values)
-      !> The run, with its base values and axes.
       class(plan_t), intent(in) :: self
       !> Number of the first point, from 1.
       integer(i8), intent(in) :: first
       !> Values of all variables at n points; shape `(n_variables, n)`.
       real(dp), intent(out) :: values(:, :)
-      integer(i8) :: places(size(self%axes)), rest
+      integer(i8) :: indices(size(self%axes)), rest
       integer :: i, j, k
 
       rest = first - 1
       do k = size(self%axes), 1, -1
          associate (n => size(self%axes(k)%values, 2, kind=i8))
-            places(k) = 1 + mod(rest, n)
+            indices(k) = 1 + mod(rest, n)
             rest = rest/n
          end associate
       end do
@@ -118,26 +114,25 @@ contains
          do k = 1, size(self%axes)
             associate (axis => self%axes(k))
                do j = 1, size(axis%variables)
-                  values(axis%variables(j), i) = axis%values(j, places(k))
+                  values(axis%variables(j), i) = axis%values(j, indices(k))
                end do
             end associate
          end do
-         call step(self, places)
+         call step(self, indices)
       end do
    end subroutine get_values
 
    !> Go to the next point.
-   pure subroutine step(self, places)
-      !> The run, whose last axis varies fastest.
+   pure subroutine step(self, indices)
       class(plan_t), intent(in) :: self
-      !> Place of the point among the values of each axis, from 1; behind the last point comes the first one.
-      integer(i8), intent(inout) :: places(:)
+      !> Index of the point among the values of each axis, from 1; behind the last point comes the first one.
+      integer(i8), intent(inout) :: indices(:)
       integer :: k
 
-      do k = size(places), 1, -1
-         places(k) = places(k) + 1
-         if (places(k) <= size(self%axes(k)%values, 2, kind=i8)) return
-         places(k) = 1
+      do k = size(indices), 1, -1
+         indices(k) = indices(k) + 1
+         if (indices(k) <= size(self%axes(k)%values, 2, kind=i8)) return
+         indices(k) = 1
       end do
    end subroutine step
 

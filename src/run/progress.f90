@@ -38,7 +38,6 @@ contains
 
    !> Shall the run end before its time? Every thread asks, often and at once. Here it shall not.
    logical function wants_end(self)
-      !> The listener.
       class(progress_t), intent(in) :: self
 
       wants_end = .false.
@@ -48,7 +47,6 @@ contains
 
    !> Show nothing.
    subroutine report_nothing(self, n_done, n_total)
-      !> The listener, which remembers nothing.
       class(silent_progress_t), intent(inout) :: self
       !> Number of points solved so far, also before this run and in other processes.
       integer(i8), intent(in) :: n_done

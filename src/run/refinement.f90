@@ -28,7 +28,7 @@ module adfric_run_refinement
 
    !> How a sweep is refined.
    type :: refinement_t
-      !> Place of the result in the model's table; 0: nothing is refined.
+      !> Index of the result in the model's table; 0: nothing is refined.
       integer :: result = 0
       !> Width of an interval that is not halved any more, in units of the whole sweep [-].
       real(dp) :: tolerance = 0
@@ -44,20 +44,19 @@ module adfric_run_refinement
    end type refinement_t
 
    !> The values of a sweep, and what was found there.
-   type :: curve_t
+   type :: refined_curve_t
       !> Values of the variable, which rise or fall.
       real(dp), allocatable :: x(:)
       !> The result.
       real(dp), allocatable :: y(:)
       !> Status of each point.
       integer, allocatable :: status(:)
-   end type curve_t
+   end type refined_curve_t
 
 contains
 
    !> Is anything refined?
    pure logical function is_wanted(self)
-      !> How a sweep is refined.
       class(refinement_t), intent(in) :: self
 
       is_wanted = self%result > 0
@@ -65,7 +64,6 @@ contains
 
    !> The refinement in words.
    function describe(self, model) result(text)
-      !> How a sweep is refined.
       class(refinement_t), intent(in) :: self
       !> The model, whose table names the result.
       class(model_t), intent(in) :: model
@@ -106,9 +104,7 @@ contains
 
    !> Refine a sweep of one variable.
    subroutine refine(refinement, model, base, axis, error)
-      !> How the sweep is refined.
       type(refinement_t), intent(in) :: refinement
-      !> The model, which is prepared.
       class(model_t), intent(in) :: model
       !> Values of all variables where nothing is swept.
       real(dp), intent(in) :: base(:)
@@ -116,7 +112,7 @@ contains
       type(axis_t), intent(inout) :: axis
       !> Allocated if there would be too many values, or if there is too little memory.
       type(error_t), allocatable, intent(out) :: error
-      type(curve_t) :: curve
+      type(refined_curve_t) :: curve
       logical, allocatable :: is_halved(:)
       real(dp) :: range
 
@@ -141,18 +137,15 @@ contains
 
    !> Solve the points of a curve, each by itself.
    subroutine solve_curve(refinement, model, base, variable, x, curve)
-      !> How the sweep is refined.
       type(refinement_t), intent(in) :: refinement
-      !> The model, which is prepared.
       class(model_t), intent(in) :: model
       !> Values of all variables where nothing is swept.
       real(dp), intent(in) :: base(:)
-      !> Place of the variable that is swept.
+      !> Index of the variable that is swept.
       integer, intent(in) :: variable
       !> Its values.
       real(dp), intent(in) :: x(:)
-      !> Receives what is found.
-      type(curve_t), intent(out) :: curve
+      type(refined_curve_t), intent(out) :: curve
       integer :: i
 
       curve%x = x
@@ -166,13 +159,11 @@ contains
 
    !> Solve one point.
    subroutine solve_one(refinement, model, base, variable, x, y, status)
-      !> How the sweep is refined.
       type(refinement_t), intent(in) :: refinement
-      !> The model, which is prepared.
       class(model_t), intent(in) :: model
       !> Values of all variables where nothing is swept.
       real(dp), intent(in) :: base(:)
-      !> Place of the variable that is swept.
+      !> Index of the variable that is swept.
       integer, intent(in) :: variable
       !> Its value.
       real(dp), intent(in) :: x
@@ -192,8 +183,7 @@ contains
 
    !> Difference of the greatest and the least result; 0 if there is none.
    pure real(dp) function range_of(curve)
-      !> The curve.
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       real(dp), allocatable :: y(:)
 
       range_of = 0
@@ -203,12 +193,10 @@ contains
 
    !> Which intervals are halved next?
    subroutine choose_intervals(refinement, model, curve, range, is_halved)
-      !> How the sweep is refined.
       type(refinement_t), intent(in) :: refinement
       !> The model, whose table says whether the result is a state.
       class(model_t), intent(in) :: model
-      !> The curve so far.
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Range of the result at the values with which the sweep begins.
       real(dp), intent(in) :: range
       !> Receives which intervals are halved, in the order of the curve.
@@ -231,40 +219,34 @@ contains
 
    !> Width of an interval in units of the whole sweep.
    pure real(dp) function width(refinement, curve, i)
-      !> How the sweep is refined.
       type(refinement_t), intent(in) :: refinement
-      !> The curve.
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Number of the interval, from 1.
       integer, intent(in) :: i
 
-      width = place_of(refinement, curve, i + 1) - place_of(refinement, curve, i)
+      width = index_of(refinement, curve, i + 1) - index_of(refinement, curve, i)
    end function width
 
-   !> Place of a value in the sweep, from 0 to 1.
-   pure real(dp) function place_of(refinement, curve, i)
-      !> How the sweep is refined.
+   !> Index of a value in the sweep, from 0 to 1.
+   pure real(dp) function index_of(refinement, curve, i)
       type(refinement_t), intent(in) :: refinement
-      !> The curve.
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Number of the value, from 1.
       integer, intent(in) :: i
 
       associate (first => curve%x(1), last => curve%x(size(curve%x)))
          if (refinement%is_logarithmic) then
-            place_of = log(curve%x(i)/first)/log(last/first)
+            index_of = log(curve%x(i)/first)/log(last/first)
          else
-            place_of = (curve%x(i) - first)/(last - first)
+            index_of = (curve%x(i) - first)/(last - first)
          end if
       end associate
-   end function place_of
+   end function index_of
 
    !> Does a point lie off the straight line through its two neighbours?
    pure logical function is_off_line(refinement, curve, i, allowed)
-      !> How the sweep is refined.
       type(refinement_t), intent(in) :: refinement
-      !> The curve.
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Number of the point, which has two neighbours.
       integer, intent(in) :: i
       !> How far it may lie off.
@@ -280,11 +262,9 @@ contains
 
    !> Does a status or a state change between the ends of an interval? What did not converge says nothing.
    pure logical function changes(curve, i, is_state)
-      !> The curve.
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Number of the interval, from 1.
       integer, intent(in) :: i
-      !> Is the result a state?
       logical, intent(in) :: is_state
 
       changes = .false.
@@ -297,19 +277,17 @@ contains
 
    !> Halve some intervals.
    subroutine halve(refinement, model, base, variable, is_halved, curve)
-      !> How the sweep is refined.
       type(refinement_t), intent(in) :: refinement
-      !> The model, which is prepared.
       class(model_t), intent(in) :: model
       !> Values of all variables where nothing is swept.
       real(dp), intent(in) :: base(:)
-      !> Place of the variable that is swept.
+      !> Index of the variable that is swept.
       integer, intent(in) :: variable
       !> Which intervals are halved, in the order of the curve?
       logical, intent(in) :: is_halved(:)
       !> The curve, which gets a point for each of them.
-      type(curve_t), intent(inout) :: curve
-      type(curve_t) :: added, merged
+      type(refined_curve_t), intent(inout) :: curve
+      type(refined_curve_t) :: added, merged
       integer :: i, k, n
 
       n = size(curve%x)
@@ -335,7 +313,6 @@ contains
    elemental real(dp) function middle(a, b, is_logarithmic)
       !> The ends, of one sign if the middle is that of the logarithm.
       real(dp), intent(in) :: a, b
-      !> Is it that of the logarithm?
       logical, intent(in) :: is_logarithmic
 
       if (is_logarithmic) then

@@ -71,7 +71,6 @@ contains
 
    !> Let the model tell what is wanted beside its results, and what is doubted. Once, when all variables have their values.
    subroutine complete_model(self)
-      !> The run, whose model is another one afterwards.
       class(run_t), intent(inout) :: self
 
       if (self%variation%is_wanted()) call apply_variation(self)
@@ -81,7 +80,6 @@ contains
 
    !> Let the model tell what is wanted beside its results.
    subroutine apply_variation(self)
-      !> The run, whose model is another one afterwards.
       class(run_t), intent(inout) :: self
       real(dp) :: scales(size(self%plan%base)), upper
       integer :: i

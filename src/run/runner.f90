@@ -59,8 +59,8 @@ module adfric_run_runner
       real(dp), allocatable :: results(:, :)
       !> Profiles of a point; shape `profile_shape` of `sweep_t`.
       real(dp), allocatable :: profiles(:, :, :)
-      !> Place of the batch that the thread fills.
-      integer :: place = 0
+      !> Index of the batch that the thread fills.
+      integer :: index = 0
       !> Number of blocks that the thread takes next.
       integer :: n_wanted = 1
       !> What this thread has found so far.
@@ -96,15 +96,12 @@ contains
 
    !> Solve every block of a source.
    subroutine run_source(run, sink, progress, summary, error, source)
-      !> The run, whose model solves the points.
       class(run_t), intent(in) :: run
-      !> Receives the results.
       class(sink_t), intent(inout) :: sink
       !> Is told from time to time how many points are solved, and says whether the run shall end.
       class(progress_t), intent(inout) :: progress
       !> Counts, ranges and times of the points that are solved now.
       type(run_summary_t), intent(out) :: summary
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       !> Says which blocks are solved; they are taken from it.
       class(block_source_t), intent(inout) :: source
@@ -118,7 +115,7 @@ contains
       sweep%n_solved = source%n_points_before
       call progress%report(sweep%n_solved, source%blocks%n_points())
       n_threads = omp_get_max_threads()
-      ! where there are less blocks than threads, a model that can shares the work of a point among the threads that are left
+      ! where there are less blocks than threads, a model that can shares the work of a point among the threads that remain
       n_workers = int(max(1_i8, min(int(n_threads, i8), source%blocks%n_blocks())))
       sweep%threads_of_point = max(1, n_threads/n_workers)
       n_levels = omp_get_max_active_levels()
@@ -153,7 +150,6 @@ contains
       class(run_t), intent(in) :: run
       !> The sink, which is made ready here if no thread writes for the others.
       class(sink_t), intent(inout) :: sink
-      !> Says how large the blocks are.
       class(block_source_t), intent(in) :: source
       !> Number of threads that may solve.
       integer, intent(in) :: n_threads
@@ -185,9 +181,7 @@ contains
 
    !> What each thread does.
    subroutine work(run, sink, progress, source, sweep)
-      !> The run, whose model solves the points.
       class(run_t), intent(in) :: run
-      !> Receives the results.
       class(sink_t), intent(inout) :: sink
       !> Is told from time to time how many points are solved, and says whether the run shall end.
       class(progress_t), intent(inout) :: progress
@@ -206,7 +200,7 @@ contains
       do
          call take_blocks(source, sweep, progress, worker%n_wanted, first, n)
          if (n == 0) exit
-         sweep%delivery%store%batches(worker%place)%first = source%blocks%first_point(first)
+         sweep%delivery%store%batches(worker%index)%first = source%blocks%first_point(first)
          start = wall_clock()
          waiting_since = start
          do i = 0, n - 1
@@ -214,7 +208,7 @@ contains
             if (.not. is_solved) exit
             waiting = wall_clock() - waiting_since
             if (i == n - 1 .or. waiting > longest_wait) then
-               call leave_batch(sink, sweep%delivery, worker%place)
+               call leave_batch(sink, sweep%delivery, worker%index)
                waiting_since = wall_clock()
             end if
             !$omp critical (adfric_run_shared)
@@ -224,7 +218,7 @@ contains
             if (omp_get_thread_num() == 0) call progress%report(n_solved, source%blocks%n_points())
             if (must_end(sweep, progress)) exit
          end do
-         call leave_batch(sink, sweep%delivery, worker%place)
+         call leave_batch(sink, sweep%delivery, worker%index)
          call choose_batch_size(wall_clock() - start, worker%n_wanted)
       end do
       is_cut_short = must_end(sweep, progress)
@@ -239,9 +233,7 @@ contains
    subroutine watch_others(progress, source, sweep)
       !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
-      !> Says how many points there are.
       class(block_source_t), intent(in) :: source
-      !> What the threads share.
       type(sweep_t), intent(in) :: sweep
       integer(i8) :: n_solved
       integer :: n_ended
@@ -262,7 +254,7 @@ contains
 
    !> Make ready what a thread has for itself.
    subroutine new_worker(self, run, blocks, sweep)
-      !> Receives room for the values, results and profiles of a block.
+      !> Receives space for the values, results and profiles of a block.
       type(worker_t), intent(out) :: self
       !> The run, whose numbers of variables and results count.
       class(run_t), intent(in) :: run
@@ -275,7 +267,7 @@ contains
          allocate (self%values(size(run%model%variables), n), self%results(size(run%model%results), n))
          allocate (self%profiles(shape(1), shape(2), shape(3)))
       end associate
-      self%place = omp_get_thread_num() + 1
+      self%index = omp_get_thread_num() + 1
       call new_summary(self%summary, run%model%results)
    end subroutine new_worker
 
@@ -285,7 +277,6 @@ contains
       class(block_source_t), intent(inout) :: source
       !> What the threads share; it says whether something has failed.
       type(sweep_t), intent(in) :: sweep
-      !> Says whether the run shall end.
       class(progress_t), intent(in) :: progress
       !> Largest number of blocks to take, at least 1.
       integer, intent(in) :: n_wanted
@@ -298,7 +289,7 @@ contains
       n = 0
       if (must_end(sweep, progress)) return
       !$omp critical (adfric_run_shared)
-      share = source%n_left/(2*sweep%delivery%n_workers)
+      share = source%n_remaining/(2*sweep%delivery%n_workers)
       call source%take_blocks(int(max(1_i8, min(share, int(n_wanted, i8)))), first, n)
       !$omp end critical (adfric_run_shared)
    end subroutine take_blocks
@@ -307,7 +298,6 @@ contains
    logical function must_end(sweep, progress)
       !> What the threads share; it says whether something has failed.
       type(sweep_t), intent(in) :: sweep
-      !> Says whether the run shall end.
       class(progress_t), intent(in) :: progress
 
       must_end = has_failed(sweep%delivery)
@@ -328,19 +318,16 @@ contains
 
    !> Solve a block and add it to the batch; profiles go to the sink at once. Where that fails, nothing is added.
    subroutine solve_one_block(run, blocks, block, sink, sweep, worker, is_solved)
-      !> The run, whose model solves the points.
       class(run_t), intent(in) :: run
       !> The blocks of the run, which say where this one begins and ends.
       type(blocks_t), intent(in) :: blocks
       !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
-      !> Receives the profiles.
       class(sink_t), intent(inout), target :: sink
       !> What the threads share; the results are added to the thread's batch in its store.
       type(sweep_t), intent(inout), target :: sweep
       !> What the thread has for itself; the points are added to its summary.
       type(worker_t), intent(inout) :: worker
-      !> Has the block been added?
       logical, intent(out) :: is_solved
       real(dp) :: counts(size(run%model%counts))
       type(profile_gate_t) :: gate
@@ -352,7 +339,7 @@ contains
       n = blocks%n_points_of(block)
       gate%first = blocks%first_point(block)
       call run%plan%get_values(gate%first, worker%values(:, :n))
-      associate (batch => sweep%delivery%store%batches(worker%place), results => worker%results(:, :n))
+      associate (batch => sweep%delivery%store%batches(worker%index), results => worker%results(:, :n))
          offset = batch%n_points
          if (size(worker%profiles) > 0) then
             gate%sink => sink

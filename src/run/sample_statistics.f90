@@ -20,7 +20,7 @@ contains
       !> Receives the five statistics.
       real(dp), intent(out) :: statistics(5)
       real(dp), allocatable :: sorted(:)
-      real(dp) :: place, scale
+      real(dp) :: index, scale
       integer :: k, n, below
 
       statistics = not_a_number()
@@ -33,9 +33,9 @@ contains
       scale = max(sorted(n) - sorted(1), tiny(scale))
       statistics(2) = scale*sqrt(sum(((sorted - statistics(1))/scale)**2)/(n - 1))
       do k = 1, size(probabilities)
-         place = 1 + probabilities(k)*(n - 1)
-         below = min(int(place), n - 1)
-         statistics(2 + k) = sorted(below) + (place - below)*(sorted(below + 1) - sorted(below))
+         index = 1 + probabilities(k)*(n - 1)
+         below = min(int(index), n - 1)
+         statistics(2 + k) = sorted(below) + (index - below)*(sorted(below + 1) - sorted(below))
       end do
    end subroutine find_statistics
 
@@ -59,26 +59,25 @@ contains
 
    !> Let a number sink to its place in a heap, each number of which is no less than the two below it.
    pure subroutine sift(numbers, first, last)
-      !> The numbers.
       real(dp), intent(inout) :: numbers(:)
-      !> Place of the number that sinks, and the last place of the heap.
+      !> Index of the number that sinks, and the last index of the heap.
       integer, intent(in) :: first, last
       real(dp) :: sinking
-      integer :: place, child
+      integer :: index, child
 
       sinking = numbers(first)
-      place = first
+      index = first
       do
-         child = 2*place
+         child = 2*index
          if (child > last) exit
          if (child < last) then
             if (numbers(child + 1) > numbers(child)) child = child + 1
          end if
          if (.not. numbers(child) > sinking) exit
-         numbers(place) = numbers(child)
-         place = child
+         numbers(index) = numbers(child)
+         index = child
       end do
-      numbers(place) = sinking
+      numbers(index) = sinking
    end subroutine sift
 
 end module adfric_run_sample_statistics

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Blocks that several processes solve together: each takes the next ones when it has time.
 !>
-!> All processes have the same list of blocks that are left and draw tickets for them from one counter; a ticket says how
+!> All processes have the same list of blocks that remain and draw tickets for them from one counter; a ticket says how
 !> many blocks of the list others have taken before. So nobody deals them out, and none stands idle while there are any.
 module adfric_run_shared_blocks
    use adfric_base_kinds, only: i8
@@ -24,7 +24,7 @@ module adfric_run_shared_blocks
       !> Number of blocks that all processes solve, and of those at the front of the list that are gone.
       integer(i8) :: n_all = 0, n_gone = 0
       !> Blocks of the last ticket that have not been asked for yet, and all that were taken here.
-      integer(i8) :: n_held = 0, n_taken = 0
+      integer(i8) :: n_at_hand = 0, n_taken = 0
    contains
       procedure :: take_blocks => take_shared_blocks
       procedure :: end_early
@@ -45,13 +45,12 @@ contains
       self%list = list
       self%blocks = list%blocks
       self%n_points_before = list%n_points_before
-      self%n_all = list%n_left
-      self%n_left = share_of(self, self%n_all)
+      self%n_all = list%n_remaining
+      self%n_remaining = share_of(self, self%n_all)
    end subroutine new_shared_blocks
 
-   !> What is left to one process, rounded up.
+   !> What remains to one process, rounded up.
    pure integer(i8) function share_of(self, n)
-      !> Knows the number of processes.
       type(shared_blocks_t), intent(in) :: self
       !> Number of blocks that are left to all processes together.
       integer(i8), intent(in) :: n
@@ -61,7 +60,6 @@ contains
 
    !> See `block_source_t`.
    subroutine take_shared_blocks(self, most, first, n)
-      !> The source, which has these blocks no more.
       class(shared_blocks_t), intent(inout) :: self
       !> Largest number of blocks to take, at least 1.
       integer, intent(in) :: most
@@ -72,14 +70,14 @@ contains
 
       first = 0
       n = 0
-      if (self%n_held == 0) call draw_ticket(self, most)
-      if (self%n_held == 0) return
+      if (self%n_at_hand == 0) call draw_ticket(self, most)
+      if (self%n_at_hand == 0) return
       ! blocks that were solved before may stand between those of a ticket
-      call self%list%take_blocks(int(min(int(most, i8), self%n_held)), first, n)
+      call self%list%take_blocks(int(min(int(most, i8), self%n_at_hand)), first, n)
       self%n_gone = self%n_gone + n
-      self%n_held = self%n_held - n
+      self%n_at_hand = self%n_at_hand - n
       self%n_taken = self%n_taken + n
-      self%n_left = share_of(self, self%n_all - self%n_gone)
+      self%n_remaining = share_of(self, self%n_all - self%n_gone)
       self%n_points_elsewhere = max(0_i8, self%n_gone - self%n_taken)*self%blocks%size
    end subroutine take_shared_blocks
 
@@ -93,23 +91,22 @@ contains
 
       call self%world%take_tickets(int(most, i8), n_before)
       if (n_before >= self%n_all) then
-         self%n_left = 0
+         self%n_remaining = 0
          return
       end if
       call self%list%leave_out(n_before - self%n_gone)
       self%n_gone = n_before
-      self%n_held = min(int(most, i8), self%n_all - n_before)
+      self%n_at_hand = min(int(most, i8), self%n_all - n_before)
    end subroutine draw_ticket
 
    !> See `block_source_t`: nobody gets a block any more.
    subroutine end_early(self)
-      !> The source, in which nothing is left afterwards.
       class(shared_blocks_t), intent(inout) :: self
       integer(i8) :: n_before
 
       call self%world%take_tickets(all_tickets, n_before)
-      self%n_held = 0
-      self%n_left = 0
+      self%n_at_hand = 0
+      self%n_remaining = 0
    end subroutine end_early
 
 end module adfric_run_shared_blocks

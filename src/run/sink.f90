@@ -7,7 +7,7 @@ module adfric_run_sink
    private
    public :: sink_t
 
-   !> A place that takes results by the number of their first point, in any order.
+   !> A index that takes results by the number of their first point, in any order.
    type, abstract :: sink_t
       !> May a thread that does nothing else put the results into the sink?
       logical :: has_own_thread = .true.

@@ -36,9 +36,8 @@ contains
 
    !> Derivatives of all results of a block by a variable.
    subroutine differentiate(model, variable, scale, values, results, error_estimate, status, slopes, counts, is_out_of_memory)
-      !> The model that has solved the block.
       class(model_t), intent(in) :: model
-      !> Place of the variable, from 1.
+      !> Index of the variable, from 1.
       integer, intent(in) :: variable
       !> Size that the variable has elsewhere, for the step where it is 0.
       real(dp), intent(in) :: scale
@@ -103,9 +102,8 @@ contains
 
    !> Solve the neighbours on one side.
    subroutine solve_side(model, variable, values, results, status, steps, is_asked, side, counts, is_out_of_memory)
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Place of the variable, from 1.
+      !> Index of the variable, from 1.
       integer, intent(in) :: variable
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -117,7 +115,6 @@ contains
       real(dp), intent(in) :: steps(:)
       !> Of which points is the neighbour wanted?
       logical, intent(in) :: is_asked(:)
-      !> Receives the neighbours.
       type(side_t), intent(out) :: side
       !> What is counted at all points; that of the neighbours is added.
       real(dp), intent(inout) :: counts(:)
@@ -139,11 +136,9 @@ contains
 
    !> Solve some points of a list, side by side.
    subroutine solve_some(model, values, is_wanted, results, status, counts, is_out_of_memory)
-      !> The model.
       class(model_t), intent(in) :: model
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
-      !> Which points are wanted?
       logical, intent(in) :: is_wanted(:)
       !> Receives the results, NaN for points that are not wanted; shape `(n_results, n_points)`.
       real(dp), intent(out) :: results(:, :)
@@ -154,22 +149,22 @@ contains
       !> Was there too little memory for a point?
       logical, intent(inout) :: is_out_of_memory
       real(dp), allocatable :: some(:, :), found(:, :), errors(:), added(:)
-      integer, allocatable :: places(:), states(:)
+      integer, allocatable :: indices(:), states(:)
       integer :: i, first, last
 
       results = not_a_number()
       status = status_not_converged
-      places = pack([(i, i=1, size(is_wanted))], is_wanted)
+      indices = pack([(i, i=1, size(is_wanted))], is_wanted)
       allocate (added(size(counts)))
       first = 1
-      do while (first <= size(places))
-         last = first + min(model%largest_block, size(places) - first + 1) - 1
-         allocate (some, source=values(:, places(first:last)))
+      do while (first <= size(indices))
+         last = first + min(model%largest_block, size(indices) - first + 1) - 1
+         allocate (some, source=values(:, indices(first:last)))
          allocate (found(size(results, 1), size(some, 2)), errors(size(some, 2)), states(size(some, 2)))
          call model%solve_block(some, found, errors, states, added)
          counts = counts + added
-         results(:, places(first:last)) = found
-         status(places(first:last)) = states
+         results(:, indices(first:last)) = found
+         status(indices(first:last)) = states
          is_out_of_memory = is_out_of_memory .or. any(states == status_out_of_memory)
          deallocate (some, found, errors, states)
          first = last + 1
@@ -178,9 +173,7 @@ contains
 
    !> May a variable have a value?
    elemental logical function is_allowed(value, variable)
-      !> The value.
       real(dp), intent(in) :: value
-      !> Row of the variable: its bounds.
       type(variable_t), intent(in) :: variable
 
       is_allowed = value >= variable%lower .and. value <= variable%upper .and. variable%kind /= kind_integer
@@ -214,7 +207,7 @@ contains
       real(dp), intent(in) :: results(:)
       !> The neighbours on one side, the near ones and those at twice the distance.
       type(side_t), intent(in) :: near, far
-      !> Place of the point.
+      !> Index of the point.
       integer, intent(in) :: i
       real(dp) :: slope(size(results))
 

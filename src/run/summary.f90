@@ -28,7 +28,7 @@ module adfric_run_summary
       integer :: signal = 0
       !> Time in the solver, summed over the threads, and time in the output [s].
       real(dp) :: solver_seconds = 0, output_seconds = 0
-      !> Places of the enumerated and of the main results.
+      !> Indices of the enumerated and of the main results.
       integer, allocatable :: enumerated(:), main(:)
    contains
       procedure :: add_points
@@ -62,7 +62,6 @@ contains
 
    !> Add points.
    pure subroutine add_points(self, results, status)
-      !> The summary, to which the points are added.
       class(run_summary_t), intent(inout) :: self
       !> Results of the points; shape `(n_results, n_points)`.
       real(dp), intent(in) :: results(:, :)

@@ -111,7 +111,6 @@ contains
    !> tell how long it takes once there are as many as there will be: the first point of a block takes longer than the others. Where
    !> the time is over before, the last trial has to do.
    subroutine try_points(run, blocks, child)
-      !> The run, whose model solves the points.
       class(run_t), intent(in) :: run
       !> The blocks of the run, of which some are tried.
       type(blocks_t), intent(in) :: blocks
@@ -151,24 +150,23 @@ contains
       type(blocks_t), intent(in) :: blocks
       !> Number of the trial, from 1.
       integer, intent(in) :: trial
-      real(dp) :: place, step
+      real(dp) :: index, step
       integer :: rest
 
       ! the digits of the number behind the point, in reverse (van der Corput)
-      place = 0
+      index = 0
       step = 0.5_dp
       rest = trial
       do while (rest > 0)
-         place = place + step*modulo(rest, 2)
+         index = index + step*modulo(rest, 2)
          rest = rest/2
          step = step/2
       end do
-      block = min(int(place*real(blocks%n_blocks_of_run, dp), i8) + 1, blocks%n_blocks_of_run)
+      block = min(int(index*real(blocks%n_blocks_of_run, dp), i8) + 1, blocks%n_blocks_of_run)
    end function block_of_trial
 
    !> Solve the first points of a block.
    subroutine try_block(run, blocks, block, n_wanted, seconds, n, by_doubt)
-      !> The run, whose model solves the points.
       class(run_t), intent(in) :: run
       !> The blocks of the run, which say where this one begins and ends.
       type(blocks_t), intent(in) :: blocks
@@ -215,18 +213,17 @@ contains
    end subroutine try_block
 
    !> Forget the profiles of a point.
-   subroutine take_waste(self, place, profiles, goes_on)
-      !> The receiver, which keeps nothing.
+   subroutine take_waste(self, index, profiles, goes_on)
       class(waste_t), intent(inout) :: self
-      !> Place of the point in its block, from 1; not used.
-      integer, intent(in) :: place
+      !> Index of the point in its block, from 1; not used.
+      integer, intent(in) :: index
       !> Profiles of the point, which are forgotten; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
       !> Always true: the rest of the block is wanted, so that its time is known.
       logical, intent(out) :: goes_on
 
       goes_on = .true.
-      associate (unused => self, unused_place => place, unused_profiles => profiles)
+      associate (unused => self, unused_index => index, unused_profiles => profiles)
       end associate
    end subroutine take_waste
 

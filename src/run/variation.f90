@@ -20,7 +20,7 @@ module adfric_run_variation
 
    !> The standard error of a variable: the root of the sum of the squares of both parts.
    type :: uncertainty_t
-      !> Place of the variable in the model's table, from 1.
+      !> Index of the variable in the model's table, from 1.
       integer :: variable = 0
       !> Absolute part, in the SI unit of the variable.
       real(dp) :: error = 0
@@ -30,7 +30,7 @@ module adfric_run_variation
 
    !> What is wanted.
    type :: variation_t
-      !> Places of the variables by which the results are differentiated.
+      !> Indices of the variables by which the results are differentiated.
       integer, allocatable :: derivatives(:)
       !> Variables that have an error.
       type(uncertainty_t), allocatable :: uncertain(:)
@@ -47,7 +47,6 @@ contains
 
    !> Is anything wanted?
    pure logical function is_wanted(self)
-      !> What is wanted.
       class(variation_t), intent(in) :: self
 
       is_wanted = .false.
@@ -58,17 +57,13 @@ contains
    !> Rows of the results that come behind those of the model: for each variable the derivatives of all numbers among them, then the
    !> errors, then the statistics of the samples, and the share of samples that are solved.
    subroutine new_rows(wanted, variables, units, numbers, taken, rows)
-      !> What is wanted.
       type(variation_t), intent(in) :: wanted
-      !> Table of the variables of the model.
       type(variable_t), intent(in) :: variables(:)
       !> Unit of each variable by which the results are differentiated.
       type(result_t), intent(in) :: units(:)
-      !> The results that are numbers, with their units.
       type(result_t), intent(in) :: numbers(:)
       !> Names of all results of the model, separated by a blank. One that has `NAME_error` gets `NAME_standard_error` beside it.
       character(*), intent(in) :: taken
-      !> Receives the rows.
       type(result_t), allocatable, intent(out) :: rows(:)
       character(:), allocatable :: name
       integer :: i, k, n
@@ -103,7 +98,6 @@ contains
 
    !> Set the next row.
    subroutine put_row(rows, n, name, unit, long_name)
-      !> The rows.
       type(result_t), intent(inout) :: rows(:)
       !> Number of rows that are set; it grows by one.
       integer, intent(inout) :: n
@@ -118,25 +112,23 @@ contains
    end subroutine put_row
 
    !> Name of a variable, with its group where others share it.
-   function name_of(variables, place) result(name)
-      !> Table of the variables of the model.
+   function name_of(variables, index) result(name)
       type(variable_t), intent(in) :: variables(:)
-      !> Place of the variable, from 1.
-      integer, intent(in) :: place
+      !> Index of the variable, from 1.
+      integer, intent(in) :: index
       character(:), allocatable :: name
       integer :: i, n_same
 
       n_same = 0
       do i = 1, size(variables)
-         if (variables(i)%name == variables(place)%name) n_same = n_same + 1
+         if (variables(i)%name == variables(index)%name) n_same = n_same + 1
       end do
-      name = variables(place)%name
-      if (n_same > 1) name = variables(place)%group//'_'//name
+      name = variables(index)%name
+      if (n_same > 1) name = variables(index)%group//'_'//name
    end function name_of
 
    !> What is wanted, in words, for a check: nothing if nothing is.
    function describe(self, variables) result(text)
-      !> What is wanted.
       class(variation_t), intent(in) :: self
       !> Table of the variables of the model.
       type(variable_t), intent(in) :: variables(:)

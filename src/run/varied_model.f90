@@ -22,11 +22,11 @@ module adfric_run_varied_model
       private
       !> What is wanted.
       type(variation_t) :: wanted
-      !> Places of the variables that change: those of the derivatives, then the others that have an error.
+      !> Indices of the variables that change: those of the derivatives, then the others that have an error.
       integer, allocatable :: variables_changed(:)
       !> Size that each of them has in the run, for the step where it is 0.
       real(dp), allocatable :: scales(:)
-      !> Places of the numbers among the results of the inner model.
+      !> Indices of the numbers among the results of the inner model.
       integer, allocatable :: numbers(:)
       !> Standard normal variables of each sample; shape `(n_uncertain, n_samples)`.
       real(dp), allocatable :: normal(:, :)
@@ -40,7 +40,6 @@ contains
 
    !> Is a result a number that the scene has, so that it varies?
    elemental logical function is_varied(result)
-      !> Row of the result.
       type(result_t), intent(in) :: result
 
       is_varied = result%n_states() == 0 .and. .not. result%is_hidden
@@ -50,7 +49,6 @@ contains
    subroutine vary_model(model, wanted, scales)
       !> In: the model. Out: a model that holds it.
       class(model_t), allocatable, intent(inout) :: model
-      !> What is wanted.
       type(variation_t), intent(in) :: wanted
       !> Size > 0 that each variable has in the run; shape `(n_variables)`.
       real(dp), intent(in) :: scales(:)
@@ -91,7 +89,6 @@ contains
 
    !> Names of the rows of a table, separated by a blank.
    pure function names_of(table) result(names)
-      !> The table.
       type(result_t), intent(in) :: table(:)
       character(:), allocatable :: names
       integer :: i
@@ -103,26 +100,22 @@ contains
    end function names_of
 
    !> Some rows of a table.
-   subroutine pick_rows(table, places, rows)
-      !> The table.
+   subroutine pick_rows(table, indices, rows)
       type(result_t), intent(in) :: table(:)
-      !> Places of the rows in it.
-      integer, intent(in) :: places(:)
-      !> Receives the rows.
+      !> Indices of the rows in it.
+      integer, intent(in) :: indices(:)
       type(result_t), allocatable, intent(out) :: rows(:)
       integer :: i
 
-      allocate (rows(size(places)))
-      do i = 1, size(places)
-         rows(i) = table(places(i))
+      allocate (rows(size(indices)))
+      do i = 1, size(indices)
+         rows(i) = table(indices(i))
       end do
    end subroutine pick_rows
 
    !> Put rows behind others.
    subroutine join_rows(first, second, both)
-      !> The two lists.
       type(result_t), intent(in) :: first(:), second(:)
-      !> Receives them.
       type(result_t), allocatable, intent(out) :: both(:)
       integer :: i
 
@@ -137,13 +130,10 @@ contains
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The model; all threads solve with the same one.
       class(varied_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
-      !> Relative error of the main result, estimated; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
       !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
@@ -158,19 +148,16 @@ contains
 
    !> See `model_t`.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
-      !> The model; all threads solve with the same one.
       class(varied_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
-      !> Relative error of the main result, estimated; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
       !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
       !> Receives what was counted at the points of the block and around them; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
+      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
       !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
@@ -183,9 +170,7 @@ contains
 
    !> Add what is wanted to the results of the inner model.
    subroutine add_variations(self, values, own, error_estimate, status, results, counts)
-      !> The model.
       class(varied_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
       !> Results of the inner model; shape `(n_inner_results, n_points)`.
       real(dp), intent(in) :: own(:, :)
@@ -233,11 +218,8 @@ contains
 
    !> Add the square of what the error of a variable does to the results.
    pure subroutine add_squares(self, variable, values, slopes, squares)
-      !> The model.
       class(varied_model_t), intent(in) :: self
-      !> Place of the variable.
       integer, intent(in) :: variable
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
       !> Derivatives of the numbers by the variable; shape `(n_numbers, n_points)`.
       real(dp), intent(in) :: slopes(:, :)
@@ -256,22 +238,20 @@ contains
    end subroutine add_squares
 
    !> Standard error of a variable at a value.
-   pure real(dp) function error_at(self, place, value)
-      !> The model.
+   pure real(dp) function error_at(self, index, value)
       class(varied_model_t), intent(in) :: self
-      !> Place among the variables that have an error.
-      integer, intent(in) :: place
+      !> Index among the variables that have an error.
+      integer, intent(in) :: index
       !> Value of the variable.
       real(dp), intent(in) :: value
 
-      associate (uncertain => self%wanted%uncertain(place))
+      associate (uncertain => self%wanted%uncertain(index))
          error_at = hypot(uncertain%error, uncertain%relative_error*value)
       end associate
    end function error_at
 
    !> Solve the samples of a point, and tell their statistics.
    subroutine sample_point(self, values, statistics, counts, is_out_of_memory)
-      !> The model.
       class(varied_model_t), intent(in) :: self
       !> Values of the variables of the point; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -291,9 +271,9 @@ contains
          allocate (results(size(self%inner%results), n), status(n), is_wanted(n))
          is_wanted = .true.
          do k = 1, size(uncertain)
-            associate (place => uncertain(k)%variable)
-               samples(place, :) = values(place) + error_at(self, k, values(place))*self%normal(k, :)
-               is_wanted = is_wanted .and. is_allowed(samples(place, :), self%variables(place))
+            associate (index => uncertain(k)%variable)
+               samples(index, :) = values(index) + error_at(self, k, values(index))*self%normal(k, :)
+               is_wanted = is_wanted .and. is_allowed(samples(index, :), self%variables(index))
             end associate
          end do
          call solve_some(self%inner, samples, is_wanted, results, status, counts, is_out_of_memory)
@@ -306,9 +286,7 @@ contains
 
    !> See `model_t`: the units of what is added follow from those of the results and the variables in this case.
    function describe_results(self, values) result(results)
-      !> The model, whose table of results is read.
       class(varied_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
       type(result_t), allocatable :: own(:), units(:), numbers(:), rows(:)

@@ -110,7 +110,6 @@ contains
 
    !> Leave the other processes.
    subroutine stop_world(self)
-      !> The processes; no message can be sent afterwards.
       class(world_t), intent(inout) :: self
 
       if (self%n_ranks > 1) then
@@ -122,7 +121,6 @@ contains
 
    !> Is it the process that speaks for all?
    pure logical function is_first(self)
-      !> Knows the number of this process.
       class(world_t), intent(in) :: self
 
       is_first = self%rank == 0
@@ -130,7 +128,6 @@ contains
 
    !> Give everyone the bytes of one process.
    subroutine share_bytes(self, bytes, from)
-      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
       !> In: bytes, as many in every process. Out: those of the process `from`.
       integer(int8), intent(inout), contiguous :: bytes(:)
@@ -146,9 +143,8 @@ contains
       end do
    end subroutine share_bytes
 
-   !> Put the sums over all processes in the place of numbers, everywhere.
+   !> Put the sums over all processes in the index of numbers, everywhere.
    subroutine add_up(self, numbers)
-      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
       !> In: numbers of this process, as many in each. Out: their sums over all processes.
       integer(i8), intent(inout), contiguous :: numbers(:)
@@ -157,9 +153,8 @@ contains
       call MPI_Allreduce(MPI_IN_PLACE, numbers, size(numbers), MPI_INTEGER8, MPI_SUM, MPI_COMM_WORLD)
    end subroutine add_up
 
-   !> Put the greatest of all processes in the place of numbers, everywhere.
+   !> Put the greatest of all processes in the index of numbers, everywhere.
    subroutine find_greatest(self, numbers)
-      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
       !> In: numbers of this process, as many in each. Out: the greatest of all processes.
       real(dp), intent(inout), contiguous :: numbers(:)
@@ -192,7 +187,6 @@ contains
 
    !> Create a list of properties by which all processes open a file together.
    subroutine create_shared_access(self, calls, list)
-      !> The processes that open the file.
       class(world_t), intent(in) :: self
       !> Takes note of calls of HDF5 that fail.
       type(hdf5_calls_t), intent(inout) :: calls

@@ -41,7 +41,6 @@ contains
 
    !> Take over a model, with its tables but for that of the results.
    subroutine wrap(self, inner)
-      !> Receives the model.
       class(wrapped_model_t), intent(inout) :: self
       !> The model, which is not allocated afterwards.
       class(model_t), allocatable, intent(inout) :: inner
@@ -62,9 +61,7 @@ contains
 
    !> Values of the inner model: here the same. A model that counts otherwise overrides it.
    pure function inner_values(self, values) result(inner)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       real(dp) :: inner(size(values))
 
@@ -75,9 +72,7 @@ contains
 
    !> Results of the inner model, which are the first ones: here the same. A model that counts otherwise overrides it.
    pure function inner_results(self, values, results) result(inner)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of a point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
@@ -90,13 +85,9 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call self%inner%check_values(self%inner_values(values), is_swept, problems)
@@ -104,9 +95,7 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = self%inner%wants_profiles(self%inner_values(values))
@@ -114,9 +103,7 @@ contains
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the axes in the order of their names `profile_axes`.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
@@ -126,9 +113,7 @@ contains
 
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
-      !> The model; all threads solve with the same one.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results that `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
@@ -140,7 +125,6 @@ contains
 
    !> See `model_t`.
    subroutine prepare(self)
-      !> The model.
       class(wrapped_model_t), intent(inout) :: self
 
       call self%inner%prepare()
@@ -148,7 +132,6 @@ contains
 
    !> See `model_t`.
    subroutine release(self)
-      !> The model, prepared or not.
       class(wrapped_model_t), intent(inout) :: self
 
       call self%inner%release()
@@ -156,9 +139,7 @@ contains
 
    !> See `model_t`.
    subroutine obey(self, watch)
-      !> The model.
       class(wrapped_model_t), intent(inout) :: self
-      !> Who is asked; null: nobody.
       class(watch_t), pointer, intent(in) :: watch
 
       self%watch => watch
@@ -166,41 +147,35 @@ contains
    end subroutine obey
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model.
+   subroutine take_dataset(self, index, values, problems)
       class(wrapped_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Values of the dataset; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%inner%take_dataset(place, values, problems)
+      call self%inner%take_dataset(index, values, problems)
       self%largest_block = self%inner%largest_block
    end subroutine take_dataset
 
    !> See `model_t`.
-   subroutine take_attribute(self, place, name, value, problems)
-      !> The model.
+   subroutine take_attribute(self, index, name, value, problems)
       class(wrapped_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Name of the attribute, one of those of the row.
       character(*), intent(in) :: name
       !> The number, which is finite, in the SI unit that the row says.
       real(dp), intent(in) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%inner%take_attribute(place, name, value, problems)
+      call self%inner%take_attribute(index, name, value, problems)
    end subroutine take_attribute
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
 
@@ -209,9 +184,7 @@ contains
 
    !> See `model_t`.
    function describe_case(self, values) result(text)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -220,9 +193,7 @@ contains
 
    !> See `model_t`.
    function describe_doubts(self, values) result(text)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -231,9 +202,7 @@ contains
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point, NaN where they are not known; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
@@ -245,9 +214,7 @@ contains
 
    !> See `model_t`.
    pure integer function count_profiles(self, values)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       count_profiles = self%inner%count_profiles(self%inner_values(values))
@@ -255,9 +222,7 @@ contains
 
    !> See `model_t`.
    function describe_profiles(self, values) result(profiles)
-      !> The model.
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(profile_t), allocatable :: profiles(:)
 
@@ -265,16 +230,14 @@ contains
    end function describe_profiles
 
    !> See `model_t`.
-   function unit_of(self, values, place) result(unit)
-      !> The model.
+   function unit_of(self, values, index) result(unit)
       class(wrapped_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%inner%unit_of(self%inner_values(values), place)
+      unit = self%inner%unit_of(self%inner_values(values), index)
    end function unit_of
 
 end module adfric_run_wrapped_model

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Heights along one period of a line, as polynomials between equidistant places.
+!> Heights along one period of a line, as polynomials between equidistant positions.
 !>
 !> The period is the unit of length. The surface slides to +x, so a column of the foundation meets it in the order of falling x:
 !> s = -x is the way that the column has gone, and everything is in the order of s.
@@ -8,7 +8,7 @@ module adfric_shape_height_line
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_numerics_periodic_spline, only: get_spline_slopes
    use adfric_shape_hermite_pieces, only: cubic_piece, quintic_piece
-   use adfric_shape_polynomial, only: polynomial_at, mirrored, get_piece_bounds, get_turning_places
+   use adfric_shape_polynomial, only: polynomial_at, mirrored, get_piece_bounds, get_turning_positions
    use adfric_shape_wave_pieces, only: get_wave_pieces
    implicit none (type, external)
    private
@@ -26,7 +26,7 @@ module adfric_shape_height_line
    !> The fewest samples of a line, by the degree of its pieces.
    integer, parameter :: fewest_samples(5) = [2, 0, 4, 0, 1]
 
-   !> Heights along one period of length 1, as polynomials between equidistant places, in the order in which a column of the
+   !> Heights along one period of length 1, as polynomials between equidistant positions, in the order in which a column of the
    !> foundation meets them: x falls.
    type :: height_line_t
       !> Degree of the polynomials: 1, 3 or 5.
@@ -104,23 +104,21 @@ contains
       end do
    end subroutine connect
 
-   !> Height of the line at a place.
+   !> Height of the line at a position.
    pure real(dp) function height_at(self, x)
-      !> The line.
       class(height_line_t), intent(in) :: self
-      !> Place, in periods; any.
+      !> Position, in periods; any.
       real(dp), intent(in) :: x
-      real(dp) :: way
+      real(dp) :: path
       integer :: j
 
-      way = modulo(-x, 1.0_dp)*size(self%coefficients, 2)
-      j = min(int(way) + 1, size(self%coefficients, 2))
-      height_at = polynomial_at(self%coefficients(:, j), way - (j - 1))
+      path = modulo(-x, 1.0_dp)*size(self%coefficients, 2)
+      j = min(int(path) + 1, size(self%coefficients, 2))
+      height_at = polynomial_at(self%coefficients(:, j), path - (j - 1))
    end function height_at
 
    !> Lowest and highest height of the line itself, between its samples too.
    pure subroutine get_extremes(self, lowest, highest, highest_piece)
-      !> The line.
       class(height_line_t), intent(in) :: self
       !> Receives the lowest height.
       real(dp), intent(out) :: lowest
@@ -128,8 +126,8 @@ contains
       real(dp), intent(out) :: highest
       !> Receives the number of the piece with the highest height, the first of those that are as high but for round-off.
       integer, intent(out) :: highest_piece
-      real(dp) :: tops(size(self%coefficients, 2)), low, high, places(4)
-      integer :: j, i, n_places
+      real(dp) :: tops(size(self%coefficients, 2)), low, high, positions(4)
+      integer :: j, i, n_positions
 
       lowest = minval(self%coefficients(0, :))
       tops = self%coefficients(0, :)
@@ -137,10 +135,10 @@ contains
       do j = 1, size(tops)
          call get_piece_bounds(self%coefficients(:, j), low, high)
          if (low >= lowest .and. high <= highest) cycle
-         call get_turning_places(self%coefficients(:, j), places, n_places)
-         do i = 1, n_places
-            lowest = min(lowest, polynomial_at(self%coefficients(:, j), places(i)))
-            tops(j) = max(tops(j), polynomial_at(self%coefficients(:, j), places(i)))
+         call get_turning_positions(self%coefficients(:, j), positions, n_positions)
+         do i = 1, n_positions
+            lowest = min(lowest, polynomial_at(self%coefficients(:, j), positions(i)))
+            tops(j) = max(tops(j), polynomial_at(self%coefficients(:, j), positions(i)))
          end do
          highest = max(highest, tops(j))
       end do
@@ -148,9 +146,8 @@ contains
    end subroutine get_extremes
 
    !> The line that half as many samples give, for an estimate of what the interpolation costs: every second one where their number
-   !> n is even; else heights of the line at (n + 1)/2 equidistant places. Where that are too few, as many as are needed.
+   !> n is even; else heights of the line at (n + 1)/2 equidistant positions. Where that are too few, as many as are needed.
    pure subroutine coarsen(self, coarse)
-      !> The line.
       class(height_line_t), intent(in) :: self
       !> Receives the line with fewer pieces, of the same degree and from the same x = 0 on.
       type(height_line_t), intent(out) :: coarse
@@ -173,23 +170,22 @@ contains
       end if
    end subroutine coarsen
 
-   !> Height and derivatives at one of n equidistant places, of a variable that grows by 1 from each place to the next.
+   !> Height and derivatives at one of n equidistant positions, of a variable that grows by 1 from each position to the next.
    pure subroutine get_taylor(self, k, n, taylor)
-      !> The line.
       type(height_line_t), intent(in) :: self
-      !> The place is s = k/n, k = 0..n - 1.
+      !> The position is s = k/n, k = 0..n - 1.
       integer, intent(in) :: k
-      !> Number of places.
+      !> Number of positions.
       integer, intent(in) :: n
       !> Receives the height, its first derivative, and half its second one.
       real(dp), intent(out) :: taylor(0:2)
       real(dp) :: theta, widening
-      integer(i8) :: way
+      integer(i8) :: path
       integer :: m, j
 
-      way = int(k, i8)*size(self%coefficients, 2)
-      j = int(way/n) + 1
-      theta = real(modulo(way, int(n, i8)), dp)/n
+      path = int(k, i8)*size(self%coefficients, 2)
+      j = int(path/n) + 1
+      theta = real(modulo(path, int(n, i8)), dp)/n
       widening = real(size(self%coefficients, 2), dp)/n
       ! Horner's scheme, with the Taylor polynomial of the second degree as number
       taylor = 0
@@ -203,7 +199,6 @@ contains
 
    !> The line crossed the other way: x becomes -x.
    pure subroutine reverse(self)
-      !> The line.
       class(height_line_t), intent(inout) :: self
       real(dp), allocatable :: reversed(:, :)
       integer :: n, j
@@ -218,7 +213,6 @@ contains
 
    !> Begin the way at another piece: x = 0 moves to where that piece begins, x = -(first - 1)/n.
    pure subroutine rotate(self, first)
-      !> The line.
       class(height_line_t), intent(inout) :: self
       !> The piece that becomes the first, 1 to n.
       integer, intent(in) :: first

@@ -59,7 +59,6 @@ contains
 
    !> Do the opposite edges not meet?
    pure logical function is_open(self)
-      !> Steps that are compared.
       class(seam_t), intent(in) :: self
 
       is_open = self%step > suspicious*self%largest

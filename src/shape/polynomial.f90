@@ -4,7 +4,7 @@ module adfric_shape_polynomial
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: polynomial_at, mirrored, get_piece_bounds, get_turning_places
+   public :: polynomial_at, mirrored, get_piece_bounds, get_turning_positions
 
    !> Largest of theta - theta^m in 0..1, for m = 2 to 5.
    real(dp), parameter :: sag(2:5) = [0.25_dp, 0.3849002_dp, 0.4724704_dp, 0.5349923_dp]
@@ -17,7 +17,7 @@ contains
    pure real(dp) function polynomial_at(c, theta) result(value)
       !> Coefficients, from that of theta^0.
       real(dp), intent(in) :: c(0:)
-      !> Place, 0 to 1.
+      !> Position, 0 to 1.
       real(dp), intent(in) :: theta
       integer :: m
 
@@ -60,28 +60,28 @@ contains
       high = max(c(0), at_end) + departure
    end subroutine get_piece_bounds
 
-   !> Places in 0..1 where a polynomial turns from rising to falling or the other way.
-   pure subroutine get_turning_places(c, places, n_places)
+   !> Positions in 0..1 where a polynomial turns from rising to falling or the other way.
+   pure subroutine get_turning_positions(c, positions, n_positions)
       !> Coefficients, from that of theta^0, of degree 1 or more.
       real(dp), intent(in) :: c(0:)
-      !> Receives the places, rising, in `places(1:n_places)`; shape `(2)` or, if that is more, one less than the degree.
-      real(dp), intent(out) :: places(:)
-      !> Receives the number of places.
-      integer, intent(out) :: n_places
+      !> Receives the positions, rising, in `positions(1:n_positions)`; shape `(2)` or, if that is more, one less than the degree.
+      real(dp), intent(out) :: positions(:)
+      !> Receives the number of positions.
+      integer, intent(out) :: n_positions
       real(dp) :: derivative(0:max(2, ubound(c, 1))), ends(ubound(c, 1) + 1)
       integer :: degree, order
 
       degree = ubound(c, 1)
       derivative = 0
       call differentiate(c, max(1, degree - 2), derivative(:min(2, degree - 1)))
-      call get_quadratic_roots(derivative(:2), places, n_places)
+      call get_quadratic_roots(derivative(:2), positions, n_positions)
       ! between two neighbouring roots of its derivative a polynomial has one root at most
       do order = degree - 3, 1, -1
          call differentiate(c, order, derivative(:degree - order))
-         ends(:n_places + 2) = [0.0_dp, places(:n_places), 1.0_dp]
-         call get_roots_between(derivative(:degree - order), ends(:n_places + 2), places, n_places)
+         ends(:n_positions + 2) = [0.0_dp, positions(:n_positions), 1.0_dp]
+         call get_roots_between(derivative(:degree - order), ends(:n_positions + 2), positions, n_positions)
       end do
-   end subroutine get_turning_places
+   end subroutine get_turning_positions
 
    !> Roots of a polynomial of degree 2 or less in 0..1.
    pure subroutine get_quadratic_roots(c, roots, n_roots)
@@ -157,7 +157,7 @@ contains
       end do
    end subroutine get_roots_between
 
-   !> The place at which a polynomial changes its sign, by halving the interval: it is asked for few pieces only.
+   !> The position at which a polynomial changes its sign, by halving the interval: it is asked for few pieces only.
    pure real(dp) function root_between(c, first, last) result(root)
       !> Coefficients, from that of theta^0.
       real(dp), intent(in) :: c(0:)

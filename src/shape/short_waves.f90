@@ -18,7 +18,6 @@ contains
       real(dp), intent(inout) :: heights(:, :)
       !> The shortest wavelength that stays [periods], > 0. Two samples or less change nothing.
       real(dp), intent(in) :: shortest_wavelength
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(spectral_filter_t) :: filter
       real(dp), allocatable :: symbol(:, :), row(:, :)

@@ -36,24 +36,24 @@ contains
       end do
    end subroutine remove_trend
 
-   !> Equidistant places at distance 1 about 0.
-   pure function centred(n) result(places)
-      !> Number of places.
+   !> Equidistant positions at distance 1 about 0.
+   pure function centred(n) result(positions)
+      !> Number of positions.
       integer, intent(in) :: n
-      real(dp) :: places(n)
+      real(dp) :: positions(n)
       integer :: i
 
-      places = [(i - (n + 1)/2.0_dp, i=1, n)]
+      positions = [(i - (n + 1)/2.0_dp, i=1, n)]
    end function centred
 
    !> Slope of the straight line of least squares.
    pure real(dp) function slope_of(z, x) result(slope)
       !> Heights.
       real(dp), intent(in) :: z(:)
-      !> Their places, about 0; as many.
+      !> Their positions, about 0; as many.
       real(dp), intent(in) :: x(:)
 
-      ! one place has no slope
+      ! one position has no slope
       slope = 0
       if (size(x) > 1) slope = dot_product(x, z)/dot_product(x, x)
    end function slope_of

@@ -22,7 +22,7 @@ module adfric_solid_contact_modulus
    integer, parameter :: n_one_body = 3, n_two_bodies = 5
    !> Moduli of solids, from the softest gel to diamond [Pa].
    real(dp), parameter :: softest = 1.0_dp, hardest = 2.0e12_dp
-   !> Places among the rows.
+   !> Indices among the rows.
    integer, parameter :: contact = 1, young = 2, poisson = 3, second_young = 4, second_poisson = 5
 
    !> Names of the rows.
@@ -148,13 +148,12 @@ contains
    contains
 
       !> Add a problem of one row to the list.
-      subroutine add(place, text)
-         !> Place of the variable among the rows, such as `young`.
-         integer, intent(in) :: place
-         !> What is wrong, what was given, what is allowed.
+      subroutine add(index, text)
+         !> Index of the variable among the rows, such as `young`.
+         integer, intent(in) :: index
          character(*), intent(in) :: text
 
-         call problems%add(rows(place)%group, rows(place)%name, text)
+         call problems%add(rows(index)%group, rows(index)%name, text)
       end subroutine add
 
    end subroutine check_contact_modulus

@@ -21,7 +21,7 @@ module adfric_solid_given_spectrum
 
    !> Number of rows.
    integer, parameter :: n_arm_rows = 6
-   !> Places among the rows.
+   !> Positions among the rows.
    integer, parameter :: young_moduli = 1, relaxation_times = 2, master_curve = 3, relaxed_modulus = 4, terms_per_decade = 5, &
       & time_factor = 6
 
@@ -100,7 +100,6 @@ contains
       real(dp), intent(in) :: relaxed_modulus
       !> Arms that are offered in a decade.
       real(dp), intent(in) :: terms
-      !> Receives the fit.
       type(master_curve_fit_t), intent(out) :: fit
 
       associate (omega => given%master_curve(:, 1), storage => given%master_curve(:, 2), loss => given%master_curve(:, 3))

@@ -52,7 +52,6 @@ contains
 
    !> Fit a relaxation spectrum to a master curve.
    pure subroutine fit_master_curve(self, frequencies, storage, loss, terms_per_decade, relaxed)
-      !> The fit.
       type(master_curve_fit_t), intent(out) :: self
       !> Angular frequencies of the data, in any order [rad/s], > 0; shape `(n)`, n > 0.
       real(dp), intent(in) :: frequencies(:)
@@ -143,7 +142,6 @@ contains
 
    !> How far the fit is off.
    pure subroutine set_misfits(self, frequencies, storage, loss)
-      !> The fit; receives its misfits.
       type(master_curve_fit_t), intent(inout) :: self
       !> Angular frequencies of the data [rad/s]; shape `(n)`.
       real(dp), intent(in) :: frequencies(:)

@@ -59,7 +59,7 @@ contains
    !> Put an arm at its place among others of rising times. Times that are the same but for round-off are one: between two of them
    !> there would be a retardation time without digits.
    pure subroutine insert_arm(moduli, times, n, modulus, time)
-      !> Moduli of the arms so far, with a place left for one more.
+      !> Moduli of the arms so far, with a position left for one more.
       real(dp), intent(inout) :: moduli(:)
       !> Relaxation times of these arms, strictly rising [s].
       real(dp), intent(inout) :: times(:)
@@ -70,24 +70,23 @@ contains
       !> Relaxation time of the new arm [s], > 0.
       real(dp), intent(in) :: time
       real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
-      integer :: place
+      integer :: position
 
-      do place = 1, n
-         if (abs(times(place) - time) > round_off*time) cycle
-         moduli(place) = moduli(place) + modulus
+      do position = 1, n
+         if (abs(times(position) - time) > round_off*time) cycle
+         moduli(position) = moduli(position) + modulus
          return
       end do
-      place = count(times(:n) < time) + 1
-      moduli(place + 1:n + 1) = moduli(place:n)
-      times(place + 1:n + 1) = times(place:n)
-      moduli(place) = modulus
-      times(place) = time
+      position = count(times(:n) < time) + 1
+      moduli(position + 1:n + 1) = moduli(position:n)
+      times(position + 1:n + 1) = times(position:n)
+      moduli(position) = modulus
+      times(position) = time
       n = n + 1
    end subroutine insert_arm
 
    !> The modulus kg of the first moment, k0 and all k_i.
    pure real(dp) function instantaneous_modulus(self)
-      !> The spectrum.
       class(prony_t), intent(in) :: self
 
       instantaneous_modulus = self%relaxed + sum(self%moduli)
@@ -97,7 +96,6 @@ contains
    !>
    !> Each is a sum of positive terms, and no term has a square of omega tau beyond 1: both are right to round-off at any frequency.
    elemental subroutine get_complex_modulus(self, frequency, storage, loss)
-      !> The spectrum.
       class(prony_t), intent(in) :: self
       !> Angular frequency omega [rad/s], >= 0.
       real(dp), intent(in) :: frequency

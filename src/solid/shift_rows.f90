@@ -16,7 +16,7 @@ module adfric_solid_shift_rows
 
    !> Number of rows.
    integer, parameter :: n_shift_rows = 5
-   !> Places among the rows.
+   !> Indices among the rows.
    integer, parameter :: shift = 1, reference_temperature = 2, wlf_c1 = 3, wlf_c2 = 4, activation_energy = 5
 
 contains
@@ -71,7 +71,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Place of the first row of `set_shift_rows` in the table, and that of the temperature.
+      !> Index of the first row of `set_shift_rows` in the table, and that of the temperature.
       integer, intent(in) :: first, temperature
       !> Temperature that a master curve comes with [K], or unset.
       real(dp), intent(in) :: master_temperature
@@ -109,9 +109,7 @@ contains
       type(variable_t), intent(in) :: row
       !> The temperature [K].
       real(dp), intent(in) :: temperature
-      !> The law.
       type(time_temperature_t), intent(in) :: law
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: factor
       logical :: is_valid

@@ -28,7 +28,7 @@ module adfric_solid_spectrum_rows
    public :: is_same_spectrum, shift_factor_of, poisson_ratio_of, describe_spectrum, doubt_spectrum, derive_spectrum
    public :: n_spectrum_rows, spectrum_names
 
-   !> Places among the rows; the last one stands in the group of the operating conditions.
+   !> Indices among the rows; the last one stands in the group of the operating conditions.
    integer, parameter :: modulus = 1, young_modulus = 2, poisson_ratio = 3, moduli = 4, young_moduli = 5, relaxation_times = 6, &
       & master_curve = 7, relaxed_modulus = 8, terms_per_decade = 9, time_factor = 10, shift = 11, activation_energy = 15, &
       & temperature = 16
@@ -66,15 +66,15 @@ contains
    end subroutine set_spectrum_rows
 
    !> Keep the values of a list or a dataset; nothing of a variable that is none of the rows.
-   subroutine take_spectrum(given, place, values)
+   subroutine take_spectrum(given, index, values)
       !> Receives the values.
       class(given_spectrum_t), intent(inout) :: given
-      !> Place of the variable among the rows, from 1.
-      integer, intent(in) :: place
+      !> Index of the variable among the rows, from 1.
+      integer, intent(in) :: index
       !> The values in SI units; shape `(n, n_columns)`.
       real(dp), intent(in) :: values(:, :)
 
-      select case (place)
+      select case (index)
       case (moduli)
          given%moduli = values(:, 1)
       case (young_moduli)
@@ -87,13 +87,13 @@ contains
    end subroutine take_spectrum
 
    !> Keep the temperature that a master curve says of itself; nothing of a variable that is none of the rows.
-   subroutine take_spectrum_attribute(given, row, place, name, value, problems)
+   subroutine take_spectrum_attribute(given, row, index, name, value, problems)
       !> Receives the value.
       class(given_spectrum_t), intent(inout) :: given
       !> Row of the variable; its name is part of the message.
       type(variable_t), intent(in) :: row
-      !> Place of the variable among the rows, from 1.
-      integer, intent(in) :: place
+      !> Index of the variable among the rows, from 1.
+      integer, intent(in) :: index
       !> Name of the attribute.
       character(*), intent(in) :: name
       !> Its value in SI units.
@@ -101,7 +101,7 @@ contains
       !> Receives what is wrong with it.
       type(problems_t), intent(inout) :: problems
 
-      if (place /= master_curve) return
+      if (index /= master_curve) return
       given%master_temperature = value
       if (.not. value > 0) call problems%add(row%group, row%name, 'has an attribute '//name//' that is not > 0')
    end subroutine take_spectrum_attribute
@@ -159,11 +159,9 @@ contains
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_spectrum_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       class(given_spectrum_t), intent(in) :: given
       !> Is the variable swept? Shape `(n_spectrum_rows)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call refuse_given(rows, values, is_swept, [relaxed_modulus, terms_per_decade], 'has no meaning without master_curve', &
@@ -187,14 +185,12 @@ contains
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_spectrum_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       class(given_spectrum_t), intent(in) :: given
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(prony_t) :: prony
       type(master_curve_fit_t) :: fit
-      integer, parameter :: relaxed_places(4) = [relaxed_modulus, modulus, young_modulus, master_curve]
-      integer :: before, place
+      integer, parameter :: relaxed_indices(4) = [relaxed_modulus, modulus, young_modulus, master_curve]
+      integer :: before, index
 
       before = problems%count()
       if (is_set(values(master_curve))) call check_curve(rows(master_curve), rows(relaxed_modulus), &
@@ -203,9 +199,9 @@ contains
       call get_spectrum(values, given, prony, fit)
       if (is_set(values(master_curve))) call check_fit(rows(master_curve), fit, problems)
       if (problems%count() > before) return
-      place = relaxed_places(findloc(is_set(values(relaxed_places)), .true., 1))
+      index = relaxed_indices(findloc(is_set(values(relaxed_indices)), .true., 1))
       if (.not. (prony%relaxed > tiny(1.0_dp) .and. prony%relaxed > instantaneous_modulus(prony)/largest_ratio)) &
-         & call problems%add(rows(place)%group, rows(place)%name, 'is too small, or other moduli are too large')
+         & call problems%add(rows(index)%group, rows(index)%name, 'is too small, or other moduli are too large')
    end subroutine check_numbers
 
    !> The spectrum of contact moduli, with its times as they were measured.

@@ -38,7 +38,6 @@ contains
 
    !> The factor a_T of all relaxation times at a temperature.
    elemental subroutine get_shift_factor(self, temperature, factor, is_valid)
-      !> The law.
       class(time_temperature_t), intent(in) :: self
       !> Temperature T [K].
       real(dp), intent(in) :: temperature

@@ -103,7 +103,6 @@ contains
 
    !> Hexadecimal digits.
    pure function to_text(self) result(text)
-      !> The checksum of all that has been added.
       class(checksum_t), intent(in) :: self
       character(checksum_length) :: text
       integer, parameter :: to_small = iachar('a') - iachar('A')

@@ -162,7 +162,7 @@ contains
       type(child_process_t), intent(out) :: self
       !> Time after which the other process ends, whatever it does [s].
       integer, intent(in) :: seconds
-      !> False where the machine has no room for another process.
+      !> False where the machine has no space for another process.
       logical, intent(out) :: is_started
       integer(c_int) :: unused
 
@@ -184,7 +184,6 @@ contains
 
    !> In the other process: send numbers, all of them or none.
    subroutine send(self, numbers)
-      !> The other process.
       class(child_process_t), intent(in) :: self
       !> So few numbers that the pipe takes them at once.
       real(dp), intent(in) :: numbers(:)
@@ -196,7 +195,6 @@ contains
 
    !> In the other process: end it. Nothing of what it holds in common with this one is touched.
    subroutine end_child(self)
-      !> The other process; in this one nothing is done.
       class(child_process_t), intent(in) :: self
 
       if (self%is_child) call c_exit_at_once(0_c_int)
@@ -204,7 +202,6 @@ contains
 
    !> In this process: wait for numbers that the other one has sent.
    subroutine receive(self, numbers, seconds, is_received)
-      !> The other process.
       class(child_process_t), intent(in) :: self
       !> Receives as many numbers as were sent at once; 0 if none came.
       real(dp), intent(out) :: numbers(:)
@@ -228,7 +225,6 @@ contains
 
    !> In this process: end the other one, if it has not ended yet.
    subroutine stop_child(self, seconds)
-      !> The other process, which is gone afterwards.
       class(child_process_t), intent(inout) :: self
       !> Time that the other process had on a processor [s].
       real(dp), intent(out) :: seconds

@@ -45,18 +45,18 @@ module adfric_system_file_bytes
          integer(c_int64_t), intent(in) :: word
          !> First byte of the first place, from 0; 0 if there is none.
          integer(c_int64_t), intent(out) :: found_at
-         !> Number of places.
+         !> Number of indices.
          integer(c_int), intent(out) :: n_found
       end function c_find_word
 
-      !> Read words of eight bytes from a place of a file; 0, `is_short` or an error number.
-      integer(c_int) function c_read_words(path, place, n, words) bind(c, name='adfric_read_words')
+      !> Read words of eight bytes from a index of a file; 0, `is_short` or an error number.
+      integer(c_int) function c_read_words(path, index, n, words) bind(c, name='adfric_read_words')
          import :: c_char, c_int, c_int64_t
          implicit none (type, external)
          !> Path, with a null character at its end.
          character(kind=c_char), intent(in) :: path(*)
          !> First byte that is read, from 0.
-         integer(c_int64_t), intent(in), value :: place
+         integer(c_int64_t), intent(in), value :: index
          !> Number of words of eight bytes.
          integer(c_int64_t), intent(in), value :: n
          !> Receives the words.
@@ -111,7 +111,7 @@ contains
       integer(i8), intent(in) :: word
       !> First byte of the first place where they stand, from 0; 0 if there is none.
       integer(i8), intent(out) :: found_at
-      !> Number of places where they stand.
+      !> Number of indices where they stand.
       integer, intent(out) :: n_found
       !> 0, `is_short`, or an error number of the system.
       integer, intent(out) :: number
@@ -122,17 +122,17 @@ contains
    end subroutine find_word
 
    !> Read words of eight bytes.
-   subroutine read_words(path, place, words, number)
+   subroutine read_words(path, index, words, number)
       !> Name of the file.
       character(*), intent(in) :: path
       !> First byte that is read, from 0.
-      integer(i8), intent(in) :: place
+      integer(i8), intent(in) :: index
       !> Receives the words; only a part of them if `number` is not 0.
       integer(i8), intent(inout), contiguous :: words(:)
       !> 0, `is_short`, or an error number of the system.
       integer, intent(out) :: number
 
-      number = int(c_read_words(path//c_null_char, place, size(words, kind=c_int64_t), words))
+      number = int(c_read_words(path//c_null_char, index, size(words, kind=c_int64_t), words))
    end subroutine read_words
 
 end module adfric_system_file_bytes

@@ -16,7 +16,7 @@ module adfric_system_files
 
    !> What can stand at a path: nothing, a regular file, anything else.
    integer, parameter :: path_free = 0, path_file = 1, path_other = 2
-   !> Room for a text that C gives back, and for a path.
+   !> Space for a text that C gives back, and for a path.
    integer, parameter :: text_length = 256, path_length = 4096
 
    !> Identity of a file, whatever its names.
@@ -53,7 +53,7 @@ module adfric_system_files
          character(kind=c_char), intent(in) :: path(*)
          !> Where the link leads to, with a null character at its end.
          character(kind=c_char), intent(out) :: text(*)
-         !> Room in `text` [bytes].
+         !> Space in `text` [bytes].
          integer(c_size_t), intent(in), value :: size
       end function c_follow_link
 
@@ -100,7 +100,7 @@ module adfric_system_files
          character(kind=c_char), intent(in) :: path(*)
          !> Path as seen from the folder, with a null character at its end.
          character(kind=c_char), intent(out) :: text(*)
-         !> Room in `text` [bytes].
+         !> Space in `text` [bytes].
          integer(c_size_t), intent(in), value :: size
       end function c_path_from
 
@@ -159,7 +159,7 @@ module adfric_system_files
          integer(c_int), intent(in), value :: number
          !> What the number means, with a null character at its end.
          character(kind=c_char), intent(out) :: text(*)
-         !> Room in `text` [bytes].
+         !> Space in `text` [bytes].
          integer(c_size_t), intent(in), value :: size
       end subroutine c_error_text
 
@@ -168,7 +168,7 @@ module adfric_system_files
          implicit none (type, external)
          !> The time, with a null character at its end.
          character(kind=c_char), intent(out) :: text(*)
-         !> Room in `text` [bytes].
+         !> Space in `text` [bytes].
          integer(c_size_t), intent(in), value :: size
       end subroutine c_utc_time
 
@@ -255,20 +255,20 @@ contains
    end subroutine path_from
 
    !> Take a lock.
-   subroutine take_lock(path, lock, is_held_by_others, error)
+   subroutine take_lock(path, lock, is_locked_by_others, error)
       !> Name of the file that stands for the lock; it is removed with the lock.
       character(*), intent(in) :: path
       !> Receives the lock; where the file system knows no locks it protects nothing.
       type(lock_t), intent(inout) :: lock
       !> Does another run hold the lock? Then it is not taken.
-      logical, intent(out) :: is_held_by_others
+      logical, intent(out) :: is_locked_by_others
       !> Allocated if the file of the lock cannot be made.
       type(error_t), allocatable, intent(out) :: error
       integer(c_int) :: number
 
       lock%path = path
       number = c_take_lock(path//c_null_char, lock%number)
-      is_held_by_others = number < 0
+      is_locked_by_others = number < 0
       if (number > 0) call set_error(error, file_failure, error_text(number))
    end subroutine take_lock
 

@@ -5,9 +5,9 @@ module adfric_system_memory
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: has_room, has_free, free_memory
+   public :: has_space, has_free, free_memory
 
-   !> Room for a line of the system's account.
+   !> Space for a line of the system's account.
    integer, parameter :: line_length = 256
    !> So little is there without a look at the account, which takes longer than many points do [bytes].
    real(dp), parameter :: always_there = 16.0e6_dp
@@ -15,30 +15,30 @@ module adfric_system_memory
    interface
 
       !> Can so much memory be had? 1 or 0.
-      integer(c_int) function c_has_room(n_bytes) bind(c, name='adfric_has_room')
+      integer(c_int) function c_has_space(n_bytes) bind(c, name='adfric_has_room')
          import :: c_double, c_int
          implicit none (type, external)
          !> Size of the memory that is asked for [bytes].
          real(c_double), intent(in), value :: n_bytes
-      end function c_has_room
+      end function c_has_space
 
       !> Bytes that the limit of this process leaves; negative if there is none, or it cannot be said.
-      real(c_double) function c_room_below_limit() bind(c, name='adfric_room_below_limit')
+      real(c_double) function c_space_below_limit() bind(c, name='adfric_room_below_limit')
          import :: c_double
          implicit none (type, external)
-      end function c_room_below_limit
+      end function c_space_below_limit
 
    end interface
 
 contains
 
    !> Can so much be had? To be asked before an `allocate` that may be too large: one that fails ends the program.
-   logical function has_room(n_bytes)
+   logical function has_space(n_bytes)
       !> Size of the memory that is asked for [bytes].
       real(dp), intent(in) :: n_bytes
 
-      has_room = c_has_room(n_bytes) /= 0
-   end function has_room
+      has_space = c_has_space(n_bytes) /= 0
+   end function has_space
 
    !> Is so much free for this process?
    logical function has_free(n_bytes)
@@ -51,11 +51,11 @@ contains
 
    !> Bytes of memory that are free for this process; huge if it cannot be said.
    real(dp) function free_memory()
-      real(dp) :: room
+      real(dp) :: space
 
       free_memory = available_memory()
-      room = c_room_below_limit()
-      if (room >= 0) free_memory = min(free_memory, room)
+      space = c_space_below_limit()
+      if (space >= 0) free_memory = min(free_memory, space)
    end function free_memory
 
    !> Bytes of memory that the machine has left; huge if it cannot be said.

@@ -19,7 +19,7 @@ module adfric_system_semaphore
 
    interface
 
-      !> A new semaphore; null if the system has no room for one.
+      !> A new semaphore; null if the system has no space for one.
       type(c_ptr) function c_new(count) bind(c, name='adfric_new_semaphore')
          import :: c_ptr, c_long
          implicit none (type, external)
@@ -57,11 +57,10 @@ contains
 
    !> Make the semaphore.
    subroutine make(self, count, is_made)
-      !> Receives the semaphore.
       class(semaphore_t), intent(inout) :: self
       !> Count that the semaphore begins with, >= 0.
       integer, intent(in) :: count
-      !> False if the system has no room for a semaphore.
+      !> False if the system has no space for a semaphore.
       logical, intent(out) :: is_made
 
       self%handle = c_new(int(count, c_long))
@@ -70,7 +69,6 @@ contains
 
    !> Add one to the count, and wake a thread that waits for it.
    subroutine post(self)
-      !> The semaphore, which must have been made.
       class(semaphore_t), intent(in) :: self
 
       call c_post(self%handle)
@@ -78,7 +76,6 @@ contains
 
    !> Sleep until the count is not 0, and take one from it.
    subroutine wait_for_post(self)
-      !> The semaphore, which must have been made.
       class(semaphore_t), intent(in) :: self
 
       call c_wait(self%handle)

@@ -26,7 +26,7 @@ module adfric_system_threads
 
 contains
 
-   !> Refuse a run whose threads the system has no room for, or whose stacks are too small.
+   !> Refuse a run whose threads the system has no space for, or whose stacks are too small.
    subroutine check_threads(n, error)
       !> Number of threads besides the one that is there.
       integer, intent(in) :: n

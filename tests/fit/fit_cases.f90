@@ -12,7 +12,7 @@ module fit_cases
    use reference_table, only: table_t, read_table
    implicit none (type, external)
    private
-   public :: theory_place
+   public :: theory_position
    public :: new_reference_fit, new_sphere_values, answer, has_answer, reference_name, add_free, add_sphere_data, models_t, &
       & new_models
 
@@ -71,7 +71,7 @@ contains
       else
          fit%model => models%sphere
          call new_sphere_values(models, fit%base)
-         fit%base(v_theory) = theory_place(models, theory_of(answers, number))
+         fit%base(v_theory) = theory_position(models, theory_of(answers, number))
       end if
       allocate (fit%frees(0), fit%data_sets(0), fit%events(0), fit%theories(0))
       allocate (fit%levels, source=[0.6827_dp, 0.95_dp])
@@ -89,32 +89,32 @@ contains
             fit%events = [fit%events, event_t(1, event_pull_off_load, value, answer(answers, number, 'event_sigma', &
                & 'pull_off_load'))]
          case ('loss')
-            fit%data_sets%loss = place_of_loss(answers%text(k, 'first'))
+            fit%data_sets%loss = position_of_loss(answers%text(k, 'first'))
             fit%data_sets%loss_width = value
          end select
       end do
    end subroutine new_reference_fit
 
    !> Number of a loss.
-   pure integer function place_of_loss(name) result(place)
+   pure integer function position_of_loss(name) result(position)
       character(*), intent(in) :: name
 
-      place = loss_gauss
-      if (name == 'huber') place = loss_huber
-      if (name == 'soft_l1') place = loss_soft_l1
-      if (name == 'cauchy') place = loss_cauchy
-   end function place_of_loss
+      position = loss_gauss
+      if (name == 'huber') position = loss_huber
+      if (name == 'soft_l1') position = loss_soft_l1
+      if (name == 'cauchy') position = loss_cauchy
+   end function position_of_loss
 
-   !> Place of a theory among the choices of the sphere.
-   integer function theory_place(models, name) result(place)
+   !> Position of a theory among the choices of the sphere.
+   integer function theory_position(models, name) result(position)
       type(models_t), intent(in) :: models
       character(*), intent(in) :: name
       character(:), allocatable :: choices
 
       choices = models%sphere%variables(v_theory)%choices
       choices = choices(:index(choices//' ', name//' ') - 1)
-      place = 1 + count([(choices(place:place) == ' ', place=1, len(choices))])
-   end function theory_place
+      position = 1 + count([(choices(position:position) == ' ', position=1, len(choices))])
+   end function theory_position
 
    !> Theory of a fit.
    function theory_of(answers, number) result(theory)
@@ -212,20 +212,20 @@ contains
       else if (name == 'retardation_excess') then
          fit%base(fit%model%index_of('foundation', 'retardation_ratio')) = 1 + value
       else
-         fit%base(place_of(fit%model, name)) = value
+         fit%base(position_of(fit%model, name)) = value
       end if
    end subroutine set_fixed
 
-   !> Place of a variable by its name alone, the first one of that name.
-   integer function place_of(model, name)
+   !> Position of a variable by its name alone, the first one of that name.
+   integer function position_of(model, name)
       class(model_t), intent(in) :: model
       character(*), intent(in) :: name
 
-      do place_of = 1, size(model%variables)
-         if (model%variables(place_of)%name == name) return
+      do position_of = 1, size(model%variables)
+         if (model%variables(position_of)%name == name) return
       end do
       error stop 'fit_cases: no such variable'
-   end function place_of
+   end function position_of
 
    !> Free a variable with the bounds and the prior of the reference.
    subroutine add_reference_free(fit, answers, number, name, is_log)
@@ -281,7 +281,7 @@ contains
       case ('tilt')
          free%nuisance = nuisance_tilt
       case default
-         free%variable = place_of(fit%model, name)
+         free%variable = position_of(fit%model, name)
          free%unit = fit%model%variables(free%variable)%unit
       end select
       if (free%nuisance > 0) free%data_set = 1

@@ -5,55 +5,55 @@ module stepped_cases
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
-   use adfric_foundation_variables
+   use adfric_foundation_variables, only: in => foundation_input
    use model_calls, only: find_problems, solve_values, solve_point, axis_of
    implicit none (type, external)
    private
-   public :: new_marched, give_list, give_heights, give_attribute, sampled_wave, rough_line, rough_map
+   public :: new_stepped, give_list, give_heights, give_attribute, sampled_wave, rough_line, rough_map
    public :: find_problems, solve_values, solve_point, axis_of
    public :: kind_2d, kind_3d, kind_profile, kind_cosines, kind_map
 
-   !> Places of the words of the kind.
+   !> Positions of the words of the kind.
    integer, parameter :: kind_2d = 1, kind_3d = 2, kind_profile = 3, kind_cosines = 4, kind_map = 5
    real(dp), parameter :: two_pi = 2*acos(-1.0_dp)
 
 contains
 
    !> A surface of a kind without its heights or cosines, on a standard solid, with adhesion, at a penetration. Heights stay as they are.
-   subroutine new_marched(model, values, kind)
+   subroutine new_stepped(model, values, kind)
       type(wavy_model_t), intent(out) :: model
       real(dp), allocatable, intent(out) :: values(:)
       integer, intent(in) :: kind
 
       call new_wavy_model(model)
       values = model%variables%default
-      values(v_kind) = kind
+      values(in%kind) = kind
       if (kind == kind_2d .or. kind == kind_3d) then
-         values([v_period, v_height]) = [1.0e-2_dp, 1.0e-4_dp]
+         values([in%period, in%height]) = [1.0e-2_dp, 1.0e-4_dp]
       else if (kind == kind_cosines) then
-         values(v_period) = 1.0e-2_dp
+         values(in%period) = 1.0e-2_dp
       else
-         values([v_detrend, v_periodise]) = 1
+         values([in%detrend, in%periodise]) = 1
       end if
-      values(v_stiffness) = 1.0e8_dp
-      values(v_relaxation_time) = 1.0e-3_dp
-      values(v_retardation_ratio) = 10
-      values(v_stress) = 2.0e3_dp
-      values(v_range) = 1.0e-5_dp
-      values(v_velocity) = 0.5_dp
-      values(v_penetration) = 4.0e-5_dp
-   end subroutine new_marched
+      values(in%stiffness) = 1.0e8_dp
+      values(in%relaxation_time) = 1.0e-3_dp
+      values(in%retardation_ratio) = 10
+      values(in%stress) = 2.0e3_dp
+      values(in%range) = 1.0e-5_dp
+      values(in%velocity) = 0.5_dp
+      values(in%penetration) = 4.0e-5_dp
+   end subroutine new_stepped
 
    !> Give a list of numbers.
-   subroutine give_list(model, values, place, list)
+   subroutine give_list(model, values, position, list)
       type(wavy_model_t), intent(inout) :: model
       real(dp), intent(inout) :: values(:)
-      integer, intent(in) :: place
+      integer, intent(in) :: position
       real(dp), intent(in) :: list(:)
       type(problems_t) :: problems
 
-      call model%take_dataset(place, reshape(list, [size(list), 1]), problems)
-      values(place) = 1
+      call model%take_dataset(position, reshape(list, [size(list), 1]), problems)
+      values(position) = 1
    end subroutine give_list
 
    !> Give heights of shape `(nx, ny)` with their distances, without attributes.
@@ -65,21 +65,21 @@ contains
       real(dp), intent(in), optional :: strip_spacing
       type(problems_t) :: problems
 
-      call model%take_dataset(v_heights, heights, problems)
-      values([v_heights, v_spacing]) = [1.0_dp, spacing]
-      values(v_strip_spacing) = unset
-      if (present(strip_spacing)) values(v_strip_spacing) = strip_spacing
+      call model%take_dataset(in%heights, heights, problems)
+      values([in%heights, in%spacing]) = [1.0_dp, spacing]
+      values(in%strip_spacing) = unset
+      if (present(strip_spacing)) values(in%strip_spacing) = strip_spacing
    end subroutine give_heights
 
    !> Give an attribute of a dataset.
-   subroutine give_attribute(model, place, name, value)
+   subroutine give_attribute(model, position, name, value)
       type(wavy_model_t), intent(inout) :: model
-      integer, intent(in) :: place
+      integer, intent(in) :: position
       character(*), intent(in) :: name
       real(dp), intent(in) :: value
       type(problems_t) :: problems
 
-      call model%take_attribute(place, name, value, problems)
+      call model%take_attribute(position, name, value, problems)
    end subroutine give_attribute
 
    !> Samples of the wave of `new_marched`, from its crest on; shape `(n, 1)`.

@@ -4,8 +4,8 @@ module stepping_tables
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_shape_height_line, only: height_line_t, new_cosine_line
-   use adfric_foundation_stepping_equilibrium, only: march_surface_t
-   use march_cases, only: march_case_t, begin_rows, add_row, set_law
+   use adfric_foundation_stepping_equilibrium, only: stepping_surface_t
+   use stepping_cases, only: stepping_case_t, begin_rows, add_row, set_law
    use reference_table, only: table_t, read_table
    use unit_strips, only: edge_continuous, edge_instantaneous
    implicit none (type, external)
@@ -19,7 +19,7 @@ contains
       type(table_t), intent(in) :: table
       integer, intent(in) :: row
       character(*), intent(in) :: shape, material
-      type(march_case_t), intent(out) :: trial
+      type(stepping_case_t), intent(out) :: trial
 
       call get_shape(shape, trial%amplitudes, trial%phases)
       call get_material(material, trial%stiffness, trial%times)
@@ -62,7 +62,7 @@ contains
    subroutine get_law(table, row, trial)
       type(table_t), intent(in) :: table
       integer, intent(in) :: row
-      type(march_case_t), intent(inout) :: trial
+      type(stepping_case_t), intent(inout) :: trial
       type(table_t) :: laws
       integer :: i
 
@@ -78,11 +78,11 @@ contains
 
    !> The map in a number of strips, for the spectrum and the law of a case.
    subroutine make_map(trial, n_strips, highest, surface)
-      type(march_case_t), intent(in) :: trial
+      type(stepping_case_t), intent(in) :: trial
       integer, intent(in) :: n_strips
-      !> The highest place of the map.
+      !> The highest position of the map.
       real(dp), intent(in) :: highest
-      type(march_surface_t), intent(out) :: surface
+      type(stepping_surface_t), intent(out) :: surface
       type(table_t) :: modes
       type(height_line_t) :: line
       real(dp) :: mean

@@ -108,7 +108,7 @@ contains
    !> Run the program once.
    subroutine solve(path, which, run)
       character(*), intent(in) :: path
-      !> Place in `threads`.
+      !> Position in `threads`.
       integer, intent(in) :: which
       type(hard_run_t), intent(inout) :: run
       character(:), allocatable :: output, errors

@@ -11,9 +11,9 @@ module dataset_trial
    use trial_model, only: trial_model_t, new_trial_model
    implicit none (type, external)
    private
-   public :: dataset_model_t, read_dataset, heights_place
+   public :: dataset_model_t, read_dataset, heights_index
 
-   integer, parameter :: n_trial = 12, heights_place = n_trial + 1
+   integer, parameter :: n_trial = 12, heights_index = n_trial + 1
 
    !> The trial model with &surface heights.
    type, extends(trial_model_t) :: dataset_model_t
@@ -37,11 +37,11 @@ contains
       self%profiles = trial%profiles
       self%counts = trial%counts
       self%profile_axes = trial%profile_axes
-      allocate (self%variables(heights_place))
+      allocate (self%variables(heights_index))
       do k = 1, n_trial
          self%variables(k) = trial%variables(k)
       end do
-      associate (variable => self%variables(heights_place))
+      associate (variable => self%variables(heights_index))
          variable%group = 'surface'
          variable%name = 'heights'
          variable%kind = kind_dataset
@@ -55,13 +55,13 @@ contains
    end subroutine new_dataset_model
 
    !> Heights that begin with 13 make no sense.
-   subroutine take_dataset(self, place, values, problems)
+   subroutine take_dataset(self, index, values, problems)
       class(dataset_model_t), intent(inout) :: self
-      integer, intent(in) :: place
+      integer, intent(in) :: index
       real(dp), intent(in) :: values(:, :)
       type(problems_t), intent(inout) :: problems
 
-      if (place /= heights_place) error stop 'dataset_trial: this is no dataset'
+      if (index /= heights_index) error stop 'dataset_trial: this is no dataset'
       self%heights = values
       if (nint(values(1, 1)) == 13) call problems%add('surface', 'heights', 'bring bad luck')
    end subroutine take_dataset

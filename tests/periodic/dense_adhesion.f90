@@ -55,15 +55,15 @@ contains
       real(dp), parameter :: round_off = 1.0e-13_dp
       real(dp) :: pressure(size(gap))
       logical :: is_wrong(size(gap))
-      integer :: k, place
+      integer :: k, position
 
       do k = 1, 100000
          call find_gap(matrix, given, is_open, gap)
          pressure = given + matmul(matrix, gap)
          is_wrong = merge(gap < -round_off, pressure < -round_off*maxval(abs(given)), is_open)
          if (.not. any(is_wrong)) return
-         place = findloc(is_wrong, .true., dim=1)
-         is_open(place) = .not. is_open(place)
+         position = findloc(is_wrong, .true., dim=1)
+         is_open(position) = .not. is_open(position)
       end do
       error stop 'the contact does not come to an end'
    end subroutine solve_given
@@ -74,14 +74,14 @@ contains
       logical, intent(in) :: is_open(:)
       real(dp), intent(out) :: gap(:)
       real(dp) :: a(count(is_open), count(is_open) + 1)
-      integer :: places(count(is_open)), i, j, n
+      integer :: positions(count(is_open)), i, j, n
 
       gap = 0
       n = count(is_open)
-      places = pack([(i, i=1, size(gap))], is_open)
+      positions = pack([(i, i=1, size(gap))], is_open)
       do i = 1, n
-         a(i, :n) = matrix(places(i), places)
-         a(i, n + 1) = -given(places(i))
+         a(i, :n) = matrix(positions(i), positions)
+         a(i, n + 1) = -given(positions(i))
       end do
       ! the part of the stiffness on open cells is positive definite, so no pivots are needed
       do i = 1, n
@@ -90,7 +90,7 @@ contains
          end do
       end do
       do i = n, 1, -1
-         gap(places(i)) = (a(i, n + 1) - sum(a(i, i + 1:n)*gap(places(i + 1:))))/a(i, i)
+         gap(positions(i)) = (a(i, n + 1) - sum(a(i, i + 1:n)*gap(positions(i + 1:))))/a(i, i)
       end do
    end subroutine find_gap
 

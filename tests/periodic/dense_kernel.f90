@@ -14,7 +14,7 @@ contains
    subroutine set_kernel(period_y, kernel)
       !> Period along y, over that along x.
       real(dp), intent(in) :: period_y
-      !> Receives the stiffness by the places of the cells along x and y, from 0.
+      !> Receives the stiffness by the positions of the cells along x and y, from 0.
       real(dp), intent(out) :: kernel(0:, 0:)
       integer :: i, j, k, l, nx, ny
 

@@ -21,7 +21,7 @@ contains
       integer, parameter :: most_flips = 5000
       real(dp) :: matrix(size(gap), size(gap)), p(size(gap)), g(size(gap)), h(size(gap)), r(size(gap))
       logical :: open(size(gap)), is_wrong(size(gap))
-      integer :: place, n_flips
+      integer :: position, n_flips
 
       call set_matrix(size(gap, 1), size(gap, 2), period_y, matrix)
       p = reshape(pressure, [size(gap)])
@@ -33,8 +33,8 @@ contains
          r = relief - matmul(matrix, h)
          is_wrong = merge(g + h < -round_off*maxval(abs(h)), p - r < -round_off*relief, open)
          if (.not. any(is_wrong)) exit
-         place = findloc(is_wrong, .true., dim=1)
-         open(place) = .not. open(place)
+         position = findloc(is_wrong, .true., dim=1)
+         open(position) = .not. open(position)
       end do
       if (n_flips > most_flips) error stop 'no end of cells that flip'
       rise = reshape(h, shape(gap))

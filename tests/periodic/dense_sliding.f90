@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Sliding contact on a few cells, without transforms: the solid's arms march along the rows of cells, and cells are opened and closed
-!> one by one, the first wrong one each time (Murty), which ends for matrices with positive principal minors.
+!> Sliding contact on a few cells, without transforms: the solid's arms time stepping along the rows of cells, and cells are opened
+!> and closed one by one, the first wrong one each time (Murty), which ends for matrices with positive principal minors.
 module dense_sliding
    use adfric_base_kinds, only: dp
    use adfric_solid_prony, only: prony_t
@@ -22,7 +22,7 @@ contains
       real(dp), parameter :: round_off = 1.0e-11_dp
       real(dp) :: matrix(size(shape), size(shape)), given(size(shape)), g(size(shape)), p(size(shape))
       logical :: is_open(size(shape)), is_wrong(size(shape))
-      integer :: place
+      integer :: position
 
       call set_matrix(size(shape, 1), size(shape, 2), period_y, prony, velocity, matrix)
       given = mean_pressure - matmul(matrix, reshape(shape, [size(shape)]))
@@ -32,8 +32,8 @@ contains
          p = given + matmul(matrix, g)
          is_wrong = merge(g < -round_off*maxval(shape), p < -round_off*maxval(abs(given)), is_open)
          if (.not. any(is_wrong)) exit
-         place = findloc(is_wrong, .true., dim=1)
-         is_open(place) = .not. is_open(place)
+         position = findloc(is_wrong, .true., dim=1)
+         is_open(position) = .not. is_open(position)
       end do
       if (n_flips > most_flips) n_flips = -1
       pressure = reshape(merge(0.0_dp, p, is_open), [size(shape, 1), size(shape, 2)])

@@ -25,13 +25,13 @@ contains
    end subroutine scale_values
 
    !> Unit of a variable; the load of a line contact is one per length.
-   function unit_of_case(case, place) result(unit)
+   function unit_of_case(case, position) result(unit)
       type(trial_case_t), intent(in) :: case
-      integer, intent(in) :: place
+      integer, intent(in) :: position
       character(:), allocatable :: unit
       type(result_t), allocatable :: results(:)
 
-      unit = case%model%variables(place)%unit
+      unit = case%model%variables(position)%unit
       if (unit /= 'N; N/m for line') return
       results = case%model%describe_results(case%values)
       unit = results(1)%unit

@@ -11,9 +11,9 @@ module sliding_cases
    private
    public :: solid_of, prony_of_cells, named_prony, pressure_samples_t, sample_pressure, pressure_mode, complex_ratio
 
-   !> Pressures at places of a contact, with weights whose sum makes a mean over the period.
+   !> Pressures at positions of a contact, with weights whose sum makes a mean over the period.
    type :: pressure_samples_t
-      !> Places, from a crest.
+      !> Positions, from a crest.
       real(dp), allocatable :: x(:)
       !> Pressures times weights.
       real(dp), allocatable :: share(:)

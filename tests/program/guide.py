@@ -18,7 +18,7 @@ from runs import main  # noqa: E402
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
 PAGES = sorted((SOURCE/"docs/guide").glob("*.md"))
 # pages that answer one question by one input
-QUESTIONS = ("a_scan_on_a_cluster", "fit_of_a_force_map", "fretting", "friction_of_a_tip", "pull_off_of_a_rough_surface", "rubber_on_a_road")
+QUESTIONS = ("a_scan_on_a_cluster", "fit", "fit_of_a_force_map", "fretting", "friction_of_a_tip", "pull_off_of_a_rough_surface", "rubber_on_a_road")
 INPUT = re.compile(r"^```fortran\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PARTS = ("**Question.**", "scripts/", "](../gallery/", "## The input", "## Where it fails", "Next:")
 FIGURE = re.compile(r"^!\[[^]]+\]\(([^)]+\.png)\)$", re.MULTILINE)
@@ -51,6 +51,7 @@ class Guide(InputRuns):
         """The inputs of the pages are solved as they stand, big samples with fewer points."""
         self.make_surface("surface_stickiness", 32)
         shutil.copy(SOURCE/"tests/reference/fit/map_jkr_a.h5", self.folder/"map.h5")
+        shutil.copy(SOURCE/"inputs/fit_friction.csv", self.folder)
         for name in QUESTIONS:
             with self.subTest(name):
                 (text,) = INPUT.findall(self.page(name))

@@ -6,7 +6,7 @@ module friction_trials
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
-   use adfric_round_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, find_friction_events
+   use adfric_round_sphere_peeling, only: peeling_friction_t, friction_state_t, friction_events_t, find_static_state, find_friction_events
    implicit none (type, external)
    private
    public :: trial_t, events_of, label_of, get_trial, load_trial
@@ -14,9 +14,9 @@ module friction_trials
    !> A case that is solved.
    type :: trial_t
       class(theory_t), allocatable :: theory
-      type(friction_t) :: friction
+      type(peeling_friction_t) :: friction
       integer :: control = control_load, branch = branch_stable
-      real(dp) :: held = 0
+      real(dp) :: prescribed = 0
    contains
       procedure :: solve
    end type trial_t
@@ -30,7 +30,7 @@ contains
       real(dp), intent(in) :: value
       type(friction_state_t) :: state
 
-      call find_static_state(self%theory, self%friction, self%control, self%held, self%branch, given, value, state)
+      call find_static_state(self%theory, self%friction, self%control, self%prescribed, self%branch, given, value, state)
    end function solve
 
    !> The events of a trial.
@@ -38,7 +38,7 @@ contains
       type(trial_t), intent(in) :: trial
       type(friction_events_t) :: events
 
-      call find_friction_events(trial%theory, trial%friction, trial%control, trial%held, trial%branch, events)
+      call find_friction_events(trial%theory, trial%friction, trial%control, trial%prescribed, trial%branch, events)
    end function events_of
 
    !> A trial in words.
@@ -49,7 +49,7 @@ contains
 
       associate (f => trial%friction)
          write (label, '(a, 5es11.3, 2i3, 2es11.3)') 'tau, nu, x, alpha, g0, control, branch, held, value =', f%strength, &
-            & f%poisson, f%edge_fraction, f%interaction, f%slip_energy_ratio, trial%control, trial%branch, trial%held, value
+            & f%poisson, f%edge_fraction, f%interaction, f%slip_energy_ratio, trial%control, trial%branch, trial%prescribed, value
       end associate
    end function label_of
 
@@ -75,9 +75,9 @@ contains
       trial%friction%poisson = 0.3_dp
       trial%friction%interaction = shares(mod(k/21, 4))
       trial%friction%slip_energy_ratio = limits(mod(k/84, 4))
-      trial%held = values(mod(k/336, 3))
+      trial%prescribed = values(mod(k/336, 3))
       trial%control = 1 + mod(k/1008, 3)
-      if (trial%control == control_radius) trial%held = trial%held + 0.7_dp
+      if (trial%control == control_radius) trial%prescribed = trial%prescribed + 0.7_dp
    end subroutine get_trial
 
    !> JKR or Maugis under a load.
@@ -94,7 +94,7 @@ contains
       else
          allocate (trial%theory, source=jkr_t())
       end if
-      trial%held = load
+      trial%prescribed = load
       trial%friction%strength = strength
       trial%friction%interaction = interaction
       trial%friction%slip_energy_ratio = limit

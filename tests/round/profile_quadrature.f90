@@ -4,7 +4,7 @@ module profile_quadrature
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
-   use adfric_round_sphere_contact, only: contact_t
+   use adfric_round_sphere_contact, only: sphere_contact_t
    use adfric_round_sphere_profiles, only: contact_profile_t
    implicit none (type, external)
    private
@@ -17,7 +17,7 @@ contains
    !> pi int p r dr up to r = c, by w^2 = a^2 - r^2 and e^2 = r^2 - a^2.
    real(dp) function integrate_load(profile, contact, width) result(load)
       type(contact_profile_t), intent(in) :: profile
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
       !> Distance from the edge within which the pressure varies, > 0.
       real(dp), intent(in) :: width
       real(dp) :: a, low, high, v(n_nodes)
@@ -48,7 +48,7 @@ contains
    !> r^2/2 - delta + (8/3 pi) int_0^r F(t)/sqrt(r^2 - t^2) dt.
    real(dp) function integrate_gap(profile, contact, r) result(gap)
       type(contact_profile_t), intent(in) :: profile
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
       real(dp), intent(in) :: r
       real(dp) :: inner, outer
 
@@ -62,7 +62,7 @@ contains
    !> Part of the integral of F, with t = scale sin(chi).
    real(dp) function integrate_transform(profile, contact, r, first, last, scale) result(total)
       type(contact_profile_t), intent(in) :: profile
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
       real(dp), intent(in) :: r, first, last, scale
       integer, parameter :: n_panels = 6
       real(dp) :: length, chi, weight
@@ -83,7 +83,7 @@ contains
    !> F(t) = int p s/sqrt(s^2 - t^2) ds from t to c.
    real(dp) function transform(profile, contact, t)
       type(contact_profile_t), intent(in) :: profile
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
       real(dp), intent(in) :: t
       real(dp) :: w, low, high, v(n_nodes)
       integer :: panel, n_panels

@@ -2,7 +2,7 @@
 !> Contacts of every theory with their profiles.
 module trial_contacts
    use adfric_base_kinds, only: dp
-   use adfric_round_sphere_contact, only: contact_t
+   use adfric_round_sphere_contact, only: sphere_contact_t
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc
    use adfric_round_sphere_hertz, only: hertz_t
@@ -15,26 +15,26 @@ module trial_contacts
 
 contains
 
-   !> Contact of Maugis's theory at a place on its curve.
-   type(contact_t) function curve_contact(lambda, ratio, place) result(contact)
-      real(dp), intent(in) :: lambda, ratio, place
+   !> Contact of Maugis's theory at a position on its curve.
+   type(sphere_contact_t) function curve_contact(lambda, ratio, position) result(contact)
+      real(dp), intent(in) :: lambda, ratio, position
       type(curve_point_t) :: point
 
-      call get_curve_point(lambda, ratio, place, point)
-      contact = contact_t()
+      call get_curve_point(lambda, ratio, position, point)
+      contact = sphere_contact_t()
       contact%is_found = .true.
       contact%radius = point%radius
       contact%adhesion_radius = point%adhesion_radius
       contact%load = point%load
       contact%approach = point%approach
-      contact%place = place
+      contact%position = position
    end function curve_contact
 
    !> State without contact whose adhesion reaches a radius.
-   type(contact_t) function disc_contact(lambda, ratio, radius) result(contact)
+   type(sphere_contact_t) function disc_contact(lambda, ratio, radius) result(contact)
       real(dp), intent(in) :: lambda, ratio, radius
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       contact%is_found = .true.
       contact%adhesion_radius = radius
       call get_disc(lambda, ratio, radius, contact%load, contact%approach)
@@ -44,7 +44,7 @@ contains
    subroutine set_profile(profile, lambda, ratio, contact)
       type(contact_profile_t), intent(out) :: profile
       real(dp), intent(in) :: lambda, ratio
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
 
       call new_profile(profile, maugis_t(ratio=ratio, lambda=lambda), contact)
    end subroutine set_profile
@@ -53,7 +53,7 @@ contains
    subroutine solve_hertz(radius, profile, contact)
       real(dp), intent(in) :: radius
       type(contact_profile_t), intent(out) :: profile
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
       type(hertz_t) :: theory
 
       call theory%of_radius(radius, contact)
@@ -64,7 +64,7 @@ contains
    subroutine solve_dmt(ratio, radius, profile, contact)
       real(dp), intent(in) :: ratio, radius
       type(contact_profile_t), intent(out) :: profile
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
       type(dmt_t) :: theory
 
       theory%ratio = ratio
@@ -76,7 +76,7 @@ contains
    subroutine solve_jkr(ratio, radius, profile, contact)
       real(dp), intent(in) :: ratio, radius
       type(contact_profile_t), intent(out) :: profile
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
       type(jkr_t) :: theory
 
       theory%ratio = ratio

@@ -2,7 +2,7 @@
 !> Failures of the running test, and where they were raised.
 !>
 !> Test files call assertions without a handle, so the list of pending failures is a variable of this
-!> module; it is the one place of the runner that assertions change.
+!> module; it is the one position of the runner that assertions change.
 module funit_exceptions
    implicit none (type, external)
    private

@@ -21,8 +21,8 @@ module search_data
 
    !> A dataset.
    type :: drawn_data_t
-      !> Place of its variable.
-      integer :: place = 0
+      !> Position of its variable.
+      integer :: position = 0
       !> Shape `(nx, ny)`.
       real(dp), allocatable :: values(:, :)
    end type drawn_data_t
@@ -50,7 +50,7 @@ contains
          associate (v => model%variables(k))
             if (v%kind /= kind_dataset) cycle
             n = n + 1
-            list(n)%place = k
+            list(n)%position = k
             n_y = 1
             call dice%happens(share_of_lines, is_line)
             call dice%choose(size(counts), which)
@@ -121,7 +121,7 @@ contains
       integer :: k
 
       do k = 1, size(list)
-         call model%take_dataset(list(k)%place, list(k)%values, problems)
+         call model%take_dataset(list(k)%position, list(k)%values, problems)
       end do
       is_taken = problems%count() == 0
    end subroutine give_data
@@ -137,7 +137,7 @@ contains
       do k = 1, size(list)
          do j = 1, size(list(k)%values, 2)
             list(k)%values(:, j) = list(k)%values(:, j) &
-               *2.0_dp**dot_product(powers, dimensions_of(unit_of_column(model%variables(list(k)%place), j)))
+               *2.0_dp**dot_product(powers, dimensions_of(unit_of_column(model%variables(list(k)%position), j)))
          end do
       end do
    end subroutine rescale_data
@@ -145,7 +145,7 @@ contains
    !> Unit of the values that stand side by side in a dataset.
    function unit_of_column(v, j) result(unit)
       type(variable_t), intent(in) :: v
-      !> Place of the column, from 1; it counts where the variable names a group alone.
+      !> Position of the column, from 1; it counts where the variable names a group alone.
       integer, intent(in) :: j
       character(:), allocatable :: unit
 
@@ -165,7 +165,7 @@ contains
       do k = 1, size(list)
          associate (values => list(k)%values)
             do j = 1, size(values, 2)
-               text = text//'! '//model%variables(list(k)%place)%name//':'
+               text = text//'! '//model%variables(list(k)%position)%name//':'
                do i = 1, size(values, 1)
                   write (buffer, '(es24.16e3)') values(i, j)
                   text = text//' '//trim(adjustl(buffer))

@@ -35,7 +35,7 @@ module search_draw
    type :: drawn_case_t
       !> Shape `(n_variables, n_points)`.
       real(dp), allocatable :: values(:, :)
-      !> Place of the variable in which the points differ, rising.
+      !> Position of the variable in which the points differ, rising.
       integer :: swept = 0
       !> Datasets, whether the case takes them or not.
       type(drawn_data_t), allocatable :: data(:)
@@ -123,7 +123,7 @@ contains
       type(dice_t), intent(inout) :: dice
       type(sizes_t), intent(in) :: sizes
       real(dp), intent(inout) :: values(:)
-      !> Place of the variable.
+      !> Position of the variable.
       integer, intent(in) :: k
       integer :: number
 
@@ -221,7 +221,7 @@ contains
    subroutine find_problems(model, values, swept, problems)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
-      !> Place of a swept variable; 0 if there is none.
+      !> Position of a swept variable; 0 if there is none.
       integer, intent(in) :: swept
       type(problems_t), intent(out) :: problems
       logical :: is_swept(size(values))

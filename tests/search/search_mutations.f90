@@ -43,19 +43,19 @@ contains
       character(:), allocatable, intent(inout) :: text
       character(*), intent(in) :: other
       type(dice_t), intent(inout) :: dice
-      integer :: kind, first, last, place, word
+      integer :: kind, first, last, position, word
 
       call dice%choose(9, kind)
       call choose_piece(text, dice, first, last)
-      call dice%choose(len(text) + 1, place)
+      call dice%choose(len(text) + 1, position)
       call dice%choose(size(words), word)
       select case (kind)
       case (1)
          text = text(:first - 1)//text(last + 1:)
       case (2)
-         text = text(:place - 1)//text(first:last)//text(place:)
+         text = text(:position - 1)//text(first:last)//text(position:)
       case (3, 4)
-         text = text(:place - 1)//trim(words(word))//text(place:)
+         text = text(:position - 1)//trim(words(word))//text(position:)
       case (5)
          text = text(:first - 1)//trim(words(word))//text(last + 1:)
       case (6)
@@ -65,9 +65,9 @@ contains
          text = text(:first - 1)//text(last + 1:)
       case (8)
          call choose_line(other, dice, first, last)
-         text = text(:place - 1)//other(first:last)//text(place:)
+         text = text(:position - 1)//other(first:last)//text(position:)
       case (9)
-         text = text(:place - 1)
+         text = text(:position - 1)
       end select
    end subroutine change
 
@@ -88,12 +88,12 @@ contains
       character(*), intent(in) :: text
       type(dice_t), intent(inout) :: dice
       integer, intent(out) :: first, last
-      integer :: place
+      integer :: position
 
-      call dice%choose(max(1, len(text)), place)
-      place = min(place, len(text))
-      first = index(text(:place), newline, back=.true.) + 1
-      last = place + index(text(place + 1:)//newline, newline)
+      call dice%choose(max(1, len(text)), position)
+      position = min(position, len(text))
+      first = index(text(:position), newline, back=.true.) + 1
+      last = position + index(text(position + 1:)//newline, newline)
       last = min(last, len(text))
    end subroutine choose_line
 
@@ -101,11 +101,11 @@ contains
    subroutine replace_letter(text, dice)
       character(:), allocatable, intent(inout) :: text
       type(dice_t), intent(inout) :: dice
-      integer :: place, byte
+      integer :: position, byte
 
-      call dice%choose(max(1, len(text)), place)
+      call dice%choose(max(1, len(text)), position)
       call dice%choose(256, byte)
-      if (place <= len(text)) text(place:place) = char(byte - 1)
+      if (position <= len(text)) text(position:position) = char(byte - 1)
    end subroutine replace_letter
 
 end module search_mutations

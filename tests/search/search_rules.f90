@@ -11,10 +11,9 @@ module search_rules
    use adfric_describe_table, only: result_t, kind_real
    use adfric_describe_derived, only: derived_t
    use adfric_foundation_case, only: kind_map, wavy_case_t, resolve_case
-   use adfric_foundation_stepped_case, only: is_marched
+   use adfric_foundation_stepped_case, only: is_stepped
    use adfric_foundation_surface, only: negligible
-   use adfric_foundation_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
-      & r_penetration, v_kind, v_stress
+   use adfric_foundation_variables, only: in => foundation_input, out => foundation_output
    use model_calls, only: solve_values
    use random_dice, only: dice_t, new_dice
    use search_data, only: give_data, rescale_data
@@ -90,7 +89,7 @@ contains
       type(answer_t), intent(in) :: answer
       !> Number of the point.
       integer, intent(in) :: i
-      !> Is it a place without values?
+      !> Is it a position without values?
       logical, intent(in) :: is_singular
       character(:), allocatable, intent(inout) :: fault
       real(dp) :: estimate
@@ -126,7 +125,7 @@ contains
       end do
    end subroutine judge_point
 
-   !> Does a given load act at the very place that is asked for? There a field has no value.
+   !> Does a given load act at the very position that is asked for? There a field has no value.
    pure logical function is_under_load(model, values)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
@@ -309,8 +308,8 @@ contains
    end subroutine compare
 
    !> What a difference of a result is measured by, where the result itself is smaller: a component of a field by the whole
-   !> field; load and approach of a contact by a share of those of pull-off (`docs/theory/indenter.md`); load and friction of a wave by a
-   !> share of the tractions they are made of, and friction that is nothing beside the load by that (`docs/theory/wavy.md`).
+   !> field; load and approach of a contact by a share of those of pull-off (`docs/theory/round_branches.md`); load and friction of a wave by a
+   !> share of the tractions they are made of, and friction that is nothing beside the load by that (`docs/theory/columns_strips.md`).
    real(dp) function least_size(model, results, values, found, k) result(least)
       class(model_t), intent(in) :: model
       type(result_t), intent(in) :: results(:)
@@ -345,31 +344,31 @@ contains
       real(dp) :: adhesion, steepness
 
       adhesion = 0
-      if (is_set(values(v_stress))) adhesion = values(v_stress)*(found(r_contact_area) + found(r_adhesion_area))
-      if (is_marched(values)) then
+      if (is_set(values(in%stress))) adhesion = values(in%stress)*(found(out%contact_area) + found(out%adhesion_area))
+      if (is_stepped(values)) then
          case%period = derived_value(model, values, 'period')
          case%height = derived_value(model, values, 'height')
          case%load_unit = derived_value(model, values, 'pressure_unit')*case%period
-         if (nint(values(v_kind)) == kind_map) case%load_unit = case%load_unit/case%period*(found(r_contact_area) + &
-            & found(r_adhesion_area))
+         if (nint(values(in%kind)) == kind_map) case%load_unit = case%load_unit/case%period*(found(out%contact_area) + &
+            & found(out%adhesion_area))
       else
          call resolve_case(values, case)
       end if
       steepness = case%height/case%period
       least = 0
       select case (k)
-      case (r_load)
+      case (out%load)
          least = share_of_scale*adhesion
-      case (r_penetration)
+      case (out%penetration)
          ! a load within its tolerance
-         if (case%load_unit > 0) least = (abs(found(r_load)) + adhesion)/case%load_unit*case%height
+         if (case%load_unit > 0) least = (abs(found(out%load)) + adhesion)/case%load_unit*case%height
          ! a load below the round-off of the pressure that a height makes does not tell how far the surface is away
-         if (abs(found(r_load)) <= round_off*case%load_unit) least = case%height/same_state
-      case (r_friction_force)
-         least = max(negligible*abs(found(r_load)), share_of_scale*adhesion)*steepness
-      case (r_friction_coefficient)
+         if (abs(found(out%load)) <= round_off*case%load_unit) least = case%height/same_state
+      case (out%friction_force)
+         least = max(negligible*abs(found(out%load)), share_of_scale*adhesion)*steepness
+      case (out%friction_coefficient)
          least = negligible*steepness
-         if (abs(found(r_load)) > 0) least = max(least, share_of_scale*adhesion*(steepness + abs(found(k)))/abs(found(r_load)))
+         if (abs(found(out%load)) > 0) least = max(least, share_of_scale*adhesion*(steepness + abs(found(k)))/abs(found(out%load)))
       end select
    end function least_wavy_size
 

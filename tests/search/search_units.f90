@@ -91,21 +91,21 @@ contains
    end function base_of
 
    !> The unit of a variable in a case. Where it depends on the kind of the surface, it is that of the result of the same name.
-   function unit_in_case(model, values, place) result(unit)
+   function unit_in_case(model, values, position) result(unit)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
-      integer, intent(in) :: place
+      integer, intent(in) :: position
       character(:), allocatable :: unit
       type(result_t), allocatable :: results(:)
       integer :: i
 
-      unit = model%unit_of(values, place)
+      unit = model%unit_of(values, position)
       if (index(unit, ';') == 0) return
       allocate (results(size(model%results)))
       results = model%describe_results(values)
       unit = unit(:index(unit, ';') - 1)
       do i = 1, size(results)
-         if (results(i)%name == model%variables(place)%name) unit = results(i)%unit
+         if (results(i)%name == model%variables(position)%name) unit = results(i)%unit
       end do
    end function unit_in_case
 

@@ -26,7 +26,7 @@ module adhesion_judge
    real(dp), parameter :: like_share = 1.0e-5_dp, like_gap = 1.0e-7_dp, like_share_of_map = 2.0e-3_dp, like_gap_of_map = 1.0e-4_dp
    !> Cells per zone below which a model has no answer but for contacts without an edge of adhesion (`elastic_model.f90`).
    real(dp), parameter :: least_cells = 0.5_dp
-   !> Rounds that a march may take, and the change of shares that ends it.
+   !> Rounds that a time stepping may take, and the change of shares that ends it.
    integer, parameter :: most_rounds = 4000
    real(dp), parameter :: two_pi = 6.283185307179586476925286766559_dp
    real(dp), parameter :: resting = 1.0e-9_dp
@@ -69,13 +69,13 @@ contains
       call put_in_order(trial, turned, turn, 'adhered beyond the turn', counts, fault)
       call put_in_order(trial, turned, most, 'adhered below what a turn leaves', counts, fault)
       call put_in_order(trial, most, more_most, 'more load is less adhered', counts, fault)
-      call march(trial, most, .true., counts, fault)
+      call stepping(trial, most, .true., counts, fault)
       if (trial%load >= 0) then
          call answer(solver, trial, trial%load, .false., .false., least, counts, fault)
          call answer(solver, trial, trial%more_load, .false., .false., more_least, counts, fault)
          call put_in_order(trial, least, turned, 'a turn leaves less than the approach', counts, fault)
          call put_in_order(trial, least, more_least, 'more load is less adhered on approach', counts, fault)
-         call march(trial, least, .false., counts, fault)
+         call stepping(trial, least, .false., counts, fault)
          if (least%status == contact_solved .and. most%status == contact_solved) then
             if (maxval(most%share - least%share) > 0.01_dp) counts%n_with_branches = counts%n_with_branches + 1
          end if
@@ -193,7 +193,7 @@ contains
    end subroutine put_in_order
 
    !> Go rounds from all shares or from none: the energy falls in each, and they end at the answer, or beside it next to a jump.
-   subroutine march(trial, solution, is_adhered, counts, fault)
+   subroutine stepping(trial, solution, is_adhered, counts, fault)
       type(adhesion_trial_t), intent(in) :: trial
       type(periodic_solution_t), intent(in) :: solution
       logical, intent(in) :: is_adhered
@@ -241,7 +241,7 @@ contains
          return
       end do
       counts%n_restless = counts%n_restless + 1
-   end subroutine march
+   end subroutine stepping
 
    !> Energy of solid, adhesion and load, and the size of its terms.
    subroutine find_energy(trial, gap, share, energy, size_of)

@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A column under the moving surface, followed in small steps of time: slow, of first order, and
 !> independent of every closed form of the solver. For tests and benchmarks only.
-module brute_march
+module brute_stepping
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: brute_strip_t, brute_state_t, march_one_period, column_of_gap, column_of_height, height_of
+   public :: brute_strip_t, brute_state_t, step_one_period, column_of_gap, column_of_height, height_of
 
    real(dp), parameter :: two_pi = 6.283185307179586476925286766559_dp
 
@@ -40,8 +40,8 @@ contains
       column%q = pressure - column%w
    end function column_of_gap
 
-   !> March one period from phase xi.
-   pure subroutine march_one_period(strip, xi, steps, column)
+   !> Time stepping one period from phase xi.
+   pure subroutine step_one_period(strip, xi, steps, column)
       type(brute_strip_t), intent(in) :: strip
       real(dp), intent(in) :: xi
       integer, intent(in) :: steps
@@ -51,7 +51,7 @@ contains
       do k = 1, steps
          call take_step(strip, strip%mean + cos(xi - k*two_pi/steps), two_pi/steps, column)
       end do
-   end subroutine march_one_period
+   end subroutine step_one_period
 
    !> What stays continuous at every event and orders the columns: with instantaneous edges the stress of the
    !> glassy spring, else the gap; minus the pressure above -stress in contact.
@@ -71,16 +71,16 @@ contains
    end function height_of
 
    !> The column of a height; where it could be free and could be held, `is_held` tells.
-   pure type(brute_state_t) function column_of_height(strip, xi, height, is_held) result(column)
+   pure type(brute_state_t) function column_of_height(strip, xi, height, is_prescribed) result(column)
       type(brute_strip_t), intent(in) :: strip
       real(dp), intent(in) :: xi, height
-      logical, intent(in) :: is_held
+      logical, intent(in) :: is_prescribed
       real(dp) :: lift
-      logical :: may_be_held
+      logical :: may_be_prescribed
 
       lift = merge(strip%stress, 0.0_dp, strip%is_instantaneous)
-      may_be_held = height <= strip%beta*release_gap(strip)
-      if (height + lift > strip%beta*attach_gap(strip) .and. .not. (may_be_held .and. is_held)) then
+      may_be_prescribed = height <= strip%beta*release_gap(strip)
+      if (height + lift > strip%beta*attach_gap(strip) .and. .not. (may_be_prescribed .and. is_prescribed)) then
          column = column_of_gap(strip, xi, (height + lift)/strip%beta, .false.)
       else
          column = column_of_gap(strip, xi, merge(height, height/strip%beta, height < 0), .true.)
@@ -156,4 +156,4 @@ contains
       column%w = f
    end subroutine enter_contact
 
-end module brute_march
+end module brute_stepping

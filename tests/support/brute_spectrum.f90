@@ -2,11 +2,11 @@
 !> A column with any number of relaxation times under a sum of waves, followed in small steps of time: independent of every
 !> closed form of the solver. For tests and benchmarks only.
 !>
-!> tau_i e_i' = w - e_i for the lengths of the dashpots, with the law of adhesion in terms of m, the place where the column would be
-!> if it were let go. Second order where nothing jumps, first order where the column is caught or lost.
+!> tau_i e_i' = w - e_i for the lengths of the dashpots, with the law of adhesion in terms of m, the position where the column would
+!> be if it were let go. Second order where nothing jumps, first order where the column is caught or lost.
 module brute_spectrum
    use adfric_base_kinds, only: dp
-   use march_cases, only: march_case_t
+   use stepping_cases, only: stepping_case_t
    implicit none (type, external)
    private
    public :: brute_column_t, brute_forces_t, new_brute_column, settle
@@ -40,7 +40,7 @@ contains
    !> A column that is above all steady states (approach) or below them.
    pure subroutine new_brute_column(self, trial, depth, highest, n_steps)
       type(brute_column_t), intent(out) :: self
-      type(march_case_t), intent(in) :: trial
+      type(stepping_case_t), intent(in) :: trial
       !> Penetration, and highest height of the waves.
       real(dp), intent(in) :: depth, highest
       integer, intent(in) :: n_steps
@@ -74,7 +74,7 @@ contains
    end subroutine new_brute_column
 
    !> Where the column is at a height, for given lengths; the flag follows.
-   pure subroutine place_column(self, length, height, is_attached, displacement, pressure)
+   pure subroutine position_column(self, length, height, is_attached, displacement, pressure)
       type(brute_column_t), intent(in) :: self
       real(dp), intent(in) :: length(:), height
       logical, intent(inout) :: is_attached
@@ -109,10 +109,10 @@ contains
          if (is_attached) displacement = max(height, m - jump)
          pressure = self%glassy*(displacement - m)
       end select
-   end subroutine place_column
+   end subroutine position_column
 
-   !> March one period.
-   pure subroutine march_one_period(self, forces)
+   !> Time stepping one period.
+   pure subroutine step_one_period(self, forces)
       type(brute_column_t), intent(inout) :: self
       type(brute_forces_t), intent(inout) :: forces
       real(dp) :: w, p, next_w, next_p, shift, trial(size(self%length))
@@ -125,25 +125,25 @@ contains
       forces%contact = 0
       shift = 0
       if (self%edge == continuous .and. self%stress > 0) shift = self%stress/(self%glassy - 1)
-      call place_column(self, self%length, self%height(0), self%is_attached, w, p)
+      call position_column(self, self%length, self%height(0), self%is_attached, w, p)
       do k = 1, n
          flag = self%is_attached
          associate (s => merge(shift, 0.0_dp, flag))
             ! the column that stays where it is tells where it goes
             trial = self%kept*self%length + (1 - self%kept)*(w - s)
-            call place_column(self, trial, self%height(k), flag, next_w, next_p)
+            call position_column(self, trial, self%height(k), flag, next_w, next_p)
             self%length = self%kept*self%length + self%first*(w - s) + self%last*(next_w - merge(shift, 0.0_dp, flag))
          end associate
-         call place_column(self, self%length, self%height(k), self%is_attached, next_w, next_p)
+         call position_column(self, self%length, self%height(k), self%is_attached, next_w, next_p)
          forces%load = forces%load + (p + next_p)/2/n
          forces%friction = forces%friction + (p + next_p)/2*(self%height(k) - self%height(k - 1))
          if (.not. next_w > self%height(k)) forces%contact = forces%contact + 1.0_dp/n
          w = next_w
          p = next_p
       end do
-   end subroutine march_one_period
+   end subroutine step_one_period
 
-   !> March until periods do not differ any more.
+   !> Time stepping until periods do not differ any more.
    pure subroutine settle(self, most_periods, forces)
       type(brute_column_t), intent(inout) :: self
       integer, intent(in) :: most_periods
@@ -156,7 +156,7 @@ contains
       do k = 1, most_periods
          before = self%length
          flag = self%is_attached
-         call march_one_period(self, forces)
+         call step_one_period(self, forces)
          forces%is_steady = maxval(abs(self%length - before)) <= tolerance .and. (flag .eqv. self%is_attached)
          if (forces%is_steady) return
       end do

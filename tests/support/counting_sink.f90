@@ -26,7 +26,7 @@ module counting_sink
 
    !> Fails when it has taken a number of points.
    type, extends(sink_t) :: failing_sink_t
-      integer(i8) :: room = 0
+      integer(i8) :: space = 0
       integer :: n_puts_after = 0
       logical :: has_failed = .false.
    contains
@@ -110,7 +110,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
 
       if (self%has_failed) self%n_puts_after = self%n_puts_after + 1
-      if (first + size(status) - 1 <= self%room .and. size(results) >= size(error_estimate) &
+      if (first + size(status) - 1 <= self%space .and. size(results) >= size(error_estimate) &
          .and. size(counts, 1) > 0) return
       self%has_failed = .true.
       call set_error(error, file_failure, 'no room')
@@ -123,7 +123,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
 
       if (self%has_failed) self%n_puts_after = self%n_puts_after + 1
-      if (point <= self%room .and. size(profiles) > 0) return
+      if (point <= self%space .and. size(profiles) > 0) return
       self%has_failed = .true.
       call set_error(error, file_failure, 'no room for a profile')
    end subroutine fail_profiles

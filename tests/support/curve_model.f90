@@ -12,11 +12,11 @@ module curve_model
    use adfric_describe_table, only: profile_axis_t, kind_real
    implicit none (type, external)
    private
-   public :: curve_model_t, new_curve_model, x_place, y_place, square_place, step_place, bend_place, side_place
-   public :: place_of_step, place_of_bend, place_of_end
+   public :: curve_model_t, new_curve_model, x_index, y_index, square_index, step_index, bend_index, side_index
+   public :: index_of_step, index_of_bend, index_of_end
 
-   integer, parameter :: x_place = 1, y_place = 2, square_place = 1, step_place = 2, bend_place = 3, side_place = 4
-   real(dp), parameter :: place_of_step = 1.0_dp/3, place_of_bend = 0.7_dp, place_of_end = -1.0_dp/7, too_far = 9
+   integer, parameter :: x_index = 1, y_index = 2, square_index = 1, step_index = 2, bend_index = 3, side_index = 4
+   real(dp), parameter :: index_of_step = 1.0_dp/3, index_of_bend = 0.7_dp, index_of_end = -1.0_dp/7, too_far = 9
 
    !> The model.
    type, extends(model_t) :: curve_model_t
@@ -49,19 +49,19 @@ contains
          self%variables(k)%choices = ''
          self%variables(k)%default = 1
       end do
-      self%variables(y_place)%lower = 0
-      self%variables(y_place)%upper = 2
+      self%variables(y_index)%lower = 0
+      self%variables(y_index)%upper = 2
       do k = 1, 4
          self%results(k)%unit = '-'
          self%results(k)%long_name = 'a curve'
          self%results(k)%flag_meanings = ''
       end do
-      self%results(square_place)%name = 'square'
-      self%results(square_place)%unit = 'N'
-      self%results(step_place)%name = 'step'
-      self%results(bend_place)%name = 'bend'
-      self%results(side_place)%name = 'side'
-      self%results(side_place)%flag_meanings = 'below above'
+      self%results(square_index)%name = 'square'
+      self%results(square_index)%unit = 'N'
+      self%results(step_index)%name = 'step'
+      self%results(bend_index)%name = 'bend'
+      self%results(side_index)%name = 'side'
+      self%results(side_index)%flag_meanings = 'below above'
    end subroutine new_curve_model
 
    subroutine check_values(self, values, is_swept, problems)
@@ -99,11 +99,11 @@ contains
 
       counts = size(self%counts)
       do i = 1, size(status)
-         associate (x => values(x_place, i), y => values(y_place, i))
-            results(:, i) = [x**2*y, merge(1.0_dp, 0.0_dp, x >= place_of_step), max(0.0_dp, x - place_of_bend), &
-               & merge(1.0_dp, 0.0_dp, x >= place_of_step)]
+         associate (x => values(x_index, i), y => values(y_index, i))
+            results(:, i) = [x**2*y, merge(1.0_dp, 0.0_dp, x >= index_of_step), max(0.0_dp, x - index_of_bend), &
+               & merge(1.0_dp, 0.0_dp, x >= index_of_step)]
             status(i) = status_solved
-            if (x < place_of_end) status(i) = status_no_equilibrium
+            if (x < index_of_end) status(i) = status_no_equilibrium
             if (x > too_far) status(i) = status_not_converged
          end associate
          error_estimate(i) = epsilon(1.0_dp)

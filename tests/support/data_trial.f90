@@ -10,10 +10,11 @@ module data_trial
    use trial_model, only: trial_model_t, new_trial_model
    implicit none (type, external)
    private
-   public :: data_model_t, new_data_model, read_data, amplitudes_place, curve_place, line_place, moduli_place
+   public :: data_model_t, new_data_model, read_data, amplitudes_index, curve_index, line_index, moduli_index
 
-   integer, parameter :: n_trial = 12, amplitudes_place = n_trial + 1, moduli_place = n_trial + 2, curve_place = n_trial + 3, &
-      & line_place = n_trial + 4
+   integer, parameter :: n_trial = 12, amplitudes_index = n_trial + 1, moduli_index = n_trial + 2, &
+      & curve_index = n_trial + 3, &
+      & line_index = n_trial + 4
    !> Most numbers of the list of moduli.
    integer, parameter :: most_moduli = 4
 
@@ -24,8 +25,8 @@ module data_trial
 
    !> The trial model with &surface amplitudes and line, &foundation moduli and curve.
    type, extends(trial_model_t) :: data_model_t
-      !> What it was given, in the places of the variables.
-      type(array_t) :: taken(line_place)
+      !> What it was given, in the indices of the variables.
+      type(array_t) :: taken(line_index)
       !> Attributes that it was given, as `name=value;`.
       character(:), allocatable :: attributes
    contains
@@ -50,46 +51,48 @@ contains
       self%counts = trial%counts
       self%profile_axes = trial%profile_axes
       self%attributes = ''
-      allocate (self%variables(line_place))
+      allocate (self%variables(line_index))
       do k = 1, n_trial
          self%variables(k) = trial%variables(k)
       end do
-      self%variables(amplitudes_place) = list_row(group='surface', name='amplitudes', unit='m', meaning='amplitudes', &
+      self%variables(amplitudes_index) = list_row(group='surface', name='amplitudes', unit='m', meaning='amplitudes', &
          & most_count=64, attributes='phase', attribute_units='rad')
-      self%variables(moduli_place) = list_row(group='foundation', name='moduli', unit='Pa', meaning='moduli', least_count=2, &
+      self%variables(moduli_index) = list_row(group='foundation', name='moduli', unit='Pa', meaning='moduli', least_count=2, &
          & most_count=most_moduli, lower=0.0_dp, lower_open=.true., upper=1.0e12_dp)
-      self%variables(curve_place) = columns_row(group='foundation', name='curve', columns='omega storage loss', &
+      self%variables(curve_index) = columns_row(group='foundation', name='curve', columns='omega storage loss', &
          & units='rad/s Pa Pa', meaning='master curve', least_count=2, lower=0.0_dp, attributes='temperature', &
          & attribute_units='K')
-      self%variables(line_place) = dataset(group='surface', name='line', unit='m', meaning='heights', largest_rank=1, &
+      self%variables(line_index) = dataset(group='surface', name='line', unit='m', meaning='heights', largest_rank=1, &
          & least_count=2, attributes='dx dy', attribute_units='m m')
    end subroutine new_data_model
 
    !> Values that begin with 13 make no sense.
-   subroutine take_dataset(self, place, values, problems)
+   subroutine take_dataset(self, index, values, problems)
       class(data_model_t), intent(inout) :: self
-      integer, intent(in) :: place
+      integer, intent(in) :: index
       real(dp), intent(in) :: values(:, :)
       type(problems_t), intent(inout) :: problems
 
-      if (place <= n_trial) error stop 'data_trial: this is no dataset'
-      self%taken(place)%values = values
-      if (nint(values(1, 1)) == 13) call problems%add(self%variables(place)%group, self%variables(place)%name, 'bring bad luck')
+      if (index <= n_trial) error stop 'data_trial: this is no dataset'
+      self%taken(index)%values = values
+      if (nint(values(1, 1)) == 13) call problems%add(self%variables(index)%group, self%variables(index)%name, &
+         & 'bring bad luck')
    end subroutine take_dataset
 
    !> An attribute of 13 makes no sense either.
-   subroutine take_attribute(self, place, name, value, problems)
+   subroutine take_attribute(self, index, name, value, problems)
       class(data_model_t), intent(inout) :: self
-      integer, intent(in) :: place
+      integer, intent(in) :: index
       character(*), intent(in) :: name
       real(dp), intent(in) :: value
       type(problems_t), intent(inout) :: problems
       character(12) :: number
 
-      if (.not. allocated(self%taken(place)%values)) error stop 'data_trial: attributes come behind values'
+      if (.not. allocated(self%taken(index)%values)) error stop 'data_trial: attributes come behind values'
       write (number, '(f0.3)') value
       self%attributes = self%attributes//name//'='//trim(number)//';'
-      if (nint(value) == 13) call problems%add(self%variables(place)%group, self%variables(place)%name, name//' brings bad luck')
+      if (nint(value) == 13) call problems%add(self%variables(index)%group, self%variables(index)%name, &
+         & name//' brings bad luck')
    end subroutine take_attribute
 
    !> Read an input, and list what is wrong.

@@ -5,13 +5,14 @@ module indenter_cases
    use adfric_base_words, only: find_word, count_words
    use adfric_base_unset, only: unset
    use adfric_round_model, only: indenter_model_t, new_indenter_model
-   use adfric_round_variables
+   use adfric_round_variables, only: kind_cone, kind_flat, kind_flat_cone, kind_flat_paraboloid, kind_paraboloid, &
+      & kind_polynomial, kind_power, kind_rounded_cone, kind_rounded_punch, kind_sphere, in => indenter_input
    implicit none (type, external)
    private
    public :: new_indenter, new_named, hold, kind_of, n_kinds, size_of
 
    !> What can be held.
-   integer, parameter :: controls(*) = [v_load, v_approach, v_contact_radius, v_face_angle, v_base_approach]
+   integer, parameter :: controls(*) = [in%load, in%approach, in%contact_radius, in%face_angle, in%base_approach]
    integer, parameter :: n_kinds = 10
 
 contains
@@ -25,29 +26,29 @@ contains
 
       call new_indenter_model(model)
       values = model%variables%default
-      values(v_kind) = kind
-      values(v_contact_modulus) = 1
+      values(in%kind) = kind
+      values(in%contact_modulus) = 1
       select case (kind)
       case (kind_cone)
-         values(v_slope) = 1
+         values(in%slope) = 1
       case (kind_paraboloid, kind_sphere)
-         values(v_radius) = 1
+         values(in%radius) = 1
       case (kind_power)
-         values([v_exponent, v_coefficient]) = [2.5_dp, 1.0_dp]
+         values([in%exponent, in%coefficient]) = [2.5_dp, 1.0_dp]
       case (kind_flat)
-         values(v_face_radius) = 1
+         values(in%face_radius) = 1
       case (kind_flat_cone)
-         values([v_face_radius, v_slope]) = 1
+         values([in%face_radius, in%slope]) = 1
       case (kind_flat_paraboloid, kind_rounded_punch)
-         values([v_face_radius, v_radius]) = 1
+         values([in%face_radius, in%radius]) = 1
       case (kind_rounded_cone)
-         values([v_slope, v_radius]) = 1
+         values([in%slope, in%radius]) = 1
       case default
-         values([v_coefficient_1 + 1, v_coefficient_1 + 3]) = 1
+         values([in%coefficient_1 + 1, in%coefficient_1 + 3]) = 1
       end select
    end subroutine new_indenter
 
-   !> Place of a kind among the words.
+   !> Position of a kind among the words.
    integer function kind_of(name)
       character(*), intent(in) :: name
       type(indenter_model_t) :: model
@@ -56,8 +57,8 @@ contains
 
       call new_indenter_model(model)
       kind_of = 0
-      do k = 1, count_words(model%variables(v_kind)%choices)
-         call find_word(model%variables(v_kind)%choices, k, word)
+      do k = 1, count_words(model%variables(in%kind)%choices)
+         call find_word(model%variables(in%kind)%choices, k, word)
          if (word == name) kind_of = k
       end do
    end function kind_of
@@ -71,26 +72,26 @@ contains
 
       kind = kind_of(name)
       call new_indenter(model, values, kind)
-      call take('c0', v_coefficient)
-      call take('n', v_exponent)
-      call take('R', v_radius)
-      call take('slope', v_slope)
+      call take('c0', in%coefficient)
+      call take('n', in%exponent)
+      call take('R', in%radius)
+      call take('slope', in%slope)
       if (kind == kind_polynomial) then
-         call take('c2', v_coefficient_1 + 1)
-         call take('c4', v_coefficient_1 + 3)
+         call take('c2', in%coefficient_1 + 1)
+         call take('c4', in%coefficient_1 + 3)
       else if (kind == kind_rounded_cone) then
-         call take('b', v_radius)
-         values(v_radius) = values(v_radius)/values(v_slope)
+         call take('b', in%radius)
+         values(in%radius) = values(in%radius)/values(in%slope)
       else
-         call take('b', v_face_radius)
+         call take('b', in%face_radius)
       end if
 
    contains
 
       !> Take one number over, if it is there.
-      subroutine take(key, place)
+      subroutine take(key, position)
          character(*), intent(in) :: key
-         integer, intent(in) :: place
+         integer, intent(in) :: position
          character(:), allocatable :: list
          integer :: first, last
 
@@ -99,7 +100,7 @@ contains
          if (first == 0) return
          first = first + len(key) + 2
          last = first + index(list(first:), ';') - 2
-         read (list(first:last), *) values(place)
+         read (list(first:last), *) values(position)
       end subroutine take
 
    end subroutine new_named
@@ -107,7 +108,7 @@ contains
    !> Hold one quantity.
    pure subroutine hold(values, control, number)
       real(dp), intent(inout) :: values(:)
-      !> Place of the variable.
+      !> Position of the variable.
       integer, intent(in) :: control
       real(dp), intent(in) :: number
 

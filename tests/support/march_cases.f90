@@ -1,40 +1,40 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Surfaces for the march of any heights: rows from heights, a spectrum and adhesion, in the units of the march.
-module march_cases
+!> Surfaces for the time stepping of any heights: rows from heights, a spectrum and adhesion, in the units of the time stepping.
+module stepping_cases
    use adfric_base_kinds, only: dp
    use adfric_solid_prony, only: prony_t, new_prony
    use adfric_shape_height_line, only: height_line_t, new_cosine_line
-   use adfric_foundation_stepping_equilibrium, only: march_surface_t, march_equilibrium_t
-   use adfric_foundation_stepping_law, only: new_march_law
+   use adfric_foundation_stepping_equilibrium, only: stepping_surface_t, stepping_equilibrium_t
+   use adfric_foundation_stepping_law, only: new_stepping_law
    use adfric_foundation_stepping_solid, only: solid_t, new_solid
-   use adfric_foundation_stepping_path, only: new_way
+   use adfric_foundation_stepping_path, only: new_path
    implicit none (type, external)
    private
-   public :: march_case_t, march_sums_t, make_surface, make_line_surface, set_law, begin_rows, add_row, sum_of
+   public :: stepping_case_t, stepping_sums_t, make_surface, make_line_surface, set_law, begin_rows, add_row, sum_of
 
    !> A sum of waves a_m cos(2 pi m x + phi_m) over one strip.
-   type :: march_case_t
+   type :: stepping_case_t
       real(dp), allocatable :: amplitudes(:), phases(:)
       !> Stiffnesses of the arms, and their times.
       real(dp), allocatable :: stiffness(:), times(:)
       real(dp) :: stress = 0, range = 0
       integer :: edge = 1
       logical :: is_approach = .false.
-   end type march_case_t
+   end type stepping_case_t
 
    !> Means over the rows, sums of counts, and the largest mismatches of the balances.
-   type :: march_sums_t
+   type :: stepping_sums_t
       real(dp) :: load = 0, friction = 0, contact = 0, adhesion = 0, dissipation = 0, edge_loss = 0
       real(dp) :: load_mismatch = 0, energy_mismatch = 0
       integer :: n_contacts = 0, n_adhesions = 0, n_free = 0, n_snaps = 0
-   end type march_sums_t
+   end type stepping_sums_t
 
 contains
 
    !> The surface of a case.
    subroutine make_surface(trial, surface)
-      type(march_case_t), intent(in) :: trial
-      type(march_surface_t), intent(out) :: surface
+      type(stepping_case_t), intent(in) :: trial
+      type(stepping_surface_t), intent(out) :: surface
       type(height_line_t) :: line
 
       call new_cosine_line(line, trial%amplitudes, trial%phases)
@@ -46,7 +46,7 @@ contains
    subroutine make_line_surface(line, stiffness, times, surface)
       type(height_line_t), intent(in) :: line
       real(dp), intent(in) :: stiffness(:), times(:)
-      type(march_surface_t), intent(out) :: surface
+      type(stepping_surface_t), intent(out) :: surface
       real(dp) :: lowest, highest
       integer :: piece
 
@@ -57,7 +57,7 @@ contains
 
    !> A number of rows, which are not there yet.
    subroutine begin_rows(surface, n_rows)
-      type(march_surface_t), intent(out) :: surface
+      type(stepping_surface_t), intent(out) :: surface
       integer, intent(in) :: n_rows
 
       allocate (surface%rows(n_rows))
@@ -65,7 +65,7 @@ contains
 
    !> One of the rows.
    subroutine add_row(surface, number, line, stiffness, times, highest)
-      type(march_surface_t), intent(inout) :: surface
+      type(stepping_surface_t), intent(inout) :: surface
       integer, intent(in) :: number
       type(height_line_t), intent(in) :: line
       real(dp), intent(in) :: stiffness(:), times(:)
@@ -83,22 +83,22 @@ contains
       lowered%coefficients(0, :) = lowered%coefficients(0, :) - highest
       call new_prony(prony, 1.0_dp, stiffness, times)
       call new_solid(solid, prony, 1.0_dp)
-      call new_way(surface%rows(number), lowered, solid)
+      call new_path(surface%rows(number), lowered, solid)
    end subroutine add_row
 
    !> Adhesion and branch of a surface whose rows are there.
    subroutine set_law(surface, trial)
-      type(march_surface_t), intent(inout) :: surface
-      type(march_case_t), intent(in) :: trial
+      type(stepping_surface_t), intent(inout) :: surface
+      type(stepping_case_t), intent(in) :: trial
 
       surface%is_approach = trial%is_approach
-      call new_march_law(surface%law, trial%stress, trial%range, trial%edge, surface%rows(1)%solid%glassy)
+      call new_stepping_law(surface%law, trial%stress, trial%range, trial%edge, surface%rows(1)%solid%glassy)
    end subroutine set_law
 
    !> What the rows of an equilibrium add up to.
    function sum_of(equilibrium) result(sums)
-      type(march_equilibrium_t), intent(in) :: equilibrium
-      type(march_sums_t) :: sums
+      type(stepping_equilibrium_t), intent(in) :: equilibrium
+      type(stepping_sums_t) :: sums
       integer :: i
 
       do i = 1, size(equilibrium%forces)
@@ -119,4 +119,4 @@ contains
       end do
    end function sum_of
 
-end module march_cases
+end module stepping_cases

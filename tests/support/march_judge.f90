@@ -1,20 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Random cases for the march of any heights, and what a march in small steps says of its solutions.
-module march_judge
+!> Random cases for the time stepping of any heights, and what a time stepping in small steps says of its solutions.
+module stepping_judge
    use adfric_base_kinds, only: dp
    use adfric_shape_height_line, only: height_line_t, new_cosine_line
    use brute_spectrum, only: brute_column_t, brute_forces_t, new_brute_column, settle
-   use march_cases, only: march_case_t
+   use stepping_cases, only: stepping_case_t
    use random_dice, only: dice_t
    implicit none (type, external)
    private
    public :: draw_case, judge_case, words_of_case, verdict_right, verdict_wrong, verdict_open
 
-   !> The march agrees; it does not, however small the steps; it did not come to rest.
+   !> The time stepping agrees; it does not, however small the steps; it did not come to rest.
    integer, parameter :: verdict_right = 0, verdict_wrong = 1, verdict_open = 2
    !> Load and friction agree to this share of the sizes of stresses.
    real(dp), parameter :: agreement = 3.0e-4_dp
-   !> Steps of the first march, and how often they are multiplied by four.
+   !> Steps of the first time stepping, and how often they are multiplied by four.
    integer, parameter :: first_steps = 2048, most_refinements = 4
    integer, parameter :: most_periods = 3000
 
@@ -24,7 +24,7 @@ contains
    subroutine draw_case(dice, number, trial, depth)
       type(dice_t), intent(inout) :: dice
       integer, intent(in) :: number
-      type(march_case_t), intent(out) :: trial
+      type(stepping_case_t), intent(out) :: trial
       real(dp), intent(out) :: depth
       real(dp) :: decay, sum_of_amplitudes
       integer :: m, n
@@ -59,7 +59,7 @@ contains
 
    !> Judge load and friction of a case.
    subroutine judge_case(trial, depth, load, friction, verdict, difference)
-      type(march_case_t), intent(in) :: trial
+      type(stepping_case_t), intent(in) :: trial
       real(dp), intent(in) :: depth, load, friction
       !> Receives one of `verdict_...`.
       integer, intent(out) :: verdict
@@ -87,7 +87,7 @@ contains
    !> A case in words.
    subroutine words_of_case(number, trial, depth, words)
       integer, intent(in) :: number
-      type(march_case_t), intent(in) :: trial
+      type(stepping_case_t), intent(in) :: trial
       real(dp), intent(in) :: depth
       character(*), intent(out) :: words
 
@@ -96,4 +96,4 @@ contains
          trial%is_approach
    end subroutine words_of_case
 
-end module march_judge
+end module stepping_judge

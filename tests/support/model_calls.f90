@@ -17,18 +17,18 @@ contains
       real(dp), intent(inout) :: values(:)
       character(*), intent(in) :: group, name
       real(dp), intent(in) :: value
-      integer :: place
+      integer :: position
 
-      place = model%index_of(group, name)
-      if (place == 0) error stop 'model_calls: no such variable'
-      values(place) = value
+      position = model%index_of(group, name)
+      if (position == 0) error stop 'model_calls: no such variable'
+      values(position) = value
    end subroutine set_value
 
    !> What the model finds wrong, a line for each problem.
    function find_problems(model, values, swept) result(text)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
-      !> Place of a swept variable.
+      !> Position of a swept variable.
       integer, intent(in), optional :: swept
       character(:), allocatable :: text
       type(problems_t) :: problems
@@ -45,16 +45,16 @@ contains
    end function find_problems
 
    !> Coordinates along a profile axis.
-   function axis_of(model, values, place) result(coordinates)
+   function axis_of(model, values, position) result(coordinates)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
-      !> Place of the axis, from 1; the slowest is the first.
-      integer, intent(in) :: place
+      !> Position of the axis, from 1; the slowest is the first.
+      integer, intent(in) :: position
       real(dp), allocatable :: coordinates(:)
       type(profile_axis_t), allocatable :: axes(:)
 
       call model%get_profile_axes(values, axes)
-      coordinates = axes(place)%coordinates
+      coordinates = axes(position)%coordinates
    end function axis_of
 
    !> Solve points as one block.

@@ -253,7 +253,7 @@ contains
       call h5dclose_f(scale, status)
    end function is_scale_of
 
-   !> Does a dataset stand in one piece, with its whole place on the disk?
+   !> Does a dataset stand in one piece, with its whole position on the disk?
    logical function is_contiguous(self, name)
       class(results_reader_t), intent(in) :: self
       character(*), intent(in) :: name

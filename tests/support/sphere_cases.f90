@@ -6,23 +6,23 @@ module sphere_cases
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: unset
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_round_sphere_variables
+   use adfric_round_sphere_variables, only: state_sliding, units_reduced, units_si, in => sphere_input, out => sphere_output
    use model_calls, only: find_problems, solve_values, solve_point
    implicit none (type, external)
    private
    public :: new_tip, new_reduced, slide, hold, add_friction, find_problems, solve_values, solve_point
-   public :: theory_word, controls, held, lengths, approaches, forces, unit_of, is_same_number
+   public :: theory_word, controls, prescribed, lengths, approaches, forces, unit_of, is_same_number
 
    !> What can be held, as variables and as results.
-   integer, parameter :: controls(*) = [v_load, v_approach, v_contact_radius]
-   integer, parameter :: held(*) = [r_load, r_approach, r_contact_radius]
+   integer, parameter :: controls(*) = [in%load, in%approach, in%contact_radius]
+   integer, parameter :: prescribed(*) = [out%load, out%approach, out%contact_radius]
 
    !> Units of the results; the others are areas, energies, a stiffness and pure numbers.
-   integer, parameter :: lengths(*) = [r_contact_radius, r_adhesion_radius, r_friction_radius, r_stick_radius]
-   integer, parameter :: approaches(*) = [r_approach, r_slip, r_largest_slip, r_tangential_displacement, &
-      r_peak_displacement, r_snap_off_displacement, r_jump_base_displacement, r_jump_displacement, r_jump_period]
-   integer, parameter :: forces(*) = [r_load, r_friction_force, r_pull_off_load, r_peak_force, r_sliding_force, &
-      r_force_drop, r_snap_off_force, r_jump_force, r_arrest_force]
+   integer, parameter :: lengths(*) = [out%contact_radius, out%adhesion_radius, out%friction_radius, out%stick_radius]
+   integer, parameter :: approaches(*) = [out%approach, out%slip, out%largest_slip, out%tangential_displacement, &
+      out%peak_displacement, out%snap_off_displacement, out%jump_base_displacement, out%jump_displacement, out%jump_period]
+   integer, parameter :: forces(*) = [out%load, out%friction_force, out%pull_off_load, out%peak_force, out%sliding_force, &
+      out%force_drop, out%snap_off_force, out%jump_force, out%arrest_force]
 
 contains
 
@@ -33,11 +33,11 @@ contains
 
       call new_sphere_model(model)
       values = model%variables%default
-      values(v_units) = units_si
-      values([v_radius, v_contact_modulus, v_work_of_adhesion]) = [140.0e-9_dp, 44.0e9_dp, 0.19_dp]
-      values(v_lambda) = 0.8_dp
-      values(v_load) = 0
-      values(v_theory) = theory_word('maugis_dugdale')
+      values(in%units) = units_si
+      values([in%radius, in%contact_modulus, in%work_of_adhesion]) = [140.0e-9_dp, 44.0e9_dp, 0.19_dp]
+      values(in%lambda) = 0.8_dp
+      values(in%load) = 0
+      values(in%theory) = theory_word('maugis_dugdale')
    end subroutine new_tip
 
    !> The same in reduced units.
@@ -46,8 +46,8 @@ contains
       real(dp), allocatable, intent(out) :: values(:)
 
       call new_tip(model, values)
-      values(v_units) = units_reduced
-      values([v_radius, v_contact_modulus, v_work_of_adhesion]) = unset
+      values(in%units) = units_reduced
+      values([in%radius, in%contact_modulus, in%work_of_adhesion]) = unset
    end subroutine new_reduced
 
    !> Let it slide, with interaction.
@@ -55,10 +55,10 @@ contains
       real(dp), intent(inout) :: values(:)
       real(dp), intent(in) :: strength, interaction, slip_energy_ratio
 
-      values(v_state) = state_sliding
-      values(v_shear_strength) = strength
-      values(v_interaction) = interaction
-      values(v_slip_energy_ratio) = slip_energy_ratio
+      values(in%state) = state_sliding
+      values(in%shear_strength) = strength
+      values(in%interaction) = interaction
+      values(in%slip_energy_ratio) = slip_energy_ratio
    end subroutine slide
 
    !> Hold one quantity.
@@ -81,19 +81,19 @@ contains
 
       if (kind == 1) return
       stress_unit = 1
-      if (nint(values(v_units)) == units_si) stress_unit = unit_of(r_load, values)/(2*unit_of(r_contact_radius, values)**2)
-      values([v_shear_strength, v_poisson_ratio]) = [0.6_dp*stress_unit, 0.3_dp]
-      if (kind == 3) values(v_tangential_force) = 0.4_dp
-      if (kind == 4) values(v_tangential_displacement) = 0.3_dp
-      if (nint(values(v_units)) == units_si) then
-         if (kind == 3) values(v_tangential_force) = 0.4_dp*unit_of(r_load, values)
-         if (kind == 4) values(v_tangential_displacement) = 0.3_dp*unit_of(r_approach, values)
+      if (nint(values(in%units)) == units_si) stress_unit = unit_of(out%load, values)/(2*unit_of(out%contact_radius, values)**2)
+      values([in%shear_strength, in%poisson_ratio]) = [0.6_dp*stress_unit, 0.3_dp]
+      if (kind == 3) values(in%tangential_force) = 0.4_dp
+      if (kind == 4) values(in%tangential_displacement) = 0.3_dp
+      if (nint(values(in%units)) == units_si) then
+         if (kind == 3) values(in%tangential_force) = 0.4_dp*unit_of(out%load, values)
+         if (kind == 4) values(in%tangential_displacement) = 0.3_dp*unit_of(out%approach, values)
       end if
-      if (kind >= 5) values(v_state) = state_sliding
-      if (kind == 6) values([v_interaction, v_slip_energy_ratio]) = [0.3_dp, 1.2_dp]
+      if (kind >= 5) values(in%state) = state_sliding
+      if (kind == 6) values([in%interaction, in%slip_energy_ratio]) = [0.3_dp, 1.2_dp]
    end subroutine add_friction
 
-   !> Place of a theory among the words of the input.
+   !> Position of a theory among the words of the input.
    pure integer function theory_word(name)
       character(*), intent(in) :: name
       character(14), parameter :: names(*) = [character(14) :: 'auto', 'hertz', 'jkr', 'dmt', 'maugis_dugdale']
@@ -102,18 +102,18 @@ contains
    end function theory_word
 
    !> Unit of a result by J 2.11, written out.
-   pure real(dp) function unit_of(place, values) result(unit)
-      integer, intent(in) :: place
+   pure real(dp) function unit_of(position, values) result(unit)
+      integer, intent(in) :: position
       real(dp), intent(in) :: values(:)
 
-      associate (r => values(v_radius), e => values(v_contact_modulus), w => values(v_work_of_adhesion))
+      associate (r => values(in%radius), e => values(in%contact_modulus), w => values(in%work_of_adhesion))
          unit = 1
-         if (any(lengths == place)) unit = (3*pi*w*r**2/(4*e))**(1.0_dp/3)
-         if (any(approaches == place)) unit = (9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
-         if (any(forces == place)) unit = pi*w*r
-         if (any([r_jump_energy, r_period_work] == place)) unit = pi*w*r*(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
-         if (place == r_critical_lateral_stiffness) unit = pi*w*r/(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
-         if (any([r_contact_area, r_friction_area] == place)) unit = (3*pi*w*r**2/(4*e))**(2.0_dp/3)
+         if (any(lengths == position)) unit = (3*pi*w*r**2/(4*e))**(1.0_dp/3)
+         if (any(approaches == position)) unit = (9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
+         if (any(forces == position)) unit = pi*w*r
+         if (any([out%jump_energy, out%period_work] == position)) unit = pi*w*r*(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
+         if (position == out%critical_lateral_stiffness) unit = pi*w*r/(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
+         if (any([out%contact_area, out%friction_area] == position)) unit = (3*pi*w*r**2/(4*e))**(2.0_dp/3)
       end associate
    end function unit_of
 

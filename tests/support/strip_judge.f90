@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Judges the steady state of a strip with the brute march: is it one, and is there none before it on its branch?
+!> Judges the steady state of a strip with the brute time stepping: is it one, and is there none before it on its branch?
 module strip_judge
    use adfric_base_kinds, only: dp
    use adfric_foundation_adhesion, only: edge_front
@@ -7,7 +7,7 @@ module strip_judge
    use adfric_foundation_saturated_adhesion, only: saturation_level
    use adfric_foundation_strip, only: strip_t, steady_state_t
    use adfric_foundation_steady_state, only: branch_adhered
-   use brute_march, only: brute_strip_t, brute_state_t, march_one_period, column_of_gap, column_of_height, &
+   use brute_stepping, only: brute_strip_t, brute_state_t, step_one_period, column_of_gap, column_of_height, &
       & height_of
    implicit none (type, external)
    private
@@ -83,7 +83,7 @@ contains
       height = height_of(brute, section, start)
       do k = 0, max_refinements
          column = start
-         call march_one_period(brute, section, steps, column)
+         call step_one_period(brute, section, steps, column)
          change = abs(height_of(brute, section, column) - height)
          is_steady = change <= 1.0e-3_dp*max(abs(height), 0.1_dp) .or. change < 0.02_dp*coarse
          is_steady = is_steady .and. (column%in_contact .eqv. start%in_contact)
@@ -106,7 +106,7 @@ contains
       steps = first_steps
       do k = 0, max_refinements
          column = start
-         call march_one_period(brute, section, steps, column)
+         call step_one_period(brute, section, steps, column)
          moved = sheet_of(column) - sheet_of(start)
          if (abs(moved) < 0.5_dp) moved = height_of(brute, section, column) - height_of(brute, section, start)
          moves_towards = merge(moved >= 0, moved <= 0, upwards)

@@ -3,7 +3,7 @@
 !> results that can be said in advance.
 !>
 !> force = friction * load, regime by the sign of the velocity. A negative load has no equilibrium; a load
-!> above `largest_load` does not converge, and `endless_load` exhausts the memory. `place` is the place of a
+!> above `largest_load` does not converge, and `endless_load` exhausts the memory. `place` is the index of a
 !> point in its block, so that a sweep whose blocks depended on the number of threads would show it.
 module trial_model
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
@@ -19,8 +19,8 @@ module trial_model
    implicit none (type, external)
    private
    public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load, endless_load
-   public :: kind_place, period_place, velocity_place, load_place, friction_place
-   public :: strips_place, profiles_place, size_place, n_x_place, n_y_place
+   public :: kind_index, period_index, velocity_index, load_index, friction_index
+   public :: strips_index, profiles_index, size_index, n_x_index, n_y_index
 
    !> Load above which nothing converges [N].
    real(dp), parameter :: largest_load = 1e6_dp
@@ -29,10 +29,10 @@ module trial_model
    !> Distance of the points of a profile [m].
    real(dp), parameter :: spacing = 0.5_dp
 
-   !> Places of the variables. There are two sizes, the first of the surface.
-   integer, parameter :: kind_place = 1, period_place = 2, size_place = 3, velocity_place = 4, load_place = 5, &
-      penetration_place = 6, friction_place = 7, strips_place = 8, second_size_place = 9, profiles_place = 10, &
-      n_x_place = 11, n_y_place = 12, n_variables = 12
+   !> Indices of the variables. There are two sizes, the first of the surface.
+   integer, parameter :: kind_index = 1, period_index = 2, size_index = 3, velocity_index = 4, load_index = 5, &
+      penetration_index = 6, friction_index = 7, strips_index = 8, second_size_index = 9, profiles_index = 10, &
+      n_x_index = 11, n_y_index = 12, n_variables = 12
 
    !> The model.
    type, extends(model_t) :: trial_model_t
@@ -62,26 +62,26 @@ contains
       self%counts(1) = count_row(name='steps_per_point', long_name='steps of the block')
       allocate (self%variables(n_variables))
       associate (variables => self%variables)
-         call set(variables(kind_place), 'surface', 'kind', kind_choice, '', 1.0_dp)
-         variables(kind_place)%choices = 'wave_2d wave_3d'
-         call set(variables(period_place), 'surface', 'period', kind_real, 'm', unset)
-         variables(period_place)%lower = 0
-         variables(period_place)%lower_open = .true.
-         call set(variables(size_place), 'surface', 'size', kind_real, 'm', unset)
-         call set(variables(velocity_place), 'operating', 'velocity', kind_real, 'm/s', 0.5_dp)
-         variables(velocity_place)%lower = 0
-         call set(variables(load_place), 'operating', 'load', kind_real, 'N', unset)
-         call set(variables(penetration_place), 'operating', 'penetration', kind_real, 'm', unset)
-         call set(variables(friction_place), 'operating', 'friction', kind_real, '-', 0.5_dp)
-         variables(friction_place)%lower = 0
-         variables(friction_place)%upper = 1
-         variables(friction_place)%upper_open = .true.
-         call set(variables(strips_place), 'numerics', 'strips', kind_integer, '-', 10.0_dp)
-         variables(strips_place)%lower = 1
-         call set(variables(second_size_place), 'numerics', 'size', kind_real, 'm', unset)
-         call set(variables(profiles_place), 'output', 'profiles', kind_logical, '', 0.0_dp)
-         call set(variables(n_x_place), 'output', 'n_x', kind_integer, '-', 4.0_dp)
-         call set(variables(n_y_place), 'output', 'n_y', kind_integer, '-', 1.0_dp)
+         call set(variables(kind_index), 'surface', 'kind', kind_choice, '', 1.0_dp)
+         variables(kind_index)%choices = 'wave_2d wave_3d'
+         call set(variables(period_index), 'surface', 'period', kind_real, 'm', unset)
+         variables(period_index)%lower = 0
+         variables(period_index)%lower_open = .true.
+         call set(variables(size_index), 'surface', 'size', kind_real, 'm', unset)
+         call set(variables(velocity_index), 'operating', 'velocity', kind_real, 'm/s', 0.5_dp)
+         variables(velocity_index)%lower = 0
+         call set(variables(load_index), 'operating', 'load', kind_real, 'N', unset)
+         call set(variables(penetration_index), 'operating', 'penetration', kind_real, 'm', unset)
+         call set(variables(friction_index), 'operating', 'friction', kind_real, '-', 0.5_dp)
+         variables(friction_index)%lower = 0
+         variables(friction_index)%upper = 1
+         variables(friction_index)%upper_open = .true.
+         call set(variables(strips_index), 'numerics', 'strips', kind_integer, '-', 10.0_dp)
+         variables(strips_index)%lower = 1
+         call set(variables(second_size_index), 'numerics', 'size', kind_real, 'm', unset)
+         call set(variables(profiles_index), 'output', 'profiles', kind_logical, '', 0.0_dp)
+         call set(variables(n_x_index), 'output', 'n_x', kind_integer, '-', 4.0_dp)
+         call set(variables(n_y_index), 'output', 'n_y', kind_integer, '-', 1.0_dp)
       end associate
       call add_results(self)
    end subroutine new_trial_model
@@ -122,7 +122,7 @@ contains
       real(dp) :: values(n_variables)
 
       values = model%variables%default
-      values(load_place) = 1
+      values(load_index) = 1
    end function trial_values
 
    !> Friction force [N].
@@ -148,12 +148,12 @@ contains
       type(problems_t), intent(inout) :: problems
 
       if (size(is_swept) /= size(self%variables)) error stop 'is_swept has the wrong size'
-      if (.not. is_set(values(period_place))) call problems%add('surface', 'period', 'not given, needed: a number')
-      if (values(period_place) < 1e-6_dp) call problems%add('surface', 'period', 'shorter than an atom')
-      if (.not. is_set(values(load_place))) return
-      if (is_set(values(penetration_place))) &
+      if (.not. is_set(values(period_index))) call problems%add('surface', 'period', 'not given, needed: a number')
+      if (values(period_index) < 1e-6_dp) call problems%add('surface', 'period', 'shorter than an atom')
+      if (.not. is_set(values(load_index))) return
+      if (is_set(values(penetration_index))) &
          call problems%add('operating', 'load', 'contradicts penetration, given both, allowed: one of them')
-      if (values(load_place) > 100) call problems%add('operating', '', 'the weight breaks the surface')
+      if (values(load_index) > 100) call problems%add('operating', '', 'the weight breaks the surface')
    end subroutine check_values
 
    function describe_results(self, values) result(results)
@@ -162,7 +162,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (values(kind_place) > 1.5_dp) results(2)%unit = 'N/m'
+      if (values(kind_index) > 1.5_dp) results(2)%unit = 'N/m'
    end function describe_results
 
    !> In units of something else on a round table.
@@ -172,30 +172,30 @@ contains
       type(profile_t), allocatable :: profiles(:)
 
       profiles = self%profiles
-      if (values(kind_place) > 1.5_dp) profiles(1)%unit = '-'
+      if (values(kind_index) > 1.5_dp) profiles(1)%unit = '-'
    end function describe_profiles
 
    pure logical function wants_profiles(self, values)
       class(trial_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = size(self%profiles) > 0 .and. values(profiles_place) > 0.5_dp
+      wants_profiles = size(self%profiles) > 0 .and. values(profiles_index) > 0.5_dp
    end function wants_profiles
 
    subroutine get_profile_axes(self, values, axes)
       class(trial_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
-      integer, parameter :: n_places(2) = [n_y_place, n_x_place]
+      integer, parameter :: n_indices(2) = [n_y_index, n_x_index]
       character(*), parameter :: names = 'yx'
       integer :: i, k, n
 
       allocate (axes(2))
       do k = 1, 2
-         n = nint(values(n_places(k)))
+         n = nint(values(n_indices(k)))
          if (size(self%profiles) == 0) n = 1
          axes(k)%name = names(k:k)
-         axes(k)%unit = trim(merge('- ', 'm ', values(kind_place) > 1.5_dp))
+         axes(k)%unit = trim(merge('- ', 'm ', values(kind_index) > 1.5_dp))
          axes(k)%long_name = 'place along '//names(k:k)
          axes(k)%coordinates = [(spacing*i, i=0, n - 1)]
       end do
@@ -211,9 +211,9 @@ contains
       integer :: i
 
       do i = 1, size(status)
-         associate (load => values(load_place, i), &
-                    force => trial_force(values(friction_place, i), values(load_place, i)))
-            results(:, i) = [load, force, merge(1.0_dp, 0.0_dp, values(velocity_place, i) > 0), real(i, dp)]
+         associate (load => values(load_index, i), &
+                    force => trial_force(values(friction_index, i), values(load_index, i)))
+            results(:, i) = [load, force, merge(1.0_dp, 0.0_dp, values(velocity_index, i) > 0), real(i, dp)]
             error_estimate(i) = 1e-12_dp*i
             status(i) = status_solved
             if (load < 0) status(i) = status_no_equilibrium
@@ -249,8 +249,8 @@ contains
 
       allocate (derived(0))
       if (size(self%variables) == 0) return
-      call add_derived(derived, 'twice_friction', '-', 'twice the friction', 2*values(friction_place), 'friction')
-      call add_derived(derived, 'twice_load', 'N', 'twice the load', 2*values(load_place))
+      call add_derived(derived, 'twice_friction', '-', 'twice the friction', 2*values(friction_index), 'friction')
+      call add_derived(derived, 'twice_load', 'N', 'twice the load', 2*values(load_index))
    end function derive_quantities
 
    function describe_case(self, values) result(text)
@@ -259,7 +259,7 @@ contains
       character(:), allocatable :: text
       character(24) :: buffer
 
-      write (buffer, '(es10.3)') trial_force(values(friction_place), values(load_place))
+      write (buffer, '(es10.3)') trial_force(values(friction_index), values(load_index))
       text = self%name//' force '//trim(adjustl(buffer))//' N'
    end function describe_case
 

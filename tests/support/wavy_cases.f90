@@ -3,7 +3,7 @@
 module wavy_cases
    use adfric_base_kinds, only: dp
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
-   use adfric_foundation_variables
+   use adfric_foundation_variables, only: in => foundation_input
    use model_calls, only: set_value, find_problems, solve_values, solve_point
    implicit none (type, external)
    private
@@ -18,16 +18,16 @@ contains
 
       call new_wavy_model(model)
       values = model%variables%default
-      values(v_kind) = 1
-      values(v_period) = 1.0e-2_dp
-      values(v_height) = 1.0e-4_dp
-      values(v_stiffness) = 1.0e8_dp
-      values(v_relaxation_time) = 1.0e-3_dp
-      values(v_retardation_ratio) = 10
-      values(v_stress) = 2.0e3_dp
-      values(v_range) = 1.0e-5_dp
-      values(v_velocity) = 0.5_dp
-      values(v_penetration) = 4.0e-5_dp
+      values(in%kind) = 1
+      values(in%period) = 1.0e-2_dp
+      values(in%height) = 1.0e-4_dp
+      values(in%stiffness) = 1.0e8_dp
+      values(in%relaxation_time) = 1.0e-3_dp
+      values(in%retardation_ratio) = 10
+      values(in%stress) = 2.0e3_dp
+      values(in%range) = 1.0e-5_dp
+      values(in%velocity) = 0.5_dp
+      values(in%penetration) = 4.0e-5_dp
    end subroutine new_values
 
 end module wavy_cases
