@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/validation/accuracy.md, docs/validation/rough_surfaces.md, docs/reference/python.md and docs/validation/scenes.md from those of the benchmarks.
+"""Tables of docs/validation/accuracy.md, docs/validation/rough_surfaces.md, docs/validation/peers.md, docs/reference/python.md and docs/validation/scenes.md from those of the benchmarks.
 
 usage: tables.py [FOLDER [--write]]
 
@@ -15,7 +15,7 @@ import sys
 from tools import read_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("validation/accuracy", "validation/rough_surfaces", "reference/python", "validation/scenes")]
+DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("validation/accuracy", "validation/rough_surfaces", "validation/peers", "reference/python", "validation/scenes")]
 
 
 def rows_of(folder, name, **wanted):
@@ -81,7 +81,7 @@ def strips(folder):
             cells.append(f"{time(row['us_least'])}, {error(row['error_median'])}, {row['elsewhere']} of {row['strips']}")
         body.append(cells)
     return table(["regime", "ours, cold", "ours, warm", "GSL, near", "GSL, from rest", "SciPy, near", "SciPy, from rest",
-                  "march, 1e4", "march, 1e6"], body)
+                  "time stepping, 1e4", "time stepping, 1e6"], body)
 
 
 def random_strips(folder):
@@ -137,7 +137,7 @@ def sphere_held(folder):
         if row["held"] in ("load", "pull-off of load") and row["lambda"] in ("1e-03", "1e-01", "1e+00", "1e+01", "1e+03", "1e+06"):
             body.append([row["held"], power(row["lambda"]), f"{time(row['our_us'])}, {error(row['our_error'])}",
                          f"{time(row['us_least'])}, {error(row['error'])}"])
-    return table(["held", "lambda", "ours: us, error", "package: us, error"], sorted(body, key=lambda cells: cells[0]))
+    return table(["prescribed", "lambda", "ours: us, error", "package: us, error"], sorted(body, key=lambda cells: cells[0]))
 
 
 def sphere_times(folder):
@@ -203,7 +203,7 @@ def slip_public(folder):
 
 
 def sliding_public(folder):
-    """Sliding waves beside a march in time."""
+    """Sliding waves beside time stepping."""
     body = []
     rows = rows_of(folder, "sliding_public")
     for row in rows:
@@ -293,7 +293,7 @@ def profiles(folder):
         body.append([row["arms"], row["adhesion"].strip(), time(row["prepare_ns"]), time(row["us"]), row["periods"].strip(),
                      *(("", "") if plain == 0 else (f"{plain / float(row['us']):.0f}", error(row["difference"])))])
     return table(["relaxation times", "adhesion", "preparation [ns a sample]", "a load [us]", "periods",
-                  "time of the plain march over this", "difference of friction"], body)
+                  "time of plain time stepping over this", "difference of friction"], body)
 
 
 def sliding(folder):

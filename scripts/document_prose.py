@@ -15,7 +15,7 @@ WRITTEN = ("CHANGELOG.md", "docs/gallery.md", "docs/reference/variables.md")
 LANGUAGES = {"sh", "fortran", "python", "cmake", "c", "text", "math", "diff"}
 ABBREVIATIONS = (r"\b(?:[A-Z]|Figs?|Eqs?|Refs?|Sect?|Chap|No|pp?|vol|cf|vs|al|e\.g|i\.e|approx|Int|Eng|Sci|Mater|Res|Phys|Proc|Soc|Lett|Appl|Mech|Rev"
                  r"|Trans)")
-SENTENCE_END = re.compile(rf"(?<!\.\.)(?<!\w\.\w)[.!?][\"')\]*_]*(?=\s|$)")
+SENTENCE_END = re.compile(rf"(?<!\.\.)[.!?][\"')\]*_]*(?=\s|$)")
 FENCE = re.compile(r"\s*(```+|~~~+)(\w*)")
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
 LINK = re.compile(r"!?\[((?:[^\[\]]|\[[^\]]*\])*)\]\([^()\s]*(?:\([^()]*\))?[^()\s]*\)")

@@ -58,15 +58,19 @@ def one(*inputs, options=""):
 AREAS = {
     "A wavy surface on a foundation": (
         one("gm2011_fig4_reconciled"), one("gm2011_fig4_printed"), one("gm2011_fig5"), one("gm2011_fig6"), one("gm2011_fig7"),
-        one("gm2011_fig8"), one("edge_rule_fig5"), one("edge_rule_fig6"), one("edge_rule_front")),
+        one("gm2011_fig8"), one("gm2011_stress", options="--y friction_stress contact_width"),
+        one("gm2011_pull_off", options="--y friction_stress"), one("gm2011_velocity", options="--y friction_stress"),
+        one("edge_rule_fig5"), one("edge_rule_fig6"), one("edge_rule_front")),
     "Rough lines and real materials": (
         one("rubber_velocity"), one("rubber_master_curve"), one("line_scan"), one("rubber_map"),
         one("edge_rules_continuous", "edge_rules_instantaneous", "edge_rules_front")),
     "A sphere": (
         one("johnson1997_fig3"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
         one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"), one("johnson1997_fig11"),
+        one("johnson1997_savkoor", options="--y friction_area"), one("johnson1997_lambda", options="--y friction_area pull_off_load"),
+        one("sphere_pressure"),
         one("sphere_pressure_factor", options="--y tangential_force stick_radius edge_slip"), one("stick_slip", options="--y tangential_force contact_radius edge_slip"),
-        one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"),
+        one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"), one("lecture_jkr"),
         one("sphere_pull_off_edge"), one("sphere_sample"), one("sphere_uncertain")),
     "Fits of measured data": (
         one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_map"), one("force_map")),
@@ -83,7 +87,8 @@ AREAS = {
         one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
         one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"),
         one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),
-        one("wave_2d_elastic"), one("wave_2d_contact"), one("wave_2d_sliding"),
+        one("wave_2d_elastic"), one("wave_2d_contact"),
+        one("lecture_wave_cuts", options="--cut y=0 y=x"), one("wave_2d_sliding"),
         one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
         one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),
         one("wave_2d_pull_off")),

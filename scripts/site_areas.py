@@ -66,11 +66,14 @@ AREAS = {
         "Glossary": "docs/reference/glossary.md",
     },
     "Validation": {
+        "Published figures": "docs/validation/published.md",
+        "Misprints and false conclusions": "docs/validation/misprints.md",
         "Speed against error": "docs/validation/accuracy.md",
         "Rough surfaces: speed and error": "docs/validation/rough_surfaces.md",
-        "What simple points save": "docs/validation/scenes.md",
+        "Time saved in simple cases": "docs/validation/scenes.md",
         "How it scales": "docs/validation/scaling.md",
         "Hard cases": "docs/validation/hard_cases.md",
+        "Beside public codes": "docs/validation/peers.md",
         "Benchmarks": "bench/README.md",
     },
     "Project": {

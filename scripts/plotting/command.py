@@ -20,7 +20,7 @@ def main(arguments):
         for source in [*given.files, *([given.data] if given.data else [])]:
             if figure_file.exists() and source.exists() and figure_file.samefile(source):
                 raise BadFile(f"{figure_file}: the figure would replace {'the table' if source == given.data else 'the results'}")
-        save_figure(make_figure(runs, given.x, given.y, given.data), figure_file)
+        save_figure(make_figure(runs, given.x, given.y, given.data, given.cut), figure_file)
     except NothingToDraw as problem:
         print(printable(f"plot: {problem}"), file=sys.stderr)
         return 3
@@ -34,16 +34,21 @@ def main(arguments):
     return 0
 
 
-def make_figure(runs, x=None, y=None, data=None):
-    """The figure of results: of one run, or of several in one."""
+def make_figure(runs, x=None, y=None, data=None, cuts=None):
+    """The figure of results: of one run, or of several in one; or maps of one run along lines."""
     # imported here, since it takes a second that a bad file need not cost
     from .chosen import draw_chosen
+    from .cuts import draw_cuts
     from .doubts import describe_doubts
     from .figures import choose_figure
     from .style import use_style
 
     with use_style():
-        if len(runs) > 1 or x or y or data:
+        if cuts:
+            if len(runs) > 1 or x or y or data:
+                raise BadFile("--cut: not with several files, --x, --y or --data")
+            figure, title = draw_cuts(runs[0], cuts), runs[0].title
+        elif len(runs) > 1 or x or y or data:
             figure, title = draw_chosen(runs, x, y, data)
         else:
             figure, title = choose_figure(runs[0])(runs[0]), runs[0].title

@@ -27,6 +27,8 @@ def read_command_line(arguments):
     parser.add_argument("--y", metavar="NAME", nargs="+", help="results to draw, a panel for each")
     parser.add_argument("--data", metavar="TABLE", type=Path,
                         help="points to draw as well: a table whose heads have the names of x and of results, with units or in those of the results")
+    parser.add_argument("--cut", metavar="LINE", nargs="+",
+                        help="draw the maps of one file along lines, as y=0 y=x; numbers are in metres")
     parser.add_argument("-o", "--output", metavar="FIGURE", type=Path,
                         help="figure, .png, .pdf or .svg (default: that of the first file, .png)")
     return parser.parse_args(arguments)

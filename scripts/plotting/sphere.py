@@ -14,6 +14,8 @@ LIMITS = {"load": {"DMT": -2.0, "JKR": -3 / 2}, "approach": {"DMT": 0.0, "JKR": 
 # the reduced unit of force, pi w R, is so many times that of stress times that of length squared (J 2.11)
 REDUCED_FORCE = 2.0
 STABLE, UNSTABLE = {"linewidth": 1.4}, {"linewidth": 0.6}
+# Hertz's radius in reduced units (J 2.11)
+HERTZ = {"color": "0.6", "linestyle": DASHES[2], "linewidth": 1.0}
 # radii of contact and adhesion that differ by less are one
 SAME_RADIUS = 1e-6
 
@@ -39,6 +41,10 @@ def draw_radii(results):
                 y = np.where(here & (x <= largest), np.moveaxis(values, along, -1)[curve.index], np.nan)
                 axes.plot(x * x_factor, y * y_factor, color=curve.style["color"], linestyle=dashes, **style)
     axes.axvline(0, color="0.7", linewidth=0.6, zorder=0)
+    is_reduced = load.unit == "-"
+    if is_reduced:
+        pressed = np.linspace(0, largest, 200)
+        axes.plot(pressed, np.cbrt(pressed), zorder=1, **HERTZ)
     axes.set_ylim(bottom=0)
     axes.set_xlabel(axis_label("load", x_unit))
     axes.set_ylabel(axis_label("contact_radius", y_unit) if len(radii) == 1 else
@@ -47,6 +53,8 @@ def draw_radii(results):
     if len(radii) > 1:
         words += [(f"${name}$", {"color": "0.4", "linestyle": dashes}) for name, dashes in zip(radii, ("-", DASHES[0]))]
     words.append(("unstable under a given load", {"color": "0.4", **UNSTABLE}))
+    if is_reduced:
+        words.append(("Hertz, $a^3 = P$", HERTZ))
     add_legend(figure, axes, [Line2D([], [], **style) for _, style in words], [word for word, _ in words])
     return figure
 
@@ -61,7 +69,8 @@ def draw_area_left(results):
 
 
 def draw_peeling(results):
-    """Tangential force, and friction area over that at rest, against tangential displacement; in sliding a thin line (J Fig. 9)."""
+    """Tangential force, and friction area over that at rest, against tangential displacement, and the area against the force (J Fig. 9);
+    in sliding, and in the drop at its onset, a thin line."""
     along = results.axis_names.index("tangential_displacement")
     displacement = results.axes[along].values
     area = results.fields["friction_area"].values
@@ -70,7 +79,7 @@ def draw_peeling(results):
     # the force that is applied and that of sliding have other names in files of models
     applied, sliding = ("tangential_force", "friction_force") if "tangential_force" in results.fields else ("friction_force", "sliding_force")
     names = [applied, "relative_area"]
-    figure = draw_panels(results, "tangential_displacement", names)
+    figure = draw_panels(results, "tangential_displacement", [*names, "relative_area"])
     force, strength = results.fields.get(sliding), results.constants.get("shear_strength")
     slides = {}
     if force:
@@ -89,7 +98,30 @@ def draw_peeling(results):
                 panel.plot(np.array([last, last, displacement.max()]) * x_factor,
                            np.array([known[displacement == last][0], np.nanmax(level), np.nanmax(level)]) * factor,
                            **{**curve.style, **UNSTABLE, "linestyle": DASHES[0]})
+    _draw_area_of_force(figure.axes[2], results, along, applied, slides)
     return figure
+
+
+def _draw_area_of_force(panel, results, along, applied, slides):
+    """Friction area over that at rest against tangential force, up to the onset of sliding, and the drop there."""
+    panel.clear()
+    force = results.fields[applied]
+    factor, unit = scale_of(force.values, force.unit)
+    for curve in find_curves(results, "tangential_displacement"):
+        x, y = (np.moveaxis(results.fields[name].values, along, -1)[curve.index] for name in (applied, "relative_area"))
+        panel.plot(x * factor, y, **curve.style)
+        known = np.flatnonzero(np.isfinite(x))
+        if not slides or not known.size:
+            continue
+        ends = [np.moveaxis(slides[name], along, -1)[curve.index] for name in (applied, "relative_area")] if len(slides) > 1 else []
+        if ends and all(np.isfinite(values).any() for values in ends):
+            last = known[-1]
+            panel.plot(np.array([x[last], np.nanmax(ends[0])]) * factor, [y[last], np.nanmax(ends[1])],
+                       **{**curve.style, **UNSTABLE, "linestyle": DASHES[0], "marker": "o", "markersize": 3, "markevery": [1]})
+    panel.set_xlim(left=0)
+    panel.set_ylim(bottom=0)
+    panel.set_xlabel(axis_label(applied, unit))
+    panel.set_ylabel(axis_label("relative_area", ""))
 
 
 def draw_stick_radius(results):

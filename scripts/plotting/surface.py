@@ -22,7 +22,8 @@ def draw_stresses(results):
     points = choose_points(results)
     x = results.profile_axes[0]
     x_factor, x_unit = scale_of(x.values, x.unit)
-    names = [name for name in ("pressure", "shear_stress") if name in results.profiles]
+    names = [name for name in ("pressure", "shear_stress")
+             if name in results.profiles and np.isfinite(results.profiles[name].values).any()]
     factor, unit = scale_of([np.nanmax(np.abs(results.profiles[name].values), initial=0.0) for name in names],
                             results.profiles["pressure"].unit)
     figure, panels = make_panels(len(points), (3.4, 2.9), shared=True)

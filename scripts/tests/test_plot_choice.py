@@ -249,6 +249,10 @@ class PlotChoiceTest(PlotCase):
                 file["status"].attrs["coordinates"] = "shear_strength"
             figure = figures.sphere.draw_peeling(Results(self.file))
             self.assertEqual(figure.axes[1].lines[-1].get_ydata()[-1], expected * 6.0 / 3.0 / 4.0)
+            # the drop at the onset of sliding, against the force
+            drop = figure.axes[2].lines[-1]
+            np.testing.assert_array_equal(drop.get_xdata(), [5.0, 6.0])
+            np.testing.assert_array_equal(drop.get_ydata(), [0.75, expected * 6.0 / 3.0 / 4.0])
 
     def test_force_and_stick_radius(self):
         make_file(self.file, [("tangential_force", [0.1, 0.2, 0.3])], model="sphere")
