@@ -24,7 +24,6 @@ PARTS = ("**Question.**", "scripts/", "](../gallery/", "## The input", "## Where
 FIGURE = re.compile(r"^!\[[^]]+\]\(([^)]+\.png)\)$", re.MULTILINE)
 
 
-
 def digits(value, count=3):
     """A number as the pages print it."""
     return f"{float(f'{value:.{count - 1}e}'):g}"
