@@ -13,8 +13,9 @@ BAN_LIST = "## Words that are not used"
 WRITTEN = ("CHANGELOG.md", "docs/gallery.md", "docs/reference/variables.md")
 # What the blocks of a document are in.
 LANGUAGES = {"sh", "fortran", "python", "cmake", "c", "text", "math", "diff"}
-ABBREVIATIONS = (r"\b(?:[A-Z]|Figs?|Eqs?|Refs?|Sect?|Chap|No|pp?|vol|cf|vs|al|e\.g|i\.e|approx|Int|Eng|Sci|Mater|Res|Phys|Proc|Soc|Lett|Appl|Mech|Rev"
-                 r"|Trans)")
+# Letters of names stand two or more together, as in J. C. Hay; a single one, as in "the load P.", ends a sentence.
+ABBREVIATIONS = (r"\b(?:[A-Z](?=\.\s[A-Z]\.)|(?<=\b[A-Z]\.\s)[A-Z]|Figs?|Eqs?|Refs?|Sect?|Chap|No|pp?|vol|cf|vs|al|e\.g|i\.e"
+                 r"|approx|Int|Eng|Sci|Mater|Res|Phys|Proc|Soc|Lett|Appl|Mech|Rev|Trans)")
 SENTENCE_END = re.compile(rf"(?<!\.\.)[.!?][\"')\]*_]*(?=\s|$)")
 FENCE = re.compile(r"\s*(```+|~~~+)(\w*)")
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
