@@ -7,7 +7,7 @@ from pathlib import Path
 # Documents that belong to the site, as patterns of files.
 DOCUMENTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "docs/*/*.md", "bench/README.md")
 INLINE = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\])*\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)")
-DEFINED = re.compile(r"^\[[^\]]+\]:\s*<?(\S+?)>?\s*$")
+DEFINED = re.compile(r"^\[[^\]]+\]:\s*<?(\S+?)>?\s*$", re.MULTILINE)
 HTML = re.compile(r"<(?:a|img)\s[^>]*?\b(?:href|src)=\"([^\"]+)\"")
 HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$")
 
@@ -31,13 +31,28 @@ def lines_of(path):
             yield number, line
 
 
-def links_of(path):
-    """The links of a document with the numbers of their lines; what stands between backticks is no link."""
+def paragraphs_of(path):
+    """The lines of a document with their numbers, in stretches without an empty line: a link may go on in the next line."""
+    paragraph = []
     for number, line in lines_of(path):
-        words = re.sub(r"(`+)(?!`).*?(?<!`)\1(?!`)", "`", line)
+        if paragraph and (not line.strip() or number != paragraph[-1][0] + 1):
+            yield paragraph
+            paragraph = []
+        if line.strip():
+            paragraph.append((number, line))
+    if paragraph:
+        yield paragraph
+
+
+def links_of(path):
+    """The links of a document with the numbers of the lines where they begin; what stands between backticks is no link."""
+    for paragraph in paragraphs_of(path):
+        text = "\n".join(line for _, line in paragraph)
+        # line breaks stay, so that lines can be counted
+        words = re.sub(r"(`+)(?!`).*?(?<!`)\1(?!`)", lambda span: "`" + "\n" * span[0].count("\n"), text, flags=re.DOTALL)
         for pattern in (INLINE, DEFINED, HTML):
             for match in pattern.finditer(words):
-                yield number, match[1]
+                yield paragraph[words.count("\n", 0, match.start())][0], match[1]
 
 
 def is_inside(link):

@@ -23,7 +23,7 @@ COMMANDS = {"scripts/make_force_map": [PLAIN, ROOT / "scripts/make_force_map.py"
 # what a run leaves in its folder, and where it stands in the documents
 SHOWN = {"force_map.png": "curves.png", "maps.png": "maps.png"}
 WIDTH, COLOURS = 760, 128
-BLOCK = re.compile(r"(?:^    (?P<command>\S.*)\n|^```python\n(?P<code>(?:.*\n)*?)```\n)(?:\n```text\n(?P<text>(?:.*\n)*?)```\n)?", re.MULTILINE)
+BLOCK = re.compile(r"(?:^```sh\n(?P<command>\S.*)\n```\n|^```python\n(?P<code>(?:.*\n)*?)```\n)(?:\n```text\n(?P<text>(?:.*\n)*?)```\n)?", re.MULTILINE)
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 # lines that tell of the machine
 OF_THE_RUN = re.compile(r"^time .*\n", re.MULTILINE)

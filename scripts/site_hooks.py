@@ -1,10 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What MkDocs does otherwise for the site: an asterisk behind a word, as in `stress p* of`, begins no emphasis; links name files."""
+"""What MkDocs does otherwise for the site: an asterisk behind a word, as in `stress p* of`, begins no emphasis; links name files; formulas
+are set as formulas."""
 
 import re
+import sys
+from pathlib import Path
 
 from markdown.extensions import Extension
 from markdown.inlinepatterns import AsteriskProcessor
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from site_formulas import FormulaExtension  # noqa: E402
 
 
 class EmphasisProcessor(AsteriskProcessor):
@@ -23,7 +30,7 @@ class EmphasisExtension(Extension):
 
 def on_config(config):
     """Called by MkDocs before it reads the documents."""
-    config.markdown_extensions.append(EmphasisExtension())
+    config.markdown_extensions.extend([EmphasisExtension(), FormulaExtension()])
     return config
 
 

@@ -14,7 +14,6 @@ from pathlib import Path
 
 import mkdocs
 import yaml
-from pygments.formatters import HtmlFormatter
 
 from document_links import documents_of, faults_of, is_inside, links_of
 from site_areas import AREAS, missing_in_areas
@@ -23,14 +22,26 @@ ROOT = Path(__file__).resolve().parents[1]
 # The modules that a program of somebody else uses.
 PUBLIC_MODULES = ("adfric_api", "adfric_contact_sphere", "adfric_contact_strip", "adfric_contact_periodic")
 STYLE = """
-.wy-nav-content { max-width: 75em; }
-.rst-content pre code { font-size: 85%; line-height: 1.4; }
-.rst-content table { margin-bottom: 24px; }
-.rst-content table td, .rst-content table th { padding: 4px 8px !important; white-space: normal !important; }
-.rst-content table td, .rst-content table th { vertical-align: top !important; }
-.rst-content table th:empty { padding: 0 !important; border: 0; }
-.rst-content img { max-width: 100%; }
+.md-grid { max-width: 80rem; }
+.md-typeset pre > code { font-size: 0.8em; line-height: 1.4; }
+.md-typeset table:not([class]) td, .md-typeset table:not([class]) th { padding: 0.4em 0.7em; vertical-align: top; min-width: 0; }
+.md-typeset table:not([class]) th:empty { padding: 0; border: 0; }
+.md-typeset img { max-width: 100%; background: white; }
+#gallery-filter { width: 24em; max-width: 70%; padding: 0.4em 0.7em; border: 1px solid; border-radius: 0.2em; color: inherit; }
+#gallery-count { margin-left: 1em; font-size: 0.8em; }
+.md-typeset .formula { margin: 1em 0; overflow-x: auto; }
+.md-typeset math { font-size: 1.1em; font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "STIX Math", STIXMath, "DejaVu Math TeX Gyre", math; }
 """
+# Light or dark: what the system asks for first, then what the reader clicks.
+PALETTE = [
+    {"media": "(prefers-color-scheme: light)", "scheme": "default", "primary": "indigo",
+     "toggle": {"icon": "material/weather-night", "name": "Dark"}},
+    {"media": "(prefers-color-scheme: dark)", "scheme": "slate", "primary": "indigo",
+     "toggle": {"icon": "material/weather-sunny", "name": "Light"}},
+]
+THEME = {"name": "material", "font": False, "palette": PALETTE, "icon": {"logo": "material/ruler"},
+         "features": ["navigation.tabs", "navigation.sections", "navigation.top", "navigation.footer", "search.suggest", "search.highlight",
+                      "content.code.copy", "toc.follow"]}
 
 
 def copy_documents(folder):
@@ -95,13 +106,14 @@ def keep_inside(folder):
 def write_pages(pages, folder, work):
     """Write the pages of the documents, below the areas; what is not there yet is left out."""
     nav = [{area: [{title: file} for title, file in files.items() if (pages / file).exists()]} for area, files in AREAS.items()]
-    (pages / "style.css").write_text(HtmlFormatter(style="friendly").get_style_defs(".codehilite") + STYLE)
+    (pages / "style.css").write_text(STYLE)
+    shutil.copyfile(ROOT / "scripts/site_gallery.js", pages / "gallery.js")
     settings = work / "mkdocs.yml"
     settings.write_text(yaml.safe_dump({
         "site_name": "adfric", "docs_dir": str(pages), "site_dir": str(folder), "use_directory_urls": False, "nav": nav,
-        "theme": {"name": "readthedocs", "highlightjs": False, "navigation_depth": 3, "include_homepage_in_sidebar": False},
-        "plugins": ["search"], "hooks": [str(ROOT / "scripts/site_hooks.py")], "extra_css": ["style.css"],
-        "markdown_extensions": [{"codehilite": {"guess_lang": False}}, {"toc": {"permalink": False}}],
+        "theme": THEME,
+        "plugins": ["search"], "hooks": [str(ROOT / "scripts/site_hooks.py")], "extra_css": ["style.css"], "extra_javascript": ["gallery.js"],
+        "markdown_extensions": [{"codehilite": {"guess_lang": False, "css_class": "highlight"}}, {"toc": {"permalink": False}}],
         "validation": {"omitted_files": "warn", "absolute_links": "warn", "unrecognized_links": "warn", "anchors": "warn"},
     }, sort_keys=False))
     run("mkdocs", "build", "--strict", "--quiet", "--clean", "--config-file", str(settings))

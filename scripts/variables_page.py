@@ -13,8 +13,8 @@ ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs/reference/variables.md"
 HEAD = """# Variables of scenes
 
-Every variable of [the language of scenes](language.md), as `adfric help scenes` prints it. `adfric help NAME` says what is allowed,
-and what each solver takes where nothing is given. `scripts/variables_page.py` writes this page.
+Every variable of [the language of scenes](language.md), as `adfric help scenes` prints it. `adfric help NAME` says
+what is allowed, and what each solver takes where nothing is given. `scripts/variables_page.py` writes this page.
 """
 # groups, names with their units, and their words
 GROUP = re.compile(r"&(\w+)$")

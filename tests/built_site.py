@@ -21,11 +21,14 @@ if Path(sys.executable) != PYTHON:
 
 sys.path.insert(0, str(ROOT / "scripts"))
 
+import json
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
 from collections import Counter
+from copy import copy
 from urllib.parse import unquote
 
 from bs4 import BeautifulSoup
@@ -33,6 +36,7 @@ from markdown_it import MarkdownIt
 
 from document_links import documents_of, is_inside
 from site_areas import AREAS
+from site_formulas import DISPLAY, INLINE, FormulaError, mathml_of
 from site_pages import PUBLIC_MODULES, source_of
 
 # Parts of a page that have a meaning of their own; paragraphs of lists are no such part.
@@ -42,6 +46,37 @@ PARTS = ("h1", "h2", "h3", "h4", "ul", "ol", "li", "table", "tr", "th", "td", "p
 def page_of(file):
     """The page of a document, below the folder of the site."""
     return "index.html" if file == "README.md" else re.sub(r"\.md$", ".html", file.replace("README.md", "index.md"))
+
+
+def with_words(text):
+    """A document with a word in the place of each formula, and the formulas by these words; code has none."""
+    formulas, parts = {}, re.split(r"(^ *```.*?^ *```|`[^`\n]*`)", text, flags=re.MULTILINE | re.DOTALL)
+
+    def put(found):
+        word = f"formula{len(formulas)}x"
+        formulas[word] = " ".join(found.groups()[-1].split())
+        return (found[1] if found.re is DISPLAY else "") + word
+
+    return "".join(part if number % 2 else re.sub(INLINE, put, DISPLAY.sub(put, part)) for number, part in enumerate(parts)), formulas
+
+
+class Formulas(unittest.TestCase):
+    """Formulas by themselves."""
+
+    def test_set(self):
+        """A formula becomes MathML that keeps its source; what cannot be set is said."""
+        page = BeautifulSoup(mathml_of("\\frac{a}{b}\n < c"), "html.parser").math
+        self.assertEqual(("\\frac{a}{b} < c", "inline", ["a", "b", "c"]), (page["alttext"], page["display"], [part.get_text() for part in page.find_all("mi")]))
+        self.assertEqual("block", BeautifulSoup(mathml_of("a", is_display=True), "html.parser").math["display"])
+        for formula in ("\\nosuchthing{a}", "{a"):
+            with self.assertRaises(FormulaError, msg=formula):
+                mathml_of(formula)
+
+    def test_found(self):
+        """What is a formula in a line, and what is not."""
+        for text, expected in (("a $b$ c", ["b"]), ("($b_1$, $c$)", ["b_1", "c"]), ("$a$b or 7$", []), ("costs $5 and $6", []), ("a \\$b$ c", []),
+                               ("$ a$ $b $", [])):
+            self.assertEqual(expected, [found[1] for found in re.finditer(INLINE, text)], text)
 
 
 class Site(unittest.TestCase):
@@ -63,10 +98,29 @@ class Site(unittest.TestCase):
         for path in documents_of(ROOT):
             file = path.relative_to(ROOT).as_posix()
             with self.subTest(file):
-                expected = BeautifulSoup(reader.render(path.read_text()), "html.parser")
-                found = self.pages[self.folder / page_of(file)].find(attrs={"itemprop": "articleBody"})
-                self.assertEqual("".join(expected.get_text().split()), "".join(found.get_text().split()))
+                text, formulas = with_words(path.read_text())
+                expected = BeautifulSoup(reader.render(text), "html.parser")
+                found = copy(self.pages[self.folder / page_of(file)].find("article"))
+                for part in found.find_all("nav"):
+                    part.decompose()
+                words = "".join(expected.get_text().split())
+                for word, formula in formulas.items():
+                    words = words.replace(word, f"${formula}$".replace(" ", ""))
+                for part in found.find_all("math"):
+                    part.replace_with(f"${part['alttext']}$")
+                self.assertEqual(words, "".join(found.get_text().split()))
                 self.assertEqual(*(Counter(part.name for part in page.find_all(PARTS)) for page in (expected, found)))
+
+    def test_formulas(self):
+        """No dollar of a formula remains on a page, and there are formulas."""
+        count = 0
+        for path in documents_of(ROOT):
+            page = copy(self.pages[self.folder / page_of(path.relative_to(ROOT).as_posix())].find("article"))
+            count += len(page.find_all("math"))
+            for part in page.find_all(["math", "code", "pre"]):
+                part.decompose()
+            self.assertNotRegex(page.get_text(), r"\$[^$]+\$", path.name)
+        self.assertGreater(count, 10)
 
     def test_links(self):
         """Links and pictures lead to files and places that are there."""
@@ -96,11 +150,47 @@ class Site(unittest.TestCase):
                 self.assertTrue(is_inside(link) or part.get("rel") == ["canonical"], f"{path.relative_to(self.folder)}: {link}")
 
     def test_menu(self):
-        """Every page of the areas can be chosen on the first page."""
-        menu = self.pages[self.folder / "index.html"].find("nav")
-        links = {link["href"].partition("#")[0] or "index.html" for link in menu.find_all("a", href=True)}
+        """Every page of the areas can be chosen on the first page, and the areas stand above it."""
+        page = self.pages[self.folder / "index.html"]
+        links = {link["href"].partition("#")[0] or "index.html" for menu in page.find_all("nav") for link in menu.find_all("a", href=True)}
         there = {page_of(file) for pages in AREAS.values() for file in pages.values()}
         self.assertEqual(set(), there - links)
+        tabs = [" ".join(tab.get_text().split()) for tab in page.find(class_="md-tabs").find_all("a")]
+        self.assertEqual(list(AREAS), tabs)
+
+    def test_dark(self):
+        """Each page of the documents can be dark."""
+        for path in documents_of(ROOT):
+            page = self.pages[self.folder / page_of(path.relative_to(ROOT).as_posix())]
+            schemes = [choice["data-md-color-scheme"] for choice in page.find_all("input", attrs={"data-md-color-scheme": True})]
+            self.assertEqual(["default", "slate"], schemes, path.name)
+
+    def test_search(self):
+        """The search has every page of the documents and what stands there; what searches is a file of the site."""
+        index = json.loads((self.folder / "search/search_index.json").read_text())
+        found = {entry["location"].partition("#")[0] or "index.html" for entry in index["docs"]}
+        self.assertEqual(set(), {page_of(path.relative_to(ROOT).as_posix()) for path in documents_of(ROOT)} - found)
+        self.assertTrue(any("glossary.html" in entry["location"] and "pull-off" in entry["text"] for entry in index["docs"]))
+        worker = json.loads(self.pages[self.folder / "index.html"].find("script", id="__config").string)["search"]
+        self.assertTrue((self.folder / worker).is_file(), worker)
+
+    def test_gallery(self):
+        """The filter of the gallery leaves the figures that have its words, as a browser shows them."""
+        browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+        if not browser:
+            self.skipTest("there is no Chromium")
+        shown, everything = {}, len(self.pages[self.folder / "docs/gallery.html"].find("article").find_all("h3"))
+        for words in ("", "johnson+fig.+5", "no-such-word"):
+            done = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", f"--user-data-dir={self.folder.parent}/browser",
+                                   f"file://{self.folder}/docs/gallery.html?filter={words}"], capture_output=True, text=True, timeout=120, check=True)
+            page = BeautifulSoup(done.stdout, "html.parser")
+            shown[words] = [part.get_text() for part in page.find("article").find_all("h3") if not part.has_attr("hidden")]
+            self.assertEqual(f"{len(shown[words])} figures", page.find(id="gallery-count").get_text())
+        self.assertGreater(everything, 50)
+        self.assertEqual(everything, len(shown[""]))
+        self.assertTrue(any("Johnson 1997, Fig. 5" in heading for heading in shown["johnson+fig.+5"]))
+        self.assertLess(len(shown["johnson+fig.+5"]), everything // 4)
+        self.assertEqual([], shown["no-such-word"])
 
     def fortran_pages(self, module):
         """The words of the page of a module, and of those of its types, with single spaces."""

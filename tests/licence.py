@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[1]
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 FOLDERS = (".ci", ".github", "bench", "cmake", "docs", "drivers", "examples", "include", "python", "scripts", "src", "tests")
 # How a line of a comment is written, by the end of the file's name; a template has the end before `.in`.
-COMMENTS = {**dict.fromkeys((".f90", ".F90", ".pf"), "! {}"), **dict.fromkeys((".c", ".cpp", ".h"), "/* {} */"), ".1": '.\\" {}',
+COMMENTS = {**dict.fromkeys((".f90", ".F90", ".pf"), "! {}"), **dict.fromkeys((".c", ".cpp", ".h"), "/* {} */"), ".js": "// {}", ".1": '.\\" {}',
             **dict.fromkeys((".py", ".pyi", ".cmake", ".pc", ".sh", ".bash", ".supp", ".toml", ".yml"), "# {}")}
 
 

@@ -46,6 +46,12 @@ class Links(unittest.TestCase):
         self.assertEqual([], faults_of(root))
         self.assertEqual({"a-b"}, anchors_of(root / "README.md"))
 
+    def test_broken(self):
+        """A link that goes on in the next line is one, and its line is the first; an empty line ends it, as code does."""
+        root = self.write("# A\n\ntext [a\nb](docs/no.md) [c](docs/other.md),\n`[d\ne](no.md)` [f](docs/gone.md)\n\n[g\n\nh](no.md)\n\n[i\n```\n```\nj](no.md)\n")
+        self.assertEqual(["README.md:3: docs/no.md: there is no docs/no.md", "README.md:6: docs/gone.md: there is no docs/gone.md",
+                          "README.md:4: there is no docs/no.md", "README.md:6: there is no docs/gone.md"], faults_of(root))
+
     def test_wrong(self):
         """A file, a heading, a picture and a document that are not there, and a place out of the project."""
         root = self.write("# A\n[a](docs/no.md) and [b](#b)\n[c](docs/other.md#no) ![d](docs/no.png)\n"

@@ -23,7 +23,7 @@ PART_SECONDS = 1.5
 def recipe():
     """The lines that the document has, for fewer parts."""
     text = (SOURCE / "docs/guide/clusters.md").read_text().split("## GNU parallel")[1]
-    lines = re.search(r"(?:    .*\n)+", text).group()
+    lines = re.search(r"^```sh\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)[1]
     return lines.replace("seq 16", f"seq {N_PARTS}").replace("/16", f"/{N_PARTS}").replace("-0016", f"-{N_PARTS:04}") \
         .replace("--jobs 8", "--jobs 2")
 

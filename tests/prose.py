@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The documents can be read: sentences and lines are short, words mean one thing, and every block says what it is in.
+
+What is counted stands in scripts/document_prose.py; the words that are not used stand in docs/reference/glossary.md. Whether commands run
+is for program/readme.py, whether inputs are solved for program/guide.py.
+"""
+
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+from document_links import documents_of  # noqa: E402
+from document_prose import (GLOSSARY, WRITTEN, banned_words, faults_of_blocks, faults_of_formulas, faults_of_lines,  # noqa: E402
+                            faults_of_prose, faults_of_sentences, faults_of_words, prose_of)
+
+# Pages that are not yet written for readers. A page leaves this list for good once it has no fault.
+NOT_YET = ()
+BANNED = {"way": ("path", ["half way", "in the same way"]), "room": ("workspace", ["room temperature"])}
+
+
+class Prose(unittest.TestCase):
+    """The documents as they are, and texts with faults."""
+
+    def test_documents(self):
+        """A page for readers has no fault."""
+        banned = banned_words((ROOT / GLOSSARY).read_text())
+        pages = [path for path in documents_of(ROOT) if path.relative_to(ROOT).as_posix() not in (*WRITTEN, *NOT_YET)]
+        faults = [f"{path.relative_to(ROOT).as_posix()}:{fault}" for path in pages for fault in faults_of_prose(path.read_text(), banned)]
+        self.assertEqual([], faults, "\n" + "\n".join(faults))
+        self.assertGreater(len(pages), 20)
+        self.assertGreater(sum(1 for path in pages for _ in prose_of(path.read_text())), 500)
+
+    def test_not_yet(self):
+        """A page that has become readable, or is gone, leaves the list."""
+        banned = banned_words((ROOT / GLOSSARY).read_text())
+        self.assertEqual([], [name for name in NOT_YET if not (ROOT / name).exists() or not faults_of_prose((ROOT / name).read_text(), banned)])
+
+    def test_ban_list(self):
+        """The glossary has the list, and every word has another in its place."""
+        banned = banned_words((ROOT / GLOSSARY).read_text())
+        self.assertLessEqual({"way", "place", "held", "room", "march", "left"}, set(banned))
+        self.assertTrue(all(instead for instead, _ in banned.values()))
+        self.assertEqual({"way": ("path", ["half way", "by the way"])}, banned_words(
+            "# Words\n\n## Words that are not used\n\nText.\n\n| not | but | usual |\n| --- | --- | --- |\n| way | path | half way, by the way |\n\nMore | a | b |\n"))
+        self.assertEqual({}, banned_words("# Words\n"))
+
+    def test_sentences(self):
+        """A sentence has at most 25 words, in a paragraph, an item, a quotation and a cell; 17 are the mean of a page."""
+        right, wrong = " ".join(["word"] * 25), " ".join(["word"] * 26)
+        short = "One word. " * 30
+        fault = "a sentence of 26 words: word word word word word word ..."
+        self.assertEqual([], faults_of_sentences(f"# {wrong}\n\n{right}. {right}! {short}"))
+        self.assertEqual([f"3: {fault}"], faults_of_sentences(f"# A\n\n{short}\n{wrong}.\n"))
+        self.assertEqual([f"3: {fault}"], faults_of_sentences(f"{short}\n- a\n- {wrong}\n"))
+        self.assertEqual([f"3: {fault}"], faults_of_sentences(f"{short}\n\n> {wrong}\n"))
+        self.assertEqual([f"4: {fault}"], faults_of_sentences(f"{short}\n\n| a | b |\n| {right} | {wrong} |\n"))
+        self.assertEqual(["1: sentences have 18.0 words on average"], faults_of_sentences(" ".join(["word"] * 18) + "."))
+        self.assertEqual([], faults_of_sentences(" ".join(["word"] * 17) + "."))
+
+    def test_words_of_sentences(self):
+        """Lines are joined; code, formulas, links, initials and sources are what a reader takes them for."""
+        for text, count in (("a\nb c.", [3]), ("a `b c. d` e.", [3]), ("a $b + c.\\ d$ e.", [3]), ("[a b](c.md) d. E", [3, 1]),
+                            ("See Fig. 3 of J. C. Hay (J. C. Hay, J. Mater. Res. 14 (1999) 2296). Next.", [7, 1]),
+                            ("It is 1.5 m - or 2.5. A b.", [6, 2]), ("**Ab.** C d.", [1, 2]), ("a load P. The next", [3, 2]), ("Ab?  C! \"De.\" F", [1, 1, 1, 1])):
+            self.assertEqual(count, [len(words) for _, words in prose_of(text)], text)
+        self.assertEqual([], list(prose_of("# A b\n\n```sh\na b\n```\n\n$$\na b\n$$\n\n| a | b |\n\n<!-- a b -->\n")))
+
+    def test_lines(self):
+        """A line has at most 120 characters but for tables, code, formulas and links alone."""
+        long = "a" * 121
+        self.assertEqual(["2: a line of 121 characters", "3: a line of 123 characters"], faults_of_lines(f"{long[1:]}\n{long}\n- {long}\n"))
+        link = f"[a](https://example.org/{long})"
+        self.assertEqual([], faults_of_lines(f"| {long} |\n\n```sh\n{long}\n```\n\n$$\n{long}\n$$\n\n{link}\n\n- {link}.\n\n!{link}\n"))
+        self.assertEqual(["1: a line of 150 characters"], faults_of_lines(f"and {link}"))
+
+    def test_blocks(self):
+        """Blocks say what they are in, commands stand alone, and formulas have no thin spaces."""
+        self.assertEqual([], faults_of_blocks("a\n\n```sh\nadfric run a.nml      # solves it\n```\n\n- a\n  b\n\n```text\na     b\n```\n"))
+        self.assertEqual(["3: a block that does not say what it is in", "6: a block in ''", "9: a block in 'fortan'"],
+                         faults_of_blocks("a\n\n    adfric run\n    adfric\n\n```\na\n```\n```fortan\na\n```\n"))
+        self.assertEqual(["3: words behind a command"], faults_of_blocks("```sh\nadfric check a.nml\nadfric run a.nml      solves it\n```\n"))
+        self.assertEqual(["2: \\, in a formula"], faults_of_formulas("$a b$\n$a\\,b$\n"))
+
+    def test_banned(self):
+        """A word of the list is found in prose, headings and tables, not in code, and not in its usual phrases."""
+        self.assertEqual([], faults_of_words("Half\nway there, in the same way, always `way`.\n\n```sh\nroom\n```\n", BANNED))
+        self.assertEqual(["1: 'way', better path", "4: 'ways', better path", "6: 'room', better workspace", "8: 'way', better path"], faults_of_words(
+            "# A Way\n\nRoom temperature\ngoes two ways.\n\n| room | `room` |\n\n[a way](way.md)\n", BANNED))
+
+
+if __name__ == "__main__":
+    unittest.main()
