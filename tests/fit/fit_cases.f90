@@ -7,7 +7,7 @@ module fit_cases
    use adfric_round_model, only: indenter_model_t, new_indenter_model
    use adfric_describe_model, only: model_t
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_round_sphere_variables, only: sphere_input, out => sphere_output
+   use adfric_round_sphere_variables, only: units_si, state_sliding, sphere_input, out => sphere_output
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
    use reference_table, only: table_t, read_table
    implicit none (type, external)
@@ -40,8 +40,8 @@ contains
       real(dp), allocatable, intent(out) :: values(:)
 
       values = models%sphere%variables%default
-      values(v_units) = units_si
-      values(v_state) = state_sliding
+      values(sphere_input%units) = units_si
+      values(sphere_input%state) = state_sliding
    end subroutine new_sphere_values
 
    !> The fit of a reference set, and the table of its answers.
@@ -71,7 +71,7 @@ contains
       else
          fit%model => models%sphere
          call new_sphere_values(models, fit%base)
-         fit%base(v_theory) = theory_position(models, theory_of(answers, number))
+         fit%base(sphere_input%theory) = theory_position(models, theory_of(answers, number))
       end if
       allocate (fit%frees(0), fit%data_sets(0), fit%events(0), fit%theories(0))
       allocate (fit%levels, source=[0.6827_dp, 0.95_dp])
@@ -111,7 +111,7 @@ contains
       character(*), intent(in) :: name
       character(:), allocatable :: choices
 
-      choices = models%sphere%variables(v_theory)%choices
+      choices = models%sphere%variables(sphere_input%theory)%choices
       choices = choices(:index(choices//' ', name//' ') - 1)
       position = 1 + count([(choices(position:position) == ' ', position=1, len(choices))])
    end function theory_position
@@ -314,7 +314,7 @@ contains
          data%ordinate = 3
       case ('force_distance')
          call take_columns(table, 'position', 'load', has_sigma, .false., data)
-         data%abscissa = v_approach
+         data%abscissa = sphere_input%approach
          data%ordinate = out%load
       case ('area')
          call take_columns(table, 'load', 'contact_area', has_sigma, .false., data)

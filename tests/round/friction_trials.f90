@@ -6,7 +6,8 @@ module friction_trials
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
-   use adfric_round_sphere_peeling, only: peeling_friction_t, friction_state_t, friction_events_t, find_static_state, find_friction_events
+   use adfric_round_sphere_peeling, only: peeling_friction_t, friction_state_t, friction_events_t, find_static_state, &
+      & find_friction_events
    implicit none (type, external)
    private
    public :: trial_t, events_of, label_of, get_trial, load_trial
