@@ -136,6 +136,14 @@ int adfric_read(const char *path, adfric_case *opened);
 /** The same of the text of an input. Names of files in it are seen from the current folder. */
 int adfric_read_text(const char *text, adfric_case *opened);
 
+/** Open a scene as the text of an input describes it, some of whose variables get their values later: by adfric_set_array in place
+    of the name of a dataset, by adfric_sweep, or by adfric_set_real and the like. The solver is chosen as if they had values, and
+    adfric_check and adfric_solve check all values together.
+    @param text     the input, with the groups of a scene
+    @param n_names  number of variables that get their values later, >= 0
+    @param names    their names, such as "surface%heights" or "load"; may be NULL where there are none */
+int adfric_open_scene(const char *text, int32_t n_names, const char *const *names, adfric_case *opened);
+
 /** A table of measured numbers that a fit takes in place of a file. */
 typedef struct {
    const char *name;           /**< what the input calls it: &data file = 'NAME' */
@@ -198,6 +206,14 @@ int adfric_model_of(adfric_case self, const char **model);
 
 /** The scene of a case in words, where its input describes one; empty for a case of a model. */
 int adfric_scene_of(adfric_case self, const char **scene);
+
+/** A variable of a case by its name, or "group%name" where several groups have one; that of a scene has the name and the group that
+    scenes have. */
+int adfric_variable_of(adfric_case self, const char *name, adfric_variable_info *variable);
+
+/** A variable, a result, a profile or an axis of the profiles of a case by its name. Where the unit depends on values, it is that of
+    the case if they are complete, else that of the table. */
+int adfric_describe(adfric_case self, const char *name, adfric_result_info *described);
 
 /** Number of points of a case; 1 where nothing is swept. */
 int adfric_point_count(adfric_case self, int64_t *n);
