@@ -3,7 +3,7 @@
 module adfric_c_scenes
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_int32_t, c_int64_t, c_ptr
    use adfric_api_results, only: describe_name
-   use adfric_api_state, only: read_state, state_t
+   use adfric_api_state, only: read_state, case_state_t
    use adfric_api_values, only: error_of, find_index
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    use adfric_base_problems, only: problems_t
@@ -31,7 +31,7 @@ contains
       type(c_ptr), intent(in), value :: names
       !> Receives the handle.
       type(c_ptr), intent(in), value :: opened
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(longest_name), allocatable :: later(:)
       character(:), allocatable :: input
@@ -63,7 +63,7 @@ contains
       type(c_ptr), intent(in), value :: name
       !> Receives what is known of it.
       type(c_ptr), intent(in), value :: variable
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(problems_t) :: problems
       type(variable_info_t), pointer :: info
@@ -99,7 +99,7 @@ contains
       type(c_ptr), intent(in), value :: name
       !> Receives what is known of it.
       type(c_ptr), intent(in), value :: described
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(result_info_t), pointer :: info
       type(result_info_t) :: found
