@@ -226,7 +226,9 @@ class Case:
             self.close()
 
     def __repr__(self):
-        return f"<adfric case of {self.model!r}>" if self._close.alive else "<adfric case, closed>"
+        if not self._close.alive:
+            return "<adfric case, closed>"
+        return f"<adfric case of {self.scene or self.model!r}>"
 
     def close(self):
         """Close the case; its results stay as they are. A case is closed once."""

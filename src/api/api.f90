@@ -93,9 +93,12 @@ contains
       character(*), intent(in) :: later(:)
       !> Says what is wrong with the input or the names, a line each.
       type(error_t), allocatable, intent(out) :: error
+      character(len(later)) :: names(size(later) + 1)
 
+      ! an array constructor without elements would not be present
+      names(:size(later)) = later
       !$omp critical (adfric_api)
-      call read_state(self%state, text, is_text=.true., error=error, later=later)
+      call read_state(self%state, text, is_text=.true., error=error, later=names(:size(later)))
       !$omp end critical (adfric_api)
    end subroutine open_scene
 

@@ -111,7 +111,7 @@ contains
       if (.not. allocated(error) .and. run%refinement%is_wanted()) call set_error(error, input_failure, &
          & '&refine: a simulation solves the points that it is given, allowed: adfric run')
       if (.not. allocated(error) .and. present(later) .and. run%variation%is_wanted()) call set_error(error, input_failure, &
-         & '&uncertain, &output derivatives: the values have to stand in the input, allowed: open_simulation or adfric run')
+         & '&uncertain or &output derivatives: a scene whose values come later has none, allowed: an input that has all values')
       if (.not. allocated(error)) call take_input(self, run)
    end subroutine read_state
 
