@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* adfric for C and C++ (docs/reference/library.md).
 
-   A case is a model whose variables are set by name. It is solved at any number of points, and what is found are results: arrays
-   with names, units and dimensions, which are those of the results file of the same run, value by value.
+   A case is a scene, as an input describes it, or a model by its name; its variables are set by name. It is solved at any number of
+   points, and what is found are results: arrays with names, units and dimensions, which are those of the results file of the same
+   run, value by value.
 
-       adfric_open, adfric_read ---> case ---adfric_set_..., adfric_sweep---> case ---adfric_solve---> case, and results
-                                      |                                                                          |
-                                      +---adfric_close_case                           adfric_close_results-------+
+       adfric_open_scene, adfric_read, ... ---> case ---adfric_set_..., adfric_sweep---> case ---adfric_solve---> case, and results
+                                                 |                                                                          |
+                                                 +---adfric_close_case                           adfric_close_results-------+
 
    Status. Every function but adfric_message and adfric_version gives back 0, or what went wrong; what it should have changed is
    as it was before then, and what it should have given is not touched, but for a dataset that is refused: it is not given any
@@ -211,8 +212,8 @@ int adfric_scene_of(adfric_case self, const char **scene);
     scenes have. */
 int adfric_variable_of(adfric_case self, const char *name, adfric_variable_info *variable);
 
-/** A variable, a result, a profile or an axis of the profiles of a case by its name. Where the unit depends on values, it is that of
-    the case if they are complete, else that of the table. */
+/** A variable, a result, a profile or an axis of the profiles of a case by its name. Where the unit depends on values, it is that
+    of the case if they are complete, else that of the table. */
 int adfric_describe(adfric_case self, const char *name, adfric_result_info *described);
 
 /** Number of points of a case; 1 where nothing is swept. */

@@ -80,7 +80,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       !> Tables of a fit that the caller has in memory, by their names.
       type(text_table_t), intent(in), optional :: tables(:)
-      !> Names of variables that the caller gives values afterwards, or `group%name`; if present, all values are checked together only then.
+      !> Names of variables that the caller gives values afterwards, or `group%name`; only then all values are checked together.
       character(*), intent(in), optional :: later(:)
       type(namelist_file_t) :: file
       type(run_input_t) :: run

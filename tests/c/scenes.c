@@ -162,7 +162,7 @@ static void test_refusals(void)
                  "&solid contact_modulos: ");
    CHECK_REFUSED(adfric_open_scene("&surface kind = 'cone', slope = 0.1 /\n&solid contact_modulus = 1 /\n&free variable = 'load' /\n", 0,
                                    NULL, &scene), "no fit");
-   CHECK_REFUSED(adfric_open_scene("&surface kind = 'heights' /\n&solid contact_modulus = 1 /\n&uncertain variable = 'mean_pressure',"
+   CHECK_REFUSED(adfric_open_scene("&surface kind = 'heights', length_x = 1 /\n&solid contact_modulus = 1 /\n&uncertain variable = 'length_x',"
                                    " relative_error = 0.1 /\n", 2, later, &scene), "&uncertain or &output derivatives");
    CHECK(scene == 42);
 }
