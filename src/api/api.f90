@@ -82,8 +82,8 @@ contains
       !$omp end critical (adfric_api)
    end subroutine open_simulation
 
-   !> Open a scene as the text of an input describes it. Some of its variables get their values afterwards, by `set` and `sweep`. The
-   !> solver is chosen as if they had values; `check` and `solve` check all values together.
+   !> Open a scene as the text of an input describes it. Some of its variables get their values afterwards, by `set` and `sweep`.
+   !> The solver is chosen as if they had values; `check` and `solve` check all values together.
    subroutine open_scene(self, text, later, error)
       !> Receives the simulation; closed if there is an error.
       type(simulation_t), intent(out) :: self
