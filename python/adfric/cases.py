@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A case: a model whose variables are set by name, and its solution."""
+"""A case: a scene or a model whose variables are set by name, and its solution."""
 
 import contextlib
 import ctypes
@@ -152,7 +152,8 @@ def run(path, *, output=None, force=False, threads=0, progress=None):
 
 
 class Case:
-    """A model whose variables are set by name, for those who solve it several times.
+    """A scene, or a model by its name, whose variables are set by name, for those who solve it several times. `adfric.scene` opens one
+    of a scene.
 
     >>> with adfric.Case("sphere") as tip:
     ...     tip.set(radius=1e-6, contact_modulus=1e9, work_of_adhesion=0.05, adhesion_stress=1e7)
