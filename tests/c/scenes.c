@@ -145,6 +145,41 @@ static void test_descriptions(void)
    CHECK_OK(adfric_close_case(model));
 }
 
+/* A fit of a scene: exact points of Hertz's contact give back the modulus, with the bits of the fit of the model. */
+static void test_fit(void)
+{
+   enum { n_rows = 20 };
+   const char *const data = "&data file = 'points', abscissa = 'approach', ordinate = 'load', sigma = 1e-12 /\n"
+                            "&free variable = 'contact_modulus' /\n";
+   const char *const known[] = {"&surface kind = 'paraboloid', radius = 1e-6 /\n&adhesion work_of_adhesion = 0, theory = 'hertz' /\n",
+                                "&job model = 'sphere' /\n&sphere radius = 1e-6, work_of_adhesion = 0 /\n&model theory = 'hertz' /\n"};
+   const char *const columns[] = {"approach", "load"};
+   double values[2*n_rows], found_modulus[2];
+   adfric_table table = {.name = "points", .columns = columns, .units = NULL, .values = values, .n = n_rows, .n_columns = 2};
+   for (int k = 0; k < n_rows; k++) {
+      values[k] = 0.5e-9*(k + 1);
+      values[n_rows + k] = 4.0/3*2e9*sqrt(1e-6)*pow(values[k], 1.5);
+   }
+   for (int k = 0; k < 2; k++) {
+      char text[400];
+      adfric_case fit = 0;
+      adfric_results found = 0;
+      adfric_array modulus;
+      const char *scene = NULL;
+      CHECK(snprintf(text, sizeof text, "%s%s", known[k], data) < (int)sizeof text);
+      CHECK_OK(adfric_read_fit(text, 1, &table, &fit));
+      CHECK_OK(adfric_scene_of(fit, &scene));
+      CHECK((strlen(scene) > 0) == (k == 0));
+      CHECK_OK(adfric_solve(fit, 1, NULL, NULL, &found));
+      CHECK_OK(adfric_array_of(found, "contact_modulus", &modulus));
+      found_modulus[k] = modulus.values[0];
+      CHECK_OK(adfric_close_results(found));
+      CHECK_OK(adfric_close_case(fit));
+   }
+   CHECK(is_close(found_modulus[0], 2e9, 1e-9));
+   CHECK(found_modulus[0] == found_modulus[1]);
+}
+
 /* Texts and names that are none. */
 static void test_refusals(void)
 {
@@ -173,6 +208,7 @@ int main(void)
    test_heights();
    test_choice();
    test_descriptions();
+   test_fit();
    test_refusals();
    return 0;
 }
