@@ -41,8 +41,12 @@ contains
       allocate (later(0))
       call refuse_null(opened, 'opened', error)
       if (.not. allocated(error)) call read_text(text, 'text', input, error)
-      if (.not. allocated(error) .and. (n_names < 0 .or. n_names > most_names)) call set_error(error, input_failure, &
-         & 'n_names: out of range, given '//show_count(int(n_names))//', allowed: 0 to '//show_count(most_names))
+      if (.not. allocated(error) .and. (n_names < 0 .or. n_names > most_names)) then
+         !$omp critical (adfric_api)
+         call set_error(error, input_failure, 'n_names: out of range, given '//show_count(int(n_names))//', allowed: 0 to '// &
+            & show_count(most_names))
+         !$omp end critical (adfric_api)
+      end if
       if (.not. allocated(error) .and. n_names > 0) call read_words(names, 'names', int(n_names), later, error)
       if (.not. allocated(error)) then
          allocate (state, stat=failure)

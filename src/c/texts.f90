@@ -74,7 +74,7 @@ contains
       end do
    end subroutine read_text
 
-   !> Read several texts.
+   !> Read several texts; not within `critical (adfric_api)`, where the message of a text that is too long is made.
    subroutine read_words(given, what, n, words, error)
       !> The texts.
       type(c_ptr), intent(in) :: given
@@ -96,9 +96,14 @@ contains
       allocate (words(n))
       do i = 1, n
          call read_text(list(i), what, word, error)
-         if (.not. allocated(error) .and. len(word) > longest_name) call set_error(error, input_failure, what// &
-            & ': number '//show_count(i)//' is too long, allowed: at most '//show_count(longest_name)//' letters')
          if (allocated(error)) return
+         if (len(word) > longest_name) then
+            !$omp critical (adfric_api)
+            call set_error(error, input_failure, what//': number '//show_count(i)//' is too long, allowed: at most '// &
+               & show_count(longest_name)//' letters')
+            !$omp end critical (adfric_api)
+            return
+         end if
          words(i) = word
       end do
    end subroutine read_words

@@ -184,9 +184,13 @@ static void test_fit(void)
 static void test_refusals(void)
 {
    const char *const wrong[] = {"surface%hieghts"}, *const null[] = {NULL};
+   static char letters[100000];
+   const char *const long_name[] = {letters};
    adfric_case scene = 42;
+   memset(letters, 'x', sizeof letters - 1);
    CHECK_REFUSED(adfric_open_scene(groups, 1, wrong, &scene), "unknown variable");
    CHECK_REFUSED(adfric_open_scene(groups, 1, null, &scene), "names: given NULL");
+   CHECK_REFUSED(adfric_open_scene(groups, 1, long_name, &scene), "names: number 1 is too long, allowed: at most ");
    CHECK_REFUSED(adfric_open_scene(groups, 1, NULL, &scene), "names: given NULL");
    CHECK_REFUSED(adfric_open_scene(groups, -1, later, &scene), "n_names: out of range, given -1, allowed: 0 to 1000");
    CHECK_REFUSED(adfric_open_scene(NULL, 2, later, &scene), "text: given NULL");

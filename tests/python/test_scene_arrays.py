@@ -109,7 +109,7 @@ class SceneArrays(InFolder):
                       dataset.to_dataframe().reset_index()):
             same = adfric.solve(**{**groups, "solid": {"master_curve": curve, "poisson_ratio": 0.5}})
             xr.testing.assert_equal(expected, same)
-        for heights in (np.asfortranarray(MAP), MAP.tolist(), xr.DataArray(MAP, dims=("y", "x"), attrs={"units": "m"})):
+        for heights in (np.asfortranarray(MAP), MAP.tolist(), xr.DataArray(MAP, dims=("y", "x"), attrs={"units": "m"}), "data.h5:/map"):
             same = adfric.solve(**{**groups, "surface": {**HEIGHTS, "heights": heights}})
             xr.testing.assert_equal(expected, same)
 
