@@ -1,8 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of a tip on mica (Johnson 1997, Fig. 5), from pull-off to 300 nN.
 program tip_friction
-   use adfric_api, only: dp, error_t, open_simulation, simulation_t, status_solved
+   use adfric_api, only: dp, error_t, open_scene, simulation_t, status_solved
    implicit none (type, external)
+   character(*), parameter :: newline = new_line('a'), scene = &
+      & "&surface kind = 'paraboloid', radius = 140e-9 /"//newline// &         ! [m]
+      & "&solid contact_modulus = 44e9 /"//newline// &                         ! [Pa]
+      & "&adhesion work_of_adhesion = 0.19, lambda = 0.8 /"//newline// &       ! [J/m^2], [-]
+      & "&friction shear_strength = 0.96e9 /"//newline// &                     ! [Pa]
+      & "&operating state = 'sliding' /"
    type(simulation_t) :: tip
    type(error_t), allocatable :: error
    real(dp), allocatable :: friction(:)
@@ -11,13 +17,7 @@ program tip_friction
    integer :: i
 
    loads = [(-140.0e-9_dp + i*1.0e-9_dp, i=0, 440)]                              ! [N]
-   call open_simulation(tip, 'sphere', error)
-   if (.not. allocated(error)) call tip%set('radius', 140.0e-9_dp, error)         ! [m]
-   if (.not. allocated(error)) call tip%set('contact_modulus', 44.0e9_dp, error) ! [Pa]
-   if (.not. allocated(error)) call tip%set('work_of_adhesion', 0.19_dp, error)   ! [J/m^2]
-   if (.not. allocated(error)) call tip%set('lambda', 0.8_dp, error)
-   if (.not. allocated(error)) call tip%set('shear_strength', 0.96e9_dp, error)   ! [Pa]
-   if (.not. allocated(error)) call tip%set('state', 'sliding', error)
+   call open_scene(tip, scene, ['load'], error)
    if (.not. allocated(error)) call tip%sweep('load', loads, error)
    if (.not. allocated(error)) call tip%solve(error)
    if (.not. allocated(error)) call tip%get('friction_force', friction, error)

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* adfric for C and C++ (docs/reference/library.md).
 
-   A case is a model whose variables are set by name. It is solved at any number of points, and what is found are results: arrays
-   with names, units and dimensions, which are those of the results file of the same run, value by value.
+   A case is a scene, as an input describes it, or a model by its name; its variables are set by name. It is solved at any number of
+   points, and what is found are results: arrays with names, units and dimensions, which are those of the results file of the same
+   run, value by value.
 
-       adfric_open, adfric_read ---> case ---adfric_set_..., adfric_sweep---> case ---adfric_solve---> case, and results
-                                      |                                                                          |
-                                      +---adfric_close_case                           adfric_close_results-------+
+       adfric_open_scene, adfric_read, ... ---> case ---adfric_set_..., adfric_sweep---> case ---adfric_solve---> case, and results
+                                                 |                                                                          |
+                                                 +---adfric_close_case                           adfric_close_results-------+
 
    Status. Every function but adfric_message and adfric_version gives back 0, or what went wrong; what it should have changed is
    as it was before then, and what it should have given is not touched, but for a dataset that is refused: it is not given any
@@ -136,6 +137,14 @@ int adfric_read(const char *path, adfric_case *opened);
 /** The same of the text of an input. Names of files in it are seen from the current folder. */
 int adfric_read_text(const char *text, adfric_case *opened);
 
+/** Open a scene as the text of an input describes it, some of whose variables get their values later: by adfric_set_array in place
+    of the name of a dataset, by adfric_sweep, or by adfric_set_real and the like. The solver is chosen as if they had values, and
+    adfric_check and adfric_solve check all values together.
+    @param text     the input, with the groups of a scene
+    @param n_names  number of variables that get their values later, >= 0
+    @param names    their names, such as "surface%heights" or "load"; may be NULL where there are none */
+int adfric_open_scene(const char *text, int32_t n_names, const char *const *names, adfric_case *opened);
+
 /** A table of measured numbers that a fit takes in place of a file. */
 typedef struct {
    const char *name;           /**< what the input calls it: &data file = 'NAME' */
@@ -198,6 +207,14 @@ int adfric_model_of(adfric_case self, const char **model);
 
 /** The scene of a case in words, where its input describes one; empty for a case of a model. */
 int adfric_scene_of(adfric_case self, const char **scene);
+
+/** A variable of a case by its name, or "group%name" where several groups have one; that of a scene has the name and the group that
+    scenes have. */
+int adfric_variable_of(adfric_case self, const char *name, adfric_variable_info *variable);
+
+/** A variable, a result, a profile or an axis of the profiles of a case by its name. Where the unit depends on values, it is that
+    of the case if they are complete, else that of the table. */
+int adfric_describe(adfric_case self, const char *name, adfric_result_info *described);
 
 /** Number of points of a case; 1 where nothing is swept. */
 int adfric_point_count(adfric_case self, int64_t *n);

@@ -2,21 +2,21 @@
 """Adhesion and friction of real surfaces.
 
 >>> import adfric, numpy as np
->>> tip = adfric.solve("sphere", radius=140e-9, contact_modulus=50e9, work_of_adhesion=0.2, adhesion_stress=5e9,
-...                    load=np.linspace(-1e-7, 2e-7, 301))
+>>> tip = adfric.solve(surface={"kind": "paraboloid", "radius": 140e-9}, solid={"contact_modulus": 50e9},
+...                    adhesion={"work_of_adhesion": 0.2, "adhesion_stress": 5e9}, operating={"load": np.linspace(-1e-7, 2e-7, 301)})
 >>> tip.contact_radius.plot()
 
-solve     a model at one point or many -> xarray.Dataset
+solve     a scene, or a model by its name, at one point or many -> xarray.Dataset
 scene     a surface on a solid, with an interface, in some operation -> Case
 run       an input, as `adfric run` does -> xarray.Dataset
 open      a results file -> xarray.Dataset
 plot      figures of results
 models    the models, their variables and results
-fit       a model to measured curves -> Fit
+fit       a scene or a model to measured curves -> Fit
 read_surface  a measured surface -> xarray.DataArray
 read_curve  force curves of an instrument -> xarray.Dataset
 read_master_curve  moduli over the frequency -> xarray.Dataset
-Case      a model that is solved several times
+Case      a scene or a model that is solved several times
 contacts  many single contacts, microseconds each
 """
 

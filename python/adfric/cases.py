@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A case: a model whose variables are set by name, and its solution."""
+"""A case: a scene or a model whose variables are set by name, and its solution."""
 
 import contextlib
 import ctypes
 import functools
 import hashlib
-import keyword
 import os
 import signal
 import threading
@@ -16,21 +15,22 @@ import numpy as np
 from . import library as _library
 from .errors import FailedError, InputError, StoppedError
 from .files import name_of
-from .fit_text import block, plain
+from .fit_text import plain
 from .journal import Journal
 from .library import library, text_for, text_of
 from .results import dataset_of
-from .tables import models
+from .scenes import array_of, split_scene
+from .tables import SceneVariables, find_variable, models
 from .values import (in_unit, is_logical, is_number, is_whole_number, number_of, numbers_of, single_of, whole_number_of)
 
 
-def solve(model, /, *, together=(), threads=0, progress=None, **variables):
-    """Solve a model at one point or many.
+def solve(model="", /, *, together=(), threads=0, progress=None, **variables):
+    """Solve a scene, or a model by its name, at one point or many.
 
     Parameters
     ----------
     model : str
-        Name of the model; `adfric.models()` has all of them.
+        Name of the model; `adfric.models()` has all of them. Empty: a scene, whose groups and sweeps are those of `adfric.scene`.
     together : sequence of str
         Names of variables that are swept together, as a list of points. All other sweeps make the outer product of their values,
         in the order in which they are given: the last one varies fastest.
@@ -39,6 +39,7 @@ def solve(model, /, *, together=(), threads=0, progress=None, **variables):
     progress : callable
         Is called from time to time with the numbers of the points that are solved and of all points. What it raises ends the call.
     **variables
+        Of a scene its groups, each a dictionary, as for `adfric.scene`.
         Variables of the model by name, in SI units: numbers, words, True or False; an array of numbers sweeps a number. Several of
         one group may be given as a dictionary by the name of the group, such as `friction={"shear_strength": 1e6}`, which is
         needed where groups share a name. `lambda_` is lambda. Quantities of pint are converted. None: the default.
@@ -58,10 +59,15 @@ def solve(model, /, *, together=(), threads=0, progress=None, **variables):
 
     Examples
     --------
+    >>> results = adfric.solve(surface={"kind": "heights", "heights": heights, "length_x": 1e-5, "length_y": 1e-5},
+    ...                        solid={"contact_modulus": 1e9}, operating={"mean_pressure": np.linspace(1e6, 1e7, 10)})
+    >>> results.contact_fraction
     >>> results = adfric.solve("sphere", radius=1e-6, contact_modulus=1e9, work_of_adhesion=0.05, adhesion_stress=1e7,
     ...                        load=np.linspace(0, 1e-6, 101))
-    >>> results.contact_radius
     """
+    if isinstance(model, str) and not model:
+        with scene(together=together, **variables) as case:
+            return case.solve(threads=threads, progress=progress)
     with Case(model) as case:
         case.set(**variables)
         if together:
@@ -69,7 +75,7 @@ def solve(model, /, *, together=(), threads=0, progress=None, **variables):
         return case.solve(threads=threads, progress=progress)
 
 
-def scene(*, title=None, sweep=None, **groups):
+def scene(*, title=None, sweep=None, together=(), **groups):
     """A case of a scene: a surface on a solid, with an interface, in some operation.
 
     Parameters
@@ -78,14 +84,20 @@ def scene(*, title=None, sweep=None, **groups):
         Stands in the results.
     sweep : dict
         Arrays of values by the names of the variables that are swept, or by "group%name"; the first one varies slowest.
+    together : sequence of str
+        Names of variables that are swept together, as a list of points.
     **groups
         The groups of an input, each a dictionary of its variables in SI units: surface, solid, adhesion, friction, operating,
-        history, traction, position, numerics, output. `adfric help scenes` has all of them. `lambda_` is lambda.
+        history, traction, position, numerics, output, job. `adfric help scenes` has all of them. `lambda_` is lambda.
+        An array stands in place of a dataset or a list, such as heights; for a number it is a sweep, which varies faster than those
+        of `sweep`. A table or a dataset of xarray stands in place of columns, such as a master curve. Quantities of pint are
+        converted. None: the default.
 
     Returns
     -------
     Case
-        What it solves, in words, is its `scene`; `solve()` gives the results.
+        What it solves, in words, is its `scene`; `solve()` gives the results. Where arrays are given, `check()` and `solve()` say what
+        is missing.
 
     Raises
     ------
@@ -101,14 +113,15 @@ def scene(*, title=None, sweep=None, **groups):
     'paraboloid on an elastic half-space with adhesion and a shear strength, sliding'
     >>> tip.solve().friction_force.plot()
     """
-    text = block("job", {"title": title})
-    for group, values in groups.items():
-        if isinstance(values, dict):
-            values = {plain(name): value for name, value in values.items()}
-        text += block(group, values)
-    for name, values in (sweep or {}).items():
-        text += block("sweep", {"variable": plain(name), "values": values})
-    return Case.read_text(text)
+    text, later = split_scene(groups, title, sweep, together)
+    if not later:
+        return Case.read_text(text)
+    case = Case._of_scene((text, tuple(later)))
+    for name, value in later.items():
+        case._set(name, value, case._table)
+    if together:
+        case.sweep_together(together)
+    return case
 
 
 def run(path, *, output=None, force=False, threads=0, progress=None):
@@ -139,7 +152,8 @@ def run(path, *, output=None, force=False, threads=0, progress=None):
 
 
 class Case:
-    """A model whose variables are set by name, for those who solve it several times.
+    """A scene, or a model by its name, whose variables are set by name, for those who solve it several times. `adfric.scene` opens one
+    of a scene.
 
     >>> with adfric.Case("sphere") as tip:
     ...     tip.set(radius=1e-6, contact_modulus=1e9, work_of_adhesion=0.05, adhesion_stress=1e7)
@@ -167,6 +181,15 @@ class Case:
         return cls._opened(library.adfric_read_text, text_for(text, "text"), ("text", text))
 
     @classmethod
+    def _of_scene(cls, source):
+        """Open a case of the text of a scene, some of whose variables come later: text and names."""
+        text, later = source
+        names = [text_for(name, "name of a variable") for name in later]
+        listed = (ctypes.c_char_p*max(len(names), 1))(*names)
+        return cls._opened(lambda given, handle: library.adfric_open_scene(given, len(names), listed, handle), text_for(text, "text"),
+                           ("scene", source))
+
+    @classmethod
     def _opened(cls, function, argument, origin):
         self = cls.__new__(cls)
         self._open(function, argument, origin)
@@ -185,6 +208,8 @@ class Case:
         self._origin = origin
         self._digest = None
         self._journal = Journal()
+        # the tables of models have their own names, not those of scenes
+        self._table = SceneVariables(self) if self.scene else models()[self.model].variables
 
     def __reduce__(self):
         """A case is pickled by where it is from and what was set; an input is read once more, and must be the same."""
@@ -202,7 +227,9 @@ class Case:
             self.close()
 
     def __repr__(self):
-        return f"<adfric case of {self.model!r}>" if self._close.alive else "<adfric case, closed>"
+        if not self._close.alive:
+            return "<adfric case, closed>"
+        return f"<adfric case of {self.scene or self.model!r}>"
 
     def close(self):
         """Close the case; its results stay as they are. A case is closed once."""
@@ -232,25 +259,29 @@ class Case:
 
     def set(self, **variables):
         """Set variables by name, as `adfric.solve` does: a number ends the sweep of its variable, an array of numbers begins one."""
-        # the tables of models have their own names, not those of scenes
-        table = {} if self.scene else models()[self.model].variables
-        groups = {variable.group for variable in table.values()}
+        table = self._table
         for name, value in variables.items():
-            # a word of Python has an underscore behind it
-            name = name[:-1] if name.endswith("_") and keyword.iskeyword(name[:-1]) else name
+            name = plain(name)
             if isinstance(value, dict):
-                if table and name not in groups:
-                    raise InputError(f"{name}: no group of model {self.model}, allowed: {', '.join(sorted(groups))}")
+                self._check_group(name)
                 for inner, part in value.items():
-                    self._set(f"{name}%{inner}", part, table)
+                    self._set(f"{name}%{plain(inner)}", part, table)
             else:
                 self._set(name, value, table)
+
+    def _check_group(self, name):
+        """Refuse a group that the model does not have; of a scene the library says it."""
+        if isinstance(self._table, SceneVariables):
+            return
+        groups = {variable.group for variable in self._table.values()}
+        if name not in groups:
+            raise InputError(f"{name}: no group of model {self.model}, allowed: {', '.join(sorted(groups))}")
 
     def _set(self, name, value, table):
         """Set a variable."""
         handle, key = self._open_handle(), text_for(name, "name of a variable")
-        variable = table.get(name) or next((one for one in table.values() if f"{one.group}%{one.name}" == name), None)
-        value, unit = in_unit(value, variable.unit if variable else "", name)
+        variable = find_variable(table, name)
+        value, unit = in_unit(array_of(value, variable, name), variable.unit if variable else "", name)
         self._take(handle, key, name, single_of(value), unit, variable)
 
     def _take(self, handle, key, name, value, unit, variable):
@@ -297,6 +328,9 @@ class Case:
         """Sweep variables that are swept already together, as a list of points; they have arrays of one length."""
         if isinstance(names, str):
             raise InputError(f"together: given {names!r}, allowed: a list of names")
+        # a name may stand without the group by which its array was given
+        full = {key.rpartition("%")[2]: key for key in self._swept}
+        names = [full.get(name, name) if name not in self._swept else name for name in names]
         missing = [name for name in names if name not in self._swept]
         if missing:
             raise InputError(f"together: no array was given for {', '.join(map(str, missing))}")
@@ -358,6 +392,7 @@ class Case:
             raise raised[0]
         found = dataset_of(results.value)
         for name, unit in self._units.items():
+            name = name.rpartition("%")[2]
             # of a unit that depends on the case the results know which it is
             if unit is not None and name in found and unit != found[name].attrs["units"]:
                 raise InputError(f"{name}: given in {unit}, allowed: {found[name].attrs['units']}")
@@ -368,13 +403,12 @@ def restored(kind, source, digest, entries):
     """The case that was pickled, in another process."""
     if kind == "input" and digest_of(source) != digest:
         raise InputError(f"{source}: the input has changed since the case was pickled")
-    self = {"model": Case, "input": Case.read, "text": Case.read_text}[kind](source)
-    table = models()[self.model].variables
+    self = {"model": Case, "input": Case.read, "text": Case.read_text, "scene": Case._of_scene}[kind](source)
     for name, value, unit in entries:
         if name is None:
             self.sweep_together(value)
             continue
-        variable = table.get(name) or next((one for one in table.values() if f"{one.group}%{one.name}" == name), None)
+        variable = find_variable(self._table, name)
         self._take(self._open_handle(), text_for(name, "name of a variable"), name, value, unit, variable)
     return self
 

@@ -86,6 +86,8 @@ def unit_of(column, options, model):
              options.get("ordinate_column") or options.get("ordinate"): options.get("ordinate"),
              options.get("sigma_column") or "sigma": options.get("ordinate")}
     wanted = names.get(column)
+    if wanted is not None and hasattr(model, "unit"):
+        return model.unit(wanted)
     if known is None or wanted is None:
         return "1"
     if wanted == options.get("ordinate") and wanted in known.results and column != options.get("abscissa_column"):

@@ -55,14 +55,18 @@ def written(number, name):
 
 def free_blocks(free):
     """A group for each free variable."""
-    if isinstance(free, str):
-        free = [free]
-    if not isinstance(free, dict):
-        free = dict.fromkeys(free)
-    for name, given in free.items():
+    names = free_names(free)
+    for name, given in zip(names, free.values() if isinstance(free, dict) else [None]*len(names)):
+        yield block("free", {"variable": name, **(given or {})})
+
+
+def free_names(free):
+    """Names of the free variables."""
+    names = [free] if isinstance(free, str) else list(free)
+    for name in names:
         if not isinstance(name, str):
             raise InputError(f"free: given {name!r}, allowed: names of variables")
-        yield block("free", {"variable": plain(name), **(given or {})})
+    return [plain(name) for name in names]
 
 
 def plain(name):

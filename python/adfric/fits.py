@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fits of a model to measured curves."""
+"""Fits of a scene, or of a model, to measured curves."""
 
 import ctypes
+import functools
 import tempfile
 from pathlib import Path
 
@@ -11,21 +12,26 @@ from . import library as _library
 from .cases import Case
 from .errors import InputError
 from .fit_data import group_of
-from .fit_text import block, free_blocks, variable_blocks
-from .library import library, text_for
+from .fit_text import block, free_blocks, free_names, variable_blocks
+from .library import library, text_for, text_of
+from .scenes import split_scene, write_arrays
+from .tables import models
 
 SETTINGS = ("intervals", "levels", "starts", "theories", "derived", "curves", "relative_tolerance", "refits", "seed")
 
 
-def fit(model, data=None, /, abscissa=None, ordinate=None, *, free=(), data_options=None, events=(), intervals=None, levels=None,
-        starts=None, theories=None, derived=None, curves=None, relative_tolerance=None, refits=None, seed=None, title=None, threads=0,
-        progress=None, **variables):
-    """Fit a model to measured curves, as `adfric fit` does (docs/guide/fit.md).
+def fit(*given, abscissa=None, ordinate=None, free=(), data_options=None, events=(), intervals=None, levels=None, starts=None,
+        theories=None, derived=None, curves=None, relative_tolerance=None, refits=None, seed=None, title=None, threads=0, progress=None,
+        **variables):
+    """Fit a scene, or a model, to measured curves, as `adfric fit` does (docs/guide/fit.md).
+
+    `fit(data, abscissa, ordinate, surface={...}, ...)` fits a scene, `fit(model, data, abscissa, ordinate, ...)` a model by its name, and
+    `fit(path)` an input of `adfric fit`, to which nothing else belongs but threads and progress.
 
     Parameters
     ----------
-    model : str or path
-        Name of the model. Without data: an input of `adfric fit`, to which nothing else belongs but threads and progress.
+    model : str
+        Name of the model.
     data : table, or list of tables
         The measured points: a mapping of names to columns (a dictionary, a dataset of xarray, a frame of pandas), or the path of a
         table, or of 'FILE.h5:/DATASET'. Columns have the names of the abscissa and the ordinate, and if there are any `sigma`,
@@ -33,7 +39,7 @@ def fit(model, data=None, /, abscissa=None, ordinate=None, *, free=(), data_opti
         `units`, or as a quantity of pint. An ordinate of several dimensions is a stack of curves, its last dimension that of the points.
         A table with settings of its own is a dictionary of the variables of `&data`, with the table as its `file`.
     abscissa, ordinate : str
-        The variable of the model that was varied, and the result that was measured; by default for every table.
+        The variable that was varied, and the result that was measured; by default for every table.
     free : list of str, or dict
         What is to be found: names, or names with `start`, `minimum`, `maximum`, `scale`, `prior`, `prior_sigma` in a dictionary.
     data_options : dict
@@ -45,7 +51,8 @@ def fit(model, data=None, /, abscissa=None, ordinate=None, *, free=(), data_opti
     threads, progress
         As for `solve`; what is counted are the curves.
     **variables
-        Variables of the model that are known, as for `solve`: numbers, words, lists of numbers.
+        What is known: the groups of a scene, as for `adfric.scene`, or variables of the model, as for `solve`: numbers, words, lists of
+        numbers.
 
     Returns
     -------
@@ -54,14 +61,18 @@ def fit(model, data=None, /, abscissa=None, ordinate=None, *, free=(), data_opti
 
     Examples
     --------
-    >>> found = adfric.fit("sphere", {"load": loads, "friction_force": forces, "sigma": errors}, "load", "friction_force",
-    ...                    free=["work_of_adhesion", "shear_strength"], radius=140e-9, contact_modulus=44e9, theory="jkr", state="sliding")
+    >>> found = adfric.fit({"load": loads, "friction_force": forces, "sigma": errors}, "load", "friction_force",
+    ...                    free=["work_of_adhesion", "shear_strength"], surface={"kind": "paraboloid", "radius": 140e-9},
+    ...                    solid={"contact_modulus": 44e9}, adhesion={"theory": "jkr"}, operating={"state": "sliding"})
     >>> found.estimates["work_of_adhesion"], found.errors["work_of_adhesion"]
     >>> found.plot()
     """
-    given = dict(zip(SETTINGS, (intervals, levels, starts, theories, derived, curves, relative_tolerance, refits, seed)))
+    settings = dict(zip(SETTINGS, (intervals, levels, starts, theories, derived, curves, relative_tolerance, refits, seed)))
+    is_scene = describes_scene(given, variables)
+    model, data, abscissa, ordinate = arranged(given, is_scene, abscissa, ordinate)
     if data is None:
-        if abscissa or ordinate or free or data_options or events or title or variables or any(v is not None for v in given.values()):
+        if (abscissa or ordinate or free or data_options or events or title or variables or any(v is not None for v in settings.values())
+                or model is None):
             raise InputError("data: not given, needed beside what is free: a table, or an input of adfric fit alone")
         with Case.read(model) as case:
             return solved(case, threads, progress)
@@ -69,14 +80,70 @@ def fit(model, data=None, /, abscissa=None, ordinate=None, *, free=(), data_opti
     if not several:
         raise InputError("data: given an empty list, allowed: at least one table")
     with tempfile.TemporaryDirectory(prefix="adfric-") as folder:
+        folder = Path(folder)
         defaults = {"abscissa": abscissa, "ordinate": ordinate, **(data_options or {})}
-        groups, tables = zip(*(group_of(one, defaults, model, f"data[{k}]" if len(several) > 1 else "data", Path(folder))
+        known = SceneOfFit(variables, free, defaults) if is_scene else model
+        groups, tables = zip(*(group_of(one, defaults, known, f"data[{k}]" if len(several) > 1 else "data", folder)
                                for k, one in enumerate(several, 1)))
-        text = "".join([block("job", {"model": model, "title": title}), *(block("data", group) for group in groups),
-                        *(block("event", event) for event in events), *free_blocks(free), block("fit", given),
-                        *variable_blocks(model, variables)])
+        blocks = known.blocks(title, folder) if is_scene else (block("job", {"model": model, "title": title}), *variable_blocks(model, variables))
+        text = "".join([*blocks, *(block("data", group) for group in groups), *(block("event", event) for event in events),
+                        *free_blocks(free), block("fit", settings)])
         with opened(text, [table for table in tables if table is not None]) as case:
             return solved(case, threads, progress)
+
+
+def describes_scene(given, variables):
+    """Are there groups of a scene, and no model by its name?"""
+    is_model = bool(given) and isinstance(given[0], str) and given[0] in models()
+    return not is_model and any(isinstance(variables.get(group), dict) for group in ("surface", "traction"))
+
+
+def arranged(given, is_scene, abscissa, ordinate):
+    """Model, data, abscissa and ordinate of what is given in this order; a scene has no model, an input no data."""
+    names = ("data", "abscissa", "ordinate") if is_scene else ("model", "data", "abscissa", "ordinate")
+    if len(given) > len(names):
+        raise InputError(f"given {len(given)} arguments without a name, allowed: {', '.join(names)}")
+    found = dict(zip(names, given))
+    for name, value in (("abscissa", abscissa), ("ordinate", ordinate)):
+        if value is not None and name in found:
+            raise InputError(f"{name}: given twice, allowed: once")
+        found.setdefault(name, value)
+        if found[name] is not None and not isinstance(found[name], str):
+            raise InputError(f"{name}: given {type(found[name]).__name__}, allowed: a name; data stand before it, behind a model if one is named")
+    return found.get("model"), found.get("data"), found["abscissa"], found["ordinate"]
+
+
+class SceneOfFit:
+    """The scene of a fit: its groups as a text, and the units of its variables and results."""
+
+    def __init__(self, groups, free, options):
+        self._groups = groups
+        self._names = [*free_names(free), *(options[name] for name in ("abscissa",) if options.get(name))]
+
+    @functools.cached_property
+    def _case(self):
+        """A case of the scene; what is free or varied counts as given."""
+        text, later = split_scene(self._groups)
+        return Case._of_scene((text, (*later, *self._names)))
+
+    def unit(self, name):
+        """The unit of a variable or a result."""
+        info = _library.ResultInfo()
+        library.adfric_describe(self._case._open_handle(), text_for(name, "name"), info)
+        return text_of(info.unit)
+
+    def get(self, name):
+        """A variable."""
+        return self._case._table.get(name)
+
+    def blocks(self, title, folder):
+        """The groups as an input has them; arrays that no input has are written into a folder."""
+        groups = write_arrays(self._groups, self, folder)
+        job = self._groups.get("job", {})
+        yield block("job", {"title": title, **job} if isinstance(job, dict) else job)
+        for group, values in self._groups.items():
+            if group != "job":
+                yield block(group, groups.get(group, values))
 
 
 def opened(text, tables):

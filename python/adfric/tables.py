@@ -7,11 +7,12 @@ import functools
 import inspect
 import keyword
 import textwrap
+import weakref
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from . import library as _library
-from .library import library, text_of, words_of
+from .library import library, text_for, text_of, words_of
 
 KINDS = {_library.REAL: "number", _library.INTEGER: "whole number", _library.LOGICAL: "True or False", _library.WORD: "word",
          _library.ARRAY: "array"}
@@ -28,6 +29,8 @@ class Variable:
     choices           the words that are allowed, if it is one of several
     kind              "number", "whole number", "True or False", "word" or "array"
     largest_rank      most dimensions of an array
+    is_list           an array whose numbers may stand in an input
+    columns, column_units   names and units of the columns of an array that has such
     """
 
     name: str
@@ -39,6 +42,9 @@ class Variable:
     choices: tuple
     kind: str
     largest_rank: int
+    is_list: bool = False
+    columns: tuple = ()
+    column_units: tuple = ()
 
 
 @dataclass(frozen=True)
@@ -146,8 +152,38 @@ def variable_of(model, place):
     """A variable by its place."""
     info = _library.VariableInfo()
     library.adfric_variable(model.encode(), place, info)
+    return variable_from(info)
+
+
+def variable_from(info):
+    """A variable as the library describes it."""
     return Variable(text_of(info.name), text_of(info.group), text_of(info.unit), text_of(info.meaning), text_of(info.allowed),
-                    text_of(info.default_text), words_of(info.choices), KINDS[info.kind], info.largest_rank)
+                    text_of(info.default_text), words_of(info.choices), KINDS[info.kind], info.largest_rank, bool(info.is_list),
+                    words_of(info.columns), words_of(info.column_units))
+
+
+class SceneVariables:
+    """The variables of a case that is a scene, by name or "group%name"; each is asked for once."""
+
+    def __init__(self, case):
+        self._case = weakref.ref(case)
+        self._found = {}
+
+    def get(self, name):
+        """A variable; one that the scene does not have is refused."""
+        if name not in self._found:
+            info = _library.VariableInfo()
+            library.adfric_variable_of(self._case()._open_handle(), text_for(name, "name of a variable"), info)
+            self._found[name] = variable_from(info)
+        return self._found[name]
+
+
+def find_variable(table, name):
+    """A variable of a table by its name, or by "group%name"; None if the table of a model has none such."""
+    found = table.get(name)
+    if found is None:
+        found = next((one for one in table.values() if f"{one.group}%{one.name}" == name), None)
+    return found
 
 
 def results_of(find, model, n):

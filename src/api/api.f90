@@ -30,7 +30,7 @@ module adfric_api
    use adfric_run_progress, only: progress_t
    implicit none (type, external)
    private
-   public :: simulation_t, open_simulation, read_simulation, open_fit, data_table_t, new_data_table, list_models
+   public :: simulation_t, open_simulation, open_scene, read_simulation, open_fit, data_table_t, new_data_table, list_models
    public :: error_t, dp, i8, name_length, progress_t
    public :: input_failure, file_failure, stopped
    public :: status_solved, status_no_equilibrium, status_not_converged
@@ -81,6 +81,26 @@ contains
       call open_model(self%state, model, error)
       !$omp end critical (adfric_api)
    end subroutine open_simulation
+
+   !> Open a scene as the text of an input describes it. Some of its variables get their values afterwards, by `set` and `sweep`.
+   !> The solver is chosen as if they had values; `check` and `solve` check all values together.
+   subroutine open_scene(self, text, later, error)
+      !> Receives the simulation; closed if there is an error.
+      type(simulation_t), intent(out) :: self
+      !> Text of the input.
+      character(*), intent(in) :: text
+      !> Names of the variables that get their values afterwards, such as `surface%heights`; blanks at their ends do not count.
+      character(*), intent(in) :: later(:)
+      !> Says what is wrong with the input or the names, a line each.
+      type(error_t), allocatable, intent(out) :: error
+      character(len(later)) :: names(size(later) + 1)
+
+      ! an array constructor without elements would not be present
+      names(:size(later)) = later
+      !$omp critical (adfric_api)
+      call read_state(self%state, text, is_text=.true., error=error, later=names(:size(later)))
+      !$omp end critical (adfric_api)
+   end subroutine open_scene
 
    !> Open a fit as the text of an input describes it. `&data file` names one of the tables, or a file. It is solved once; its results
    !> are those of the results file of `adfric fit`, and what a single fit has beside them.

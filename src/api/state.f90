@@ -7,7 +7,7 @@ module adfric_api_state
    use adfric_base_error, only: error_t, input_failure, set_error
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: show_count
+   use adfric_base_text, only: show_count, to_lower
    use adfric_input_case, only: case_t, new_case
    use adfric_input_text_table, only: text_table_t
    use adfric_input_consistency, only: check_consistency
@@ -69,7 +69,7 @@ contains
    end subroutine open_model
 
    !> Open what an input describes: the model, its values, sweeps and datasets, or a fit with its data.
-   subroutine read_state(self, input, is_text, error, tables)
+   subroutine read_state(self, input, is_text, error, tables, later)
       !> Receives the model with its values; closed if there is an error.
       type(case_state_t), intent(out) :: self
       !> Name of the input, or its text.
@@ -80,6 +80,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
       !> Tables of a fit that the caller has in memory, by their names.
       type(text_table_t), intent(in), optional :: tables(:)
+      !> Names of variables that the caller gives values afterwards, or `group%name`; only then all values are checked together.
+      character(*), intent(in), optional :: later(:)
       type(namelist_file_t) :: file
       type(run_input_t) :: run
       type(fit_input_t) :: details
@@ -91,8 +93,11 @@ contains
          call read_job(input, known_models, file, run, problems, error)
       end if
       if (allocated(error)) return
+      if (present(later)) call announce(later, file, run, error)
+      if (allocated(error)) return
       call make_model(file, run, problems, error)
       if (allocated(error)) return
+      if (allocated(run%model) .and. present(later)) call check_announced(later, run%model, problems)
       if (allocated(run%model)) then
          self%is_fit = has_fit_groups(file) .or. present(tables)
          if (self%is_fit) then
@@ -105,8 +110,49 @@ contains
       call error_of(problems, error, file%path)
       if (.not. allocated(error) .and. run%refinement%is_wanted()) call set_error(error, input_failure, &
          & '&refine: a simulation solves the points that it is given, allowed: adfric run')
+      if (.not. allocated(error) .and. present(later) .and. run%variation%is_wanted()) call set_error(error, input_failure, &
+         & '&uncertain or &output derivatives: a scene whose values come later has none, allowed: an input that has all values')
       if (.not. allocated(error)) call take_input(self, run)
    end subroutine read_state
+
+   !> Take note of the variables that the caller gives values afterwards.
+   subroutine announce(later, file, run, error)
+      !> Names of the variables, or `group%name`.
+      character(*), intent(in) :: later(:)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Receives the names.
+      type(run_input_t), intent(inout) :: run
+      !> Allocated if the input is no scene, or one of a fit.
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      if (len(run%model_name) > 0) then
+         call set_error(error, input_failure, '&job model: given, allowed: a scene, which names none')
+      else if (has_fit_groups(file)) then
+         call set_error(error, input_failure, 'a scene whose values come later is no fit, allowed: open_fit')
+      end if
+      run%later = ''
+      do i = 1, size(later)
+         run%later = trim(run%later//' '//to_lower(trim(adjustl(later(i)))))
+      end do
+      run%later = adjustl(run%later)
+   end subroutine announce
+
+   !> Hold the names that the caller has announced against the table of the model.
+   subroutine check_announced(later, model, problems)
+      !> Names of the variables, or `group%name`.
+      character(*), intent(in) :: later(:)
+      !> The solver, in the language of scenes.
+      class(model_t), intent(in) :: model
+      !> Receives which names are unknown.
+      type(problems_t), intent(inout) :: problems
+      integer :: i, index
+
+      do i = 1, size(later)
+         call find_index(model, later(i), index, problems)
+      end do
+   end subroutine check_announced
 
    !> Take over what an input describes.
    subroutine take_input(self, run)

@@ -40,7 +40,7 @@ contains
       ! only now are the names wanted that are allowed
       allowed = ''
       do i = 1, size(model%variables)
-         allowed = allowed//' '//full_name(model, i)
+         if (.not. model%variables(i)%is_hidden) allowed = allowed//' '//full_name(model, i)
       end do
       call find_variable(model, to_lower(trim(adjustl(name))), allowed, index, flaw)
       call problems%add('', '', flaw)

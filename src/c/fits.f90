@@ -6,7 +6,7 @@ module adfric_c_fits
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    use adfric_base_text, only: longest_name, show_count
    use adfric_c_cases, only: keep_case
-   use adfric_c_texts, only: read_text, refuse_null, status_of, too_little_memory
+   use adfric_c_texts, only: read_text, read_words, refuse_null, status_of, too_little_memory
    use adfric_input_text_table, only: text_table_t, new_table_of_numbers
    implicit none (type, external)
    private
@@ -120,34 +120,5 @@ contains
       call new_table_of_numbers(table, name, columns, units, values, error)
       !$omp end critical (adfric_api)
    end subroutine take_table
-
-   !> Read several texts.
-   subroutine read_words(given, what, n, words, error)
-      !> The texts.
-      type(c_ptr), intent(in) :: given
-      !> What they are, for messages.
-      character(*), intent(in) :: what
-      !> Number of texts.
-      integer, intent(in) :: n
-      !> Receives them.
-      character(longest_name), allocatable, intent(out) :: words(:)
-      !> Allocated if one is missing, or too long.
-      type(error_t), allocatable, intent(out) :: error
-      type(c_ptr), pointer :: list(:)
-      character(:), allocatable :: word
-      integer :: i
-
-      call refuse_null(given, what, error)
-      if (allocated(error)) return
-      call c_f_pointer(given, list, [n])
-      allocate (words(n))
-      do i = 1, n
-         call read_text(list(i), what, word, error)
-         if (.not. allocated(error) .and. len(word) > longest_name) call set_error(error, input_failure, what// &
-            & ': number '//show_count(i)//' is too long, allowed: at most '//show_count(longest_name)//' letters')
-         if (allocated(error)) return
-         words(i) = word
-      end do
-   end subroutine read_words
 
 end module adfric_c_fits

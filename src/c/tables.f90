@@ -17,7 +17,8 @@ module adfric_c_tables
    use adfric_output_constants, only: file_unit
    implicit none (type, external)
    private
-   public :: model_info_t, variable_info_t, result_info_t, tables_t, new_tables, unit_of_numbers
+   public :: model_info_t, variable_info_t, result_info_t, tables_t, new_tables, describe_variable, &
+      & unit_of_numbers
 
    !> `adfric_model_info` of adfric.h.
    type, bind(c) :: model_info_t
@@ -88,6 +89,19 @@ contains
          call set_profile(self%profiles(i), model%profiles(i), error)
       end do
    end subroutine new_tables
+
+   !> What is said of a variable.
+   subroutine describe_variable(info, variable, error)
+      !> Receives texts and numbers.
+      type(variable_info_t), intent(out) :: info
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> Receives that there is too little memory.
+      type(error_t), allocatable, intent(inout) :: error
+
+      call set_texts(info, variable, error)
+      call set_numbers(info, variable)
+   end subroutine describe_variable
 
    !> What is said of the model as a whole.
    subroutine set_model(self, model, error)

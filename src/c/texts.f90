@@ -3,9 +3,10 @@
 module adfric_c_texts
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
+   use adfric_base_text, only: longest_name, show_count
    implicit none (type, external)
    private
-   public :: read_text, keep_text, status_of, refuse_null, too_little_memory
+   public :: read_text, read_words, keep_text, status_of, refuse_null, too_little_memory
 
    !> What is said where memory is short.
    character(*), parameter :: too_little_memory = 'there is too little memory'
@@ -72,6 +73,40 @@ contains
          text(i:i) = letters(i)
       end do
    end subroutine read_text
+
+   !> Read several texts; not within `critical (adfric_api)`, where the message of a text that is too long is made.
+   subroutine read_words(given, what, n, words, error)
+      !> The texts.
+      type(c_ptr), intent(in) :: given
+      !> What they are, for messages.
+      character(*), intent(in) :: what
+      !> Number of texts.
+      integer, intent(in) :: n
+      !> Receives them.
+      character(longest_name), allocatable, intent(out) :: words(:)
+      !> Allocated if one is missing, or too long.
+      type(error_t), allocatable, intent(out) :: error
+      type(c_ptr), pointer :: list(:)
+      character(:), allocatable :: word
+      integer :: i
+
+      call refuse_null(given, what, error)
+      if (allocated(error)) return
+      call c_f_pointer(given, list, [n])
+      allocate (words(n))
+      do i = 1, n
+         call read_text(list(i), what, word, error)
+         if (allocated(error)) return
+         if (len(word) > longest_name) then
+            !$omp critical (adfric_api)
+            call set_error(error, input_failure, what//': number '//show_count(i)//' is too long, allowed: at most '// &
+               & show_count(longest_name)//' letters')
+            !$omp end critical (adfric_api)
+            return
+         end if
+         words(i) = word
+      end do
+   end subroutine read_words
 
    !> Refuse a pointer that is null.
    subroutine refuse_null(given, what, error)

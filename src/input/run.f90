@@ -32,6 +32,9 @@ module adfric_input_run
       logical :: is_scene = .false.
       !> Which variables the file gives in their groups, shape `(n_variables)`.
       logical, allocatable :: is_given(:)
+      !> Names of the variables that get their values later, separated by a blank, such as `surface%heights`; only then all values
+      !> are checked together. Not allocated: the file gives all.
+      character(:), allocatable :: later
    end type run_input_t
 
 contains
@@ -149,7 +152,7 @@ contains
       ! what has not been read is not missing
       if (problems%is_enough()) return
       call load_datasets(run%model, input, problems)
-      call check_consistency(file, run%model, input, run%plan%axes, problems)
+      if (.not. allocated(run%later)) call check_consistency(file, run%model, input, run%plan%axes, problems)
       if (is_countable) call read_refinement(file, run%model, run%plan%axes, run%refinement, problems)
       call read_variation(file, run%model, input, run%variation, problems)
       text = find_size_problem(run%plan)

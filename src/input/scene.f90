@@ -44,14 +44,20 @@ contains
       if (len(run%model_name) > 0) then
          call new_model(run%model, run%model_name, error)
       else if (run%is_scene .and. .not. problems%is_enough()) then
-         call new_scene_model(file, run%model, problems)
+         if (allocated(run%later)) then
+            call new_scene_model(file, run%later, run%model, problems)
+         else
+            call new_scene_model(file, '', run%model, problems)
+         end if
          if (allocated(run%model)) run%model_name = run%model%name
       end if
    end subroutine make_model
 
    !> Find the solver of a scene, with its tables in the language of scenes.
-   subroutine new_scene_model(file, model, problems)
+   subroutine new_scene_model(file, later, model, problems)
       type(namelist_file_t), intent(in) :: file
+      !> Names of variables that get their values later, separated by a blank.
+      character(*), intent(in) :: later
       !> Receives the solver; not allocated if there is none.
       class(model_t), allocatable, intent(out) :: model
       type(problems_t), intent(inout) :: problems
@@ -59,6 +65,7 @@ contains
       character(:), allocatable :: solver, units
 
       call read_scene(file, scene, problems)
+      if (len(later) > 0) scene%names = trim(scene%names//' '//later)
       units = ''
       call read_choice(file, 'job', 'units', 'si reduced', units, problems)
       if (units == 'reduced') scene%names = scene%names//' job%units'

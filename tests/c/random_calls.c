@@ -17,7 +17,8 @@ static const char *const names[] = {"radius", "load", "contact_modulus", "work_o
                                     "amplitudes", "profiles", "n_r", "operating%load", "radios", "%", "&operating load", "", NULL};
 static const char *const words[] = {"jkr", "line", "wave_2d", "stable", "", "'", NULL};
 static const char *const texts[] = {"&job model = 'sphere' /\n&sphere radius = 1, contact_modulus = 1, work_of_adhesion = 0 /\n"
-                                    "&operating load = 1 /\n", "&job model = 'hertz' /", "&job", "/", "'", "", NULL};
+                                    "&operating load = 1 /\n", "&job model = 'hertz' /", "&surface kind = 'paraboloid' /\n&solid contact_modulus = 1e9 /",
+                                    "&surface kind = 'heights', length_x = 1, length_y = 1 /", "&job", "/", "'", "", NULL};
 static const double numbers[] = {1, 1e-6, 1e9, 0, -1, 0.5, 1e300, -1e-300, NAN, INFINITY};
 
 /* Xorshift (Marsaglia 2003): a number from 0 to n - 1. */
@@ -74,10 +75,11 @@ static int call(uint64_t *state)
    adfric_variable_info variable;
    adfric_attribute_info attribute;
    adfric_model_info model;
+   adfric_result_info result;
    int32_t n;
    for (int i = 0; i < 25; i++) values[i] = ANY(state, numbers);
    int status;
-   switch (draw(state, 20)) {
+   switch (draw(state, 23)) {
    case 0: status = adfric_open(ANY(state, models), &opened); return keep_handle(state, status, opened);
    case 1: status = adfric_read_text(ANY(state, texts), &opened); return keep_handle(state, status, opened);
    case 2: return adfric_read(ANY(state, words), draw(state, 2) ? &opened : NULL);
@@ -97,6 +99,11 @@ static int call(uint64_t *state)
    case 16: return adfric_attribute(any_handle(state), draw(state, 20) - 1, &attribute);
    case 17: status = adfric_model(draw(state, 14) - 1, &model); return status;
    case 18: return adfric_variable(ANY(state, models), draw(state, 40) - 1, &variable);
+   case 19: return adfric_variable_of(any_handle(state), ANY(state, names), &variable);
+   case 20: return adfric_describe(any_handle(state), ANY(state, names), &result);
+   case 21:
+      status = adfric_open_scene(ANY(state, texts), draw(state, 4) - 1, names + draw(state, 8), &opened);
+      return keep_handle(state, status, opened);
    default: return draw(state, 4) > 0 ? adfric_set_real(any_handle(state), ANY(state, names), ANY(state, numbers))
                                       : solve(state, any_handle(state));
    }
