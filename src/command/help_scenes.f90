@@ -4,7 +4,7 @@ module adfric_command_help_scenes
    use adfric_base_text, only: newline
    use adfric_base_words, only: count_words, get_word, has_word, pad
    use adfric_command_help_lists, only: model_box_t
-   use adfric_describe_table, only: variable_t
+   use adfric_describe_table, only: kind_choice, variable_t
    use adfric_describe_vocabulary, only: order_of_scenes
    use adfric_describe_scene_names, only: likely_name_of, likely_result_of, meaning_of, rename_words
    use adfric_describe_scene_solvers, only: accuracy_of_scene, known_extents, known_surfaces, known_tractions, word_length
@@ -199,6 +199,7 @@ contains
       word = ''
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)
+            if (models(m)%model%variables(i)%kind /= kind_choice) cycle
             row = models(m)%model%variables(i)
             if (likely_name_of(models(m)%model%name, row%group//'%'//row%name) /= name) cycle
             call rename_words(models(m)%model%name, '', row)

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a lighter load changes on a few cells, without transforms: by elimination, with cells opened and closed one by one.
+!> What a lighter load changes on a few cells, without transforms: by elimination, with cells opened and closed
+!> until none is wrong.
 module dense_relief
    use adfric_base_kinds, only: dp
    use dense_kernel, only: set_kernel
@@ -21,20 +22,27 @@ contains
       integer, parameter :: most_flips = 5000
       real(dp) :: matrix(size(gap), size(gap)), p(size(gap)), g(size(gap)), h(size(gap)), r(size(gap))
       logical :: open(size(gap)), is_wrong(size(gap))
-      integer :: position, n_flips
+      integer :: position, n_flips, fewest
 
       call set_matrix(size(gap, 1), size(gap, 2), period_y, matrix)
       p = reshape(pressure, [size(gap)])
       g = reshape(gap, [size(gap)])
-      open = .not. p > 0
+      open = .not. p > relief
+      fewest = huge(fewest)
       do n_flips = 1, most_flips
          h = merge(0.0_dp, -g, open)
          call find_rise(matrix, relief - p - matmul(matrix, h), open, h)
          r = relief - matmul(matrix, h)
          is_wrong = merge(g + h < -round_off*maxval(abs(h)), p - r < -round_off*relief, open)
          if (.not. any(is_wrong)) exit
-         position = findloc(is_wrong, .true., dim=1)
-         open(position) = .not. open(position)
+         ! all at once while there are fewer of them than before, else the first one, which ends always
+         if (count(is_wrong) < fewest) then
+            fewest = count(is_wrong)
+            open = open .neqv. is_wrong
+         else
+            position = findloc(is_wrong, .true., dim=1)
+            open(position) = .not. open(position)
+         end if
       end do
       if (n_flips > most_flips) error stop 'no end of cells that flip'
       rise = reshape(h, shape(gap))
@@ -79,15 +87,15 @@ contains
       if (n == 0) return
       a = matrix(cells, cells)
       b = given(cells)
+      ! the lower half, which the upper one is the image of
       do k = 1, n
          do j = k + 1, n
-            a(k + 1:, j) = a(k + 1:, j) - a(k + 1:, k)*(a(k, j)/a(k, k))
+            a(j:, j) = a(j:, j) - a(j:, k)*(a(j, k)/a(k, k))
          end do
          b(k + 1:) = b(k + 1:) - a(k + 1:, k)*(b(k)/a(k, k))
       end do
       do k = n, 1, -1
-         b(k) = b(k)/a(k, k)
-         b(:k - 1) = b(:k - 1) - a(:k - 1, k)*b(k)
+         b(k) = (b(k) - dot_product(a(k + 1:, k), b(k + 1:)))/a(k, k)
       end do
       rise(cells) = b
    end subroutine find_rise

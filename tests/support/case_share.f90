@@ -4,7 +4,7 @@ module case_share
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: share_of_cases
+   public :: share_of_cases, number_of_cases
 
 contains
 
@@ -17,5 +17,12 @@ contains
       call get_environment_variable('ADFRIC_RANDOM_CASES', text, length)
       if (length > 0) read (text, *) share
    end function share_of_cases
+
+   !> So many of `n` random cases that a test takes, at least one.
+   integer function number_of_cases(n)
+      integer, intent(in) :: n
+
+      number_of_cases = max(1, nint(n*share_of_cases()))
+   end function number_of_cases
 
 end module case_share
