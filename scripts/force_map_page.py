@@ -47,8 +47,7 @@ def main(arguments):
             PAGE.write_text(written)
             write_figures(Path(folder))
             return
-        problems += [f"{FIGURES / name} is missing" for made, name in SHOWN.items()
-                     if not (Path(folder) / made).exists() or not (FIGURES / name).exists()]
+        problems += [f"{made} is not drawn" for made in SHOWN if not (Path(folder) / made).exists()]
     if problems:
         sys.exit("force_map_page: docs/guide/force_map.md is not what its commands print; scripts/tutorial writes it\n" + "\n".join(problems))
 

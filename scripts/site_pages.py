@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Build the site: python scripts/site_pages.py FOLDER.
+"""Build the site: python scripts/site_pages.py [--without-figures] FOLDER.
+
+A figure that has not been drawn ends it, or is a grey point with --without-figures.
 
 The documents keep their places, so that their links hold in the site as they do in the repository. MkDocs makes pages of them; FORD
 makes those of the Fortran modules that other programs use, and stands below fortran/.
@@ -7,15 +9,17 @@ makes those of the Fortran modules that other programs use, and stands below for
 
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 from pathlib import Path
 
 import mkdocs
 import yaml
 
-from document_links import documents_of, faults_of, is_inside, links_of
+from document_links import documents_of, faults_of, is_drawn, is_inside, links_of
 from site_areas import AREAS, missing_in_areas
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -44,14 +48,31 @@ THEME = {"name": "material", "font": False, "palette": PALETTE, "icon": {"logo":
                       "content.code.copy", "toc.follow"]}
 
 
-def copy_documents(folder):
+def grey_point():
+    """A picture of one grey point."""
+    def part(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    return (b"\x89PNG\r\n\x1a\n" + part(b"IHDR", struct.pack(">IIBBBBB", 1, 1, 8, 0, 0, 0, 0))
+            + part(b"IDAT", zlib.compress(b"\0\xcc")) + part(b"IEND", b""))
+
+
+def copy_documents(folder, has_figures):
     """Copy the documents, and the files of the project that they show or lead to."""
+    missing = set()
     for path in documents_of(ROOT):
         copy(path, folder)
         for _, link in links_of(path):
             file = (path.parent / link.partition("#")[0]).resolve()
             if is_inside(link) and file.is_file() and file.suffix != ".md":
                 copy(file, folder)
+            elif is_inside(link) and not file.exists() and is_drawn(file, ROOT):
+                missing.add(file.relative_to(ROOT))
+    if missing and has_figures:
+        sys.exit("".join(f"site: {name} is not drawn; scripts/gallery and scripts/tutorial draw figures\n" for name in sorted(missing)))
+    for name in missing:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(grey_point())
 
 
 def copy(path, folder):
@@ -126,18 +147,18 @@ def run(module, *arguments):
         sys.exit(f"{result.stdout}site: {module} failed")
 
 
-def main(folder):
+def main(folder, has_figures):
     """Build the site in a folder."""
     if faults := faults_of(ROOT) + missing_in_areas(ROOT):
         sys.exit("\n".join(f"site: {fault}" for fault in faults))
     with tempfile.TemporaryDirectory() as name:
         work = Path(name)
         pages = work / "pages"
-        copy_documents(pages)
+        copy_documents(pages, has_figures)
         write_fortran(pages / "fortran", work)
         write_pages(pages, folder, work)
     print(folder / "index.html")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]).resolve())
+    main(Path(sys.argv[-1]).resolve(), sys.argv[1] != "--without-figures")

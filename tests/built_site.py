@@ -87,7 +87,7 @@ class Site(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name, "site")
-        result = subprocess.run([PYTHON, ROOT / "scripts/site_pages.py", cls.folder], capture_output=True, text=True)
+        result = subprocess.run([PYTHON, ROOT / "scripts/site_pages.py", "--without-figures", cls.folder], capture_output=True, text=True)
         if result.returncode or result.stderr or result.stdout != f"{cls.folder}/index.html\n":
             raise AssertionError(f"status {result.returncode}\n{result.stdout}{result.stderr}")
         cls.pages = {path: BeautifulSoup(path.read_text(), "html.parser") for path in sorted(cls.folder.rglob("*.html"))}
