@@ -299,7 +299,8 @@ contains
       end associate
    end function derive_quantities
 
-   !> The derived quantities but for those that the user has given by a variable of the same name.
+   !> The derived quantities but for those that the user has given by a variable of the same name. One that is a variable has its
+   !> name in the language of the scene.
    function get_derived(self, values) result(derived)
       !> The model, whose table of variables and derived quantities are read.
       class(model_t), intent(in) :: self
@@ -313,7 +314,10 @@ contains
       allocate (is_given(size(derived)), source=.false.)
       do i = 1, size(derived)
          do k = 1, size(self%variables)
-            if (self%variables(k)%own_name() == derived(i)%name) is_given(i) = is_given(i) .or. is_set(values(k))
+            if (self%variables(k)%own_name() /= derived(i)%name) cycle
+            is_given(i) = is_given(i) .or. is_set(values(k))
+            ! a quantity that a scene counts otherwise has one word for its name, and keeps it
+            if (.not. self%variables(k)%is_hidden .and. index(derived(i)%name, '_') > 0) derived(i)%name = self%variables(k)%name
          end do
       end do
       derived = pack(derived, .not. is_given)

@@ -18,6 +18,8 @@ module adfric_describe_scene_facts
       character(:), allocatable :: extent
       !> Words of `&operating state` and of `&adhesion theory`; empty if there is none.
       character(:), allocatable :: state, theory
+      !> Word of `&solid curve_modulus`; empty or not allocated if there is none.
+      character(:), allocatable :: curve
       !> One of: `half_space`, `relaxing`, `layer`, `foundation`.
       character(:), allocatable :: solid
       !> One of: `none`, `adhesion`, `shear`, `coulomb`, `adhesion+shear`, `adhesion+coulomb`.
@@ -39,6 +41,7 @@ module adfric_describe_scene_facts
       & 'range_given adhesion%adhesion_range', &
       & 'range adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda job%units', &
       & 'shear friction%shear_strength friction%law', &
+      & 'strength friction%shear_strength', &
       & 'coulomb friction%coulomb_coefficient', &
       & 'tangential operating%tangential_force operating%tangential_displacement operating%tangential_stress '// &
       & 'operating%base_displacement history%tangential_forces history%tangential_displacements', &
@@ -83,9 +86,7 @@ contains
       if (allocated(self%theory)) then
          if (len(self%theory) > 0 .and. self%theory /= 'auto') self%facts = self%facts//' range'
       end if
-      ! a master curve with a Poisson's ratio is one of Young's modulus
-      if (is_named(self%names, 'solid%master_curve') .and. is_named(self%names, 'solid%poisson_ratio')) &
-         self%facts = self%facts//' young'
+      if (is_named(self%names, 'solid%master_curve')) self%facts = self%facts//trim(fact_of_curve(self))
 
       slides = self%has('moves') .or. self%state == 'sliding'
       if (slides) self%facts = self%facts//' slides'
@@ -106,6 +107,21 @@ contains
       if (slides) self%operation = 'slide'
       if (self%has('path')) self%operation = 'path'
    end subroutine find_facts
+
+   !> Which modulus a master curve is one of, as a fact behind a blank. With a Poisson's ratio it is Young's, unless the scene says
+   !> that it is the contact modulus.
+   pure function fact_of_curve(self) result(fact)
+      type(scene_t), intent(in) :: self
+      character(14) :: fact
+      character(:), allocatable :: curve
+
+      curve = ''
+      if (allocated(self%curve)) curve = self%curve
+      if (len(curve) == 0 .and. is_named(self%names, 'solid%poisson_ratio')) curve = 'young'
+      fact = ''
+      if (curve == 'young') fact = ' young'
+      if (curve == 'contact') fact = ' contact_curve'
+   end function fact_of_curve
 
    !> Is a variable named, with its group or, as in a sweep, without?
    pure logical function is_named(names, name)

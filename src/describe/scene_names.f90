@@ -5,12 +5,11 @@ module adfric_describe_scene_names
    use adfric_base_words, only: count_words, get_word, has_word
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: result_t, variable_t
-   use adfric_describe_scene_rules, only: default_rules, hidden, meanings, profile_rules, result_rules, variable_rules, &
-      & with_depth, &
-      word_rules
+   use adfric_describe_scene_rules, only: added_words, default_rules, hidden, meanings, profile_rules, result_rules, &
+      & variable_rules, with_depth, word_rules
    implicit none (type, external)
    private
-   public :: rename_tables, rename_words, likely_name_of, likely_result_of, meaning_of
+   public :: rename_tables, rename_words, likely_name_of, likely_result_of, meaning_of, words_of_rules, added_word, renamed_to
 
 contains
 
@@ -52,6 +51,21 @@ contains
          read (value, *) variable%default
       end do
    end subroutine set_default
+
+   !> The word of a variable that a scene says and an input which names a model leaves out; empty if there is none.
+   pure function added_word(solver, name, facts) result(word)
+      !> Name of the solver, and name of the variable, with its group.
+      character(*), intent(in) :: solver, name
+      !> Facts of the scene without the word, and names of the solver that the input gives, `group%name`.
+      character(*), intent(in) :: facts
+      character(:), allocatable :: word
+      integer :: i
+
+      word = ''
+      do i = 1, size(added_words)
+         if (is_for(added_words(i), solver, name) .and. is_so(added_words(i), facts)) word = get_word(added_words(i), 3)
+      end do
+   end function added_word
 
    !> Call a variable as a scene does.
    subroutine rename_variable(solver, facts, variable)
@@ -97,6 +111,7 @@ contains
       type(result_t), intent(inout) :: result
       character(:), allocatable :: name
 
+      if (allocated(result%flag_meanings)) call rename_list(solver, facts, 'results%'//result%name, result%flag_meanings)
       name = scene_name_of(result_rules, solver, result%name, facts)
       result%solver_name = result%name
       result%is_hidden = name == hidden
@@ -130,15 +145,26 @@ contains
       character(*), intent(in) :: facts
       !> Row of the solver, whose choices are renamed.
       type(variable_t), intent(inout) :: variable
+
+      call rename_list(solver, facts, variable%group//'%'//variable%name, variable%choices)
+   end subroutine rename_words
+
+   !> Have words those of scenes.
+   pure subroutine rename_list(solver, facts, name, words)
+      character(*), intent(in) :: solver, facts
+      !> What has the words, in the language of the solver, with its group.
+      character(*), intent(in) :: name
+      !> The words, separated by a blank.
+      character(:), allocatable, intent(inout) :: words
       character(:), allocatable :: choices, word, pair
       integer :: i, k, n
 
       do i = 1, size(word_rules)
-         if (.not. is_for(word_rules(i), solver, variable%group//'%'//variable%name)) cycle
+         if (.not. is_for(word_rules(i), solver, name)) cycle
          if (.not. is_so(word_rules(i), facts)) cycle
          choices = ''
-         do k = 1, count_words(variable%choices)
-            word = get_word(variable%choices, k)
+         do k = 1, count_words(words)
+            word = get_word(words, k)
             do n = 3, count_words(word_rules(i))
                pair = get_word(word_rules(i), n)
                if (index(pair, word//'=') == 1) then
@@ -148,10 +174,30 @@ contains
             end do
             choices = choices//' '//word
          end do
-         variable%choices = choices(2:)
+         words = choices(2:)
          return
       end do
-   end subroutine rename_words
+   end subroutine rename_list
+
+   !> The words that a scene always calls otherwise than its solver, as `old=new` and separated by a blank.
+   pure function words_of_rules(model) result(pairs)
+      !> The solver, with its tables in the language of scenes.
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: pairs, variable
+      integer :: i, k
+
+      pairs = ''
+      do i = 1, size(word_rules)
+         variable = get_word(word_rules(i), 2)
+         k = index(variable, '%')
+         if (.not. is_of(get_word(word_rules(i), 1), model%name)) cycle
+         if (model%solver_index_of(variable(:k - 1), variable(k + 1:)) == 0 .or. .not. is_so(word_rules(i), '')) cycle
+         do k = 3, count_words(word_rules(i))
+            pairs = trim(pairs//' '//get_word(word_rules(i), k))
+         end do
+      end do
+      pairs = adjustl(pairs)
+   end function words_of_rules
 
    !> What a scene calls something; `hidden` if it has no meaning there.
    pure function scene_name_of(rules, solver, name, facts) result(new_name)
@@ -199,13 +245,29 @@ contains
       if (from /= name .and. new_name /= hidden) new_name = new_name//name(len(from) + 1:)
    end function name_by
 
+   !> What solvers call the variables, with their groups, and results that rules rename to a name, separated by a blank.
+   pure function renamed_to(name) result(names)
+      !> Name in the language of scenes, of a variable without its group.
+      character(*), intent(in) :: name
+      character(:), allocatable :: names
+      integer :: i
+
+      names = ''
+      do i = 1, size(variable_rules)
+         if (index(variable_rules(i), '%'//name//' ') > 0) names = names//' '//get_word(variable_rules(i), 2)
+      end do
+      do i = 1, size(result_rules)
+         if (index(result_rules(i), ' '//name//' ') > 0) names = names//' '//get_word(result_rules(i), 2)
+      end do
+   end function renamed_to
+
    !> What a scene probably calls a variable, with its group, before its facts are known.
    pure function likely_name_of(solver, name) result(new_name)
       !> Name of the solver, and name of the variable in its language.
       character(*), intent(in) :: solver, name
       character(:), allocatable :: new_name
 
-      new_name = likely_name(variable_rules, solver, name)
+      new_name = likely_name(variable_rules, solver, name, .true.)
    end function likely_name_of
 
    !> The same of a result.
@@ -215,7 +277,7 @@ contains
       character(:), allocatable :: new_name
 
       ! rules that need a fact are for some scenes
-      new_name = likely_name(pack(result_rules, .not. needs_fact(result_rules)), solver, name)
+      new_name = likely_name(result_rules, solver, name, .false.)
    end function likely_result_of
 
    !> Does a rule need a fact to be there?
@@ -230,15 +292,20 @@ contains
    end function needs_fact
 
    !> What a scene calls something by the first rule that does not hide it.
-   pure function likely_name(rules, solver, name) result(new_name)
+   pure function likely_name(rules, solver, name, with_facts) result(new_name)
       character(*), intent(in) :: rules(:)
       !> Name of the solver, and name in its language.
       character(*), intent(in) :: solver, name
+      !> Do rules count that need a fact to be there?
+      logical, intent(in) :: with_facts
       character(:), allocatable :: new_name
       integer :: i
 
       do i = 1, size(rules)
          if (.not. is_for(rules(i), solver, name)) cycle
+         if (.not. with_facts) then
+            if (needs_fact(rules(i))) cycle
+         end if
          new_name = name_by(rules(i), name)
          if (new_name /= hidden) return
       end do

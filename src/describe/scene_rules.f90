@@ -13,6 +13,7 @@ module adfric_describe_scene_rules
    implicit none (type, external)
    private
    public :: hidden, with_depth, variable_rules, result_rules, profile_rules, word_rules, meanings, default_rules
+   public :: added_words, of_speed, along_motion, phrases
 
    !> Stands in a rule for the name of what has no meaning in a scene.
    character(*), parameter :: hidden = '-'
@@ -44,6 +45,7 @@ module adfric_describe_scene_rules
       & in_elastic//' solid%second_young_modulus - relaxing', &
       & in_elastic//' solid%second_poisson_ratio - relaxing', &
       & in_elastic//' material% - !relaxing', &
+      & in_elastic//' material%poisson_ratio - contact_curve', &
       & '* material% solid%', &
       & '* adhesion%surface_energy adhesion%work_of_adhesion', &
       & '* adhesion%stress adhesion%adhesion_stress', &
@@ -248,6 +250,7 @@ module adfric_describe_scene_rules
       & 'rigid_punch punch%kind flat=line_punch polynomial=line_polynomial', &
       & 'indenter,indenter_history shape%kind flat=flat_punch', &
       & 'indenter model%theory none=hertz', &
+      & 'indenter results%theory_used none=hertz', &
       & '* adhesion%branch approach=loading']
 
    !> What a variable is, where the words of the solvers say only what it is for one of them.
@@ -257,6 +260,7 @@ module adfric_describe_scene_rules
       & 'surface%length_x length of the heights along x: samples times spacing', &
       & 'surface%length_y length of the heights along y: rows times spacing', &
       & 'surface%slope slope of a cone or wedge', &
+      & 'operating%velocity sliding velocity along direction, or +x; below 0 the body slides the other way', &
       & 'operating%direction angle from +x, or the major axis, to the sliding or the force', &
       & 'traction%distribution of both tractions: constant, sqrt(1 - x^2/a^2), or sampled', &
       & 'operating%branch which of several states: of round bodies stable, inner or unstable, of waves adhered or loading', &
@@ -280,5 +284,27 @@ module adfric_describe_scene_rules
    character(*), parameter :: default_rules(*) = [character(120) :: &
       & 'sphere sphere%work_of_adhesion 0 !adhesion', &
       & 'sphere model%theory 3 adhesion !range']
+
+   !> Words that an input which names a model leaves out and its scene says: the solvers, the variable, the word, and the facts, to
+   !> which the names count that the input gives. The force of sliding of an indenter stood beside every contact that a shear
+   !> strength can hold. A master curve with Poisson's ratio of the layer alone is one of the contact modulus.
+   character(*), parameter :: added_words(*) = [character(120) :: &
+      & 'indenter operating%state sliding strength !tangential', &
+      & 'surface_sliding solid%curve_modulus contact material%master_curve layer%poisson_ratio']
+
+   !> Phrases of the messages, meanings and units of solvers, and behind = what a scene says.
+   character(*), parameter :: phrases(*) = [character(100) :: &
+      & 'wave_3d and map=wave_product and heights', 'wave_3d=wave_product', 'N/m for line=N/m for cylinder', &
+      & '90 degrees=pi/2', '45 degrees=pi/4', '&material=relaxation in &solid', 'make a map of it=sample it as heights', &
+      & 'of a map have=of kind heights have', 'a dataset of two is a map=those of two are of kind heights', &
+      & 'give stiffness and moduli=give stiffness and stiffnesses']
+
+   !> Solvers that know a speed and no velocity. Behind each stand its results and profiles, in its language, that are vectors along
+   !> the motion or across it: those of a scene take the sign of the velocity.
+   character(*), parameter :: of_speed(*) = [character(120) :: &
+      & 'wavy_sliding friction_force friction_coefficient contact_shift shear_stress', &
+      & 'surface_sliding friction_stress friction_coefficient lateral_stress full_contact_friction contact_shift']
+   !> Those among them whose profiles run along the motion, whatever its direction.
+   character(*), parameter :: along_motion = 'wavy_sliding'
 
 end module adfric_describe_scene_rules

@@ -4,7 +4,7 @@ module adfric_describe_scene_solvers
    use adfric_base_words, only: get_word
    implicit none (type, external)
    private
-   public :: scenes, n_scenes, known_surfaces, known_tractions, known_extents, word_length
+   public :: scenes, n_scenes, known_surfaces, known_tractions, known_extents, known_curves, word_length
    public :: accuracy_of, accuracy_of_scene, answers, find_nearest
 
    !> Round bodies.
@@ -15,6 +15,8 @@ module adfric_describe_scene_solvers
       & 'rounded_punch rounded_cone polynomial ellipsoid cylinder line_punch wedge line_polynomial '// &
       & 'wave_1d wave_2d wave_product cosines profile heights'
    character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer foundation'
+   !> Words of `&solid curve_modulus`: which modulus a master curve is one of.
+   character(*), parameter :: known_curves = 'young contact'
 
    !> Surfaces, solids, interfaces, operations, solver, and whether its answers are `exact` (closed forms, roots, integrals and
    !> time stepping whose error is that of round-off) or `numerical` (cells or collocation, with an estimate of the error).

@@ -52,6 +52,8 @@ module adfric_describe_table
       character(:), allocatable :: attributes, attribute_units
       !> Where several groups have the name: may a sweep mean this one without the group?
       logical :: has_bare_name = .true.
+      !> May a real number have some values alone, so that nothing varies with it? Such are angles of a solver with four directions.
+      logical :: has_steps = .false.
       !> Sizes that it usually has, where they are others than those of its unit (`adfric_describe_plausible_range`).
       real(dp) :: usual_lower = unset, usual_upper = unset
       !> Group and name in the language of the solver, where a scene calls the variable otherwise; else not allocated.

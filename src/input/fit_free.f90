@@ -223,6 +223,8 @@ contains
       associate (row => model%variables(variable))
          if (row%kind /= kind_real) then
             flaw = 'no real number, it cannot be fitted, given '''//row%name//''''
+         else if (row%has_steps) then
+            flaw = 'it has some values alone, it cannot be fitted, given '''//row%name//''''
          else if (input%is_given(variable)) then
             flaw = row%name//' is given twice, here and in &'//row%group//' in line '//show_count(input%line(variable))// &
                ', allowed: one of them'

@@ -20,7 +20,7 @@ module adfric_input_modern
    use adfric_describe_table, only: variable_t
    use adfric_describe_vocabulary, only: list_groups
    use adfric_describe_scene_facts, only: find_facts, scene_t
-   use adfric_describe_scene_names, only: likely_name_of, rename_words
+   use adfric_describe_scene_names, only: added_word, likely_name_of, rename_words
    implicit none (type, external)
    private
    public :: write_scene
@@ -96,11 +96,12 @@ contains
       !> Is the assignment left out? Shape `(n_assignments)`.
       logical, intent(in) :: is_left_out(:)
       type(scene_t), intent(out) :: scene
-      character(:), allocatable :: group, name
+      character(:), allocatable :: group, name, old_names
       integer :: i, k, at
 
       group = ''
       name = ''
+      old_names = ''
       scene%names = ''
       scene%surface = ''
       scene%state = ''
@@ -119,6 +120,7 @@ contains
             ! SI units say nothing of the scene
             if (name == 'units' .and. word_of(file%value_of(i), old%variables(at), old%variables(at)) == 'si') cycle
             scene%names = scene%names//' '//likely_name_of(old%name, group//'%'//name)
+            old_names = old_names//' '//group//'%'//name
             if (name == 'kind') scene%surface = word_of(file%value_of(i), old%variables(at), renamed(old, at))
             if (name == 'state') scene%state = word_of(file%value_of(i), old%variables(at), old%variables(at))
             if (name == 'theory') scene%theory = word_of(file%value_of(i), old%variables(at), renamed(old, at))
@@ -127,13 +129,11 @@ contains
          end if
       end do
       scene%names = adjustl(scene%names)
-      ! the force of sliding of an indenter stood beside every contact that a shear strength can hold
-      if (old%name == 'indenter' .and. len(scene%state) == 0 .and. has_word(scene%names, 'friction%shear_strength') .and. .not. &
-         (has_word(scene%names, 'operating%tangential_force') .or. has_word(scene%names, 'operating%tangential_displacement') .or. &
-         has_word(scene%names, 'operating%base_displacement'))) then
-         scene%state = 'sliding'
-         scene%names = scene%names//' operating%state'
-      end if
+      call find_facts(scene)
+      scene%curve = added_word(old%name, 'solid%curve_modulus', scene%facts//old_names)
+      if (len(scene%state) > 0) return
+      scene%state = added_word(old%name, 'operating%state', scene%facts//old_names)
+      if (len(scene%state) > 0) scene%names = scene%names//' operating%state'
    end subroutine find_scene
 
    !> A row with the words that scenes have for its choices.
@@ -213,6 +213,7 @@ contains
          file%find_assignment(file%find_group('operating'), 'state') == 0) &
          lines = line_of('state = '''//scene%state//'''', '')
       if (group == 'solid' .and. scene%extent /= 'half_space') lines = line_of('extent = '''//scene%extent//'''', '')
+      if (group == 'solid' .and. len(scene%curve) > 0) lines = lines//line_of('curve_modulus = '''//scene%curve//'''', '')
       do i = 1, size(file%assignments)
          associate (assignment => file%assignments(i))
             at = index_of_assigned(file, i, old)

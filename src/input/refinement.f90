@@ -128,7 +128,7 @@ contains
       else if (axes(1)%variables(1) /= variable) then
          flaw = 'it is not swept, given '''//model%variables(variable)%name//''', allowed: '''// &
             model%variables(axes(1)%variables(1))%name//''''
-      else if (model%variables(variable)%kind == kind_integer) then
+      else if (model%variables(variable)%kind == kind_integer .or. model%variables(variable)%has_steps) then
          flaw = 'an integer cannot be refined, given '''//model%variables(variable)%name//''''
       else
          associate (x => axes(1)%values(1, :))

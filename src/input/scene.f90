@@ -16,15 +16,15 @@ module adfric_input_scene
    use adfric_run_converted_model, only: convert_model
    use adfric_describe_scene_facts, only: describe_scene, find_facts, scene_t, words_of
    use adfric_describe_scene_names, only: rename_tables
-   use adfric_describe_scene_solvers, only: answers, find_nearest, known_extents, known_surfaces, known_tractions, n_scenes, &
-      & scenes, &
-      word_length
+   use adfric_describe_scene_solvers, only: answers, find_nearest, known_curves, known_extents, known_surfaces, &
+      known_tractions, n_scenes, scenes, word_length
    implicit none (type, external)
    private
    public :: make_model, find_solver, make_solver, naming
 
    !> Names that stand for the scene itself.
-   character(*), parameter :: names_of_scene = 'surface%kind solid%extent traction%kind operating%state'
+   character(*), parameter :: names_of_scene = 'surface%kind solid%extent solid%curve_modulus traction%kind '// &
+      & 'operating%state'
    !> Variables that name other variables.
    character(*), parameter :: naming = 'variable variables with abscissa'
 
@@ -159,6 +159,9 @@ contains
       call list_given(file, scene%names)
       scene%extent = 'half_space'
       call read_choice(file, 'solid', 'extent', known_extents, scene%extent, problems)
+      scene%curve = ''
+      call read_choice(file, 'solid', 'curve_modulus', known_curves, scene%curve, problems)
+      call check_curve(scene, problems)
       scene%state = ''
       call read_choice(file, 'operating', 'state', 'static sliding', scene%state, problems)
       scene%theory = ''
@@ -189,6 +192,22 @@ contains
       end subroutine read_kind
 
    end subroutine read_scene
+
+   !> Which modulus a master curve is one of: that of columns is Young's.
+   subroutine check_curve(scene, problems)
+      type(scene_t), intent(in) :: scene
+      type(problems_t), intent(inout) :: problems
+
+      if (len(scene%curve) == 0) return
+      if (.not. has_word(scene%names, 'solid%master_curve')) then
+         call problems%add('solid', 'curve_modulus', 'has no meaning without master_curve')
+      else if (scene%extent == 'foundation' .and. scene%curve == 'contact') then
+         call problems%add('solid', 'curve_modulus', 'is ''contact'', and columns need Young''s modulus, allowed: young')
+      else if (scene%curve == 'young' .and. .not. (has_word(scene%names, 'solid%poisson_ratio') .or. &
+         has_word(scene%names, 'poisson_ratio'))) then
+         call problems%add('solid', 'poisson_ratio', 'is missing [-]; a master curve of Young''s modulus needs it')
+      end if
+   end subroutine check_curve
 
    !> The columns of a table say what is solved, so that the input has to name them.
    subroutine check_cases(file, problems)

@@ -93,6 +93,8 @@ contains
       flaw = ''
       if (model%variables(index)%kind == kind_integer) then
          flaw = 'an integer, given '''//model%variables(index)%name//''', allowed: variables that are real numbers'
+      else if (model%variables(index)%has_steps) then
+         flaw = 'it has some values alone, given '''//model%variables(index)%name//''', allowed: variables that vary'
       else if (.not. (is_set(input%values(index)) .or. input%is_broken(index))) then
          flaw = 'it has no value in this run, given '''//model%variables(index)%name//''', allowed: variables that have one'
       end if

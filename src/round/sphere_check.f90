@@ -52,7 +52,7 @@ contains
             & in%second_young_modulus, in%second_poisson_ratio, in%work_of_adhesion, in%adhesion_stress, in%adhesion_range, &
             & in%critical_slip]
          integer :: theory, k
-         logical :: has_adhesion
+         logical :: has_adhesion, is_asked_for
 
          theory = nint(values(in%theory)) - 2
          if (nint(values(in%units)) == units_reduced) then
@@ -70,7 +70,9 @@ contains
             if (is_set(values(in%work_of_adhesion))) has_adhesion = values(in%work_of_adhesion) > 0
             call require_one(variables, values, [in%adhesion_stress, in%adhesion_range, in%lambda], &
                & has_adhesion .and. (theory == theory_auto .or. theory == theory_maugis_dugdale), problems)
-            if (theory > theory_hertz .and. is_set(values(in%work_of_adhesion)) .and. .not. has_adhesion) then
+            ! a theory that nobody asked for is that of Hertz without adhesion
+            is_asked_for = abs(values(in%theory) - variables(in%theory)%default) > 0
+            if (theory > theory_hertz .and. is_asked_for .and. is_set(values(in%work_of_adhesion)) .and. .not. has_adhesion) then
                call add(in%work_of_adhesion, 'is 0, given 0 J/m^2, allowed with this theory: a number > 0 [J/m^2]')
             end if
          end if

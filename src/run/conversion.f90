@@ -3,11 +3,15 @@
 module adfric_run_conversion
    use adfric_base_constants, only: pi
    use adfric_base_kinds, only: dp
+   use adfric_base_unset, only: is_set
    use adfric_base_words, only: has_word
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: kind_real, variable_t
    implicit none (type, external)
    private
-   public :: as_it_is, doubled, by_samples_x, by_samples_y, to_reverse, to_axis, to_degrees, direction_tolerance
+   public :: as_it_is, to_reverse, to_axis, to_degrees, direction_tolerance
    public :: follows_nothing, follows_work, follows_stress
+   public :: be_angle, conversion_of, lengths_of, take_spacing
    public :: find_what_follows, text_over_area, to_scene, to_solver, unit_over_area
 
    !> How a value of the scene becomes that of the solver.
@@ -18,6 +22,62 @@ module adfric_run_conversion
    integer, parameter :: follows_nothing = 0, follows_work = 1, follows_stress = 2
 
 contains
+
+   !> Indices of the lengths of heights, if the solver does not know their spacing; else 0.
+   pure function lengths_of(model) result(indices)
+      class(model_t), intent(in) :: model
+      integer :: indices(2), heights
+
+      indices = 0
+      heights = model%index_of('surface', 'heights')
+      if (heights == 0) return
+      if (model%variables(heights)%n_attributes() > 0) return
+      indices = [model%index_of('surface', 'length_x'), model%index_of('surface', 'length_y')]
+   end function lengths_of
+
+   !> Heights may come with their spacing.
+   pure subroutine take_spacing(heights)
+      type(variable_t), intent(inout) :: heights
+
+      heights%attributes = 'dx dy'
+      heights%attribute_units = 'm m'
+   end subroutine take_spacing
+
+   !> How a variable is converted.
+   pure integer function conversion_of(variable) result(how)
+      type(variable_t), intent(in) :: variable
+
+      how = as_it_is
+      if (variable%is_called('surface', 'height')) how = doubled
+      if (variable%is_called('surface', 'spacing')) how = by_samples_x
+      if (variable%is_called('surface', 'strip_spacing')) how = by_samples_y
+      if (variable%is_called('surface', 'reverse')) how = to_reverse
+      if (variable%is_called('operating', 'tangential_axis')) how = to_axis
+      if (variable%is_called('surface', 'direction')) how = to_degrees
+   end function conversion_of
+
+   !> A variable is an angle for the scene, instead of a word or of degrees.
+   pure subroutine be_angle(variable, how)
+      type(variable_t), intent(inout) :: variable
+      !> How it is converted.
+      integer, intent(in) :: how
+
+      select case (how)
+      case (to_reverse)
+         variable%meaning = 'direction to which the body slides: 0 along +x, or pi against it'
+      case (to_axis)
+         variable%meaning = 'direction of the tangential force from the first axis (x, or the major one): 0 or pi/2'
+      case default
+         variable%meaning = 'direction to which the body slides, from +x to +y; a multiple of pi/2, of pi/4 for waves'
+      end select
+      variable%kind = kind_real
+      variable%has_steps = .true.
+      variable%unit = 'rad'
+      variable%choices = ''
+      variable%lower = -6.5_dp
+      variable%upper = 6.5_dp
+      if (is_set(variable%default)) variable%default = 0
+   end subroutine be_angle
 
    !> Value of the solver.
    pure real(dp) function to_solver(how, value, samples) result(converted)

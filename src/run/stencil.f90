@@ -177,6 +177,7 @@ contains
       type(variable_t), intent(in) :: variable
 
       is_allowed = value >= variable%lower .and. value <= variable%upper .and. variable%kind /= kind_integer
+      is_allowed = is_allowed .and. .not. variable%has_steps
       if (variable%lower_open) is_allowed = is_allowed .and. value > variable%lower
       if (variable%upper_open) is_allowed = is_allowed .and. value < variable%upper
    end function is_allowed

@@ -32,6 +32,8 @@ SURFACES = {
     "wave_1d": "period = 1e-4, amplitude = 1e-6", "wave_2d": "period = 1e-4, amplitude = 1e-6", "wave_product": "period = 1e-4, amplitude = 1e-6",
     "cosines": "period = 1e-4, amplitudes = 1e-6, 3e-7, phases = 0.0, 1.0", "profile": "heights = 'z.h5:/profile', length_x = 1e-4",
     "heights": "heights = 'z.h5:/map', length_x = 1e-4, length_y = 1e-4"}
+# Results that take the sign of the velocity.
+VECTORS = ("friction_stress", "friction_force", "friction_coefficient", "contact_shift", "lateral_friction_stress", "full_contact_friction_stress")
 PERIODIC = ("wave_1d", "wave_2d", "wave_product", "cosines", "profile", "heights")
 ELASTIC = "&solid young_modulus = 7.5e6, poisson_ratio = 0.5 /\n"
 RELAXING = "&solid modulus = 1e7, moduli = 9e7, relaxation_times = 1e-3{more} /\n"
@@ -394,6 +396,237 @@ class Scenes(Runs):
         self.assertIn("&operating direction: is no multiple of pi", errors)
         self.write(scene_of("wave_2d", 7).replace("velocity = 0.01", "velocity = 0.01, direction = 0.785398163"))
         self.run_program("run", "--quiet", "--force", "run.nml")
+
+    def run_scene(self, scene):
+        """The results of a scene, and its profiles."""
+        self.write(scene)
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        with h5py.File(self.folder/"run.h5") as file:
+            self.assertTrue(np.all(file["status"][()] == 0))
+            inputs = [name for name in ("velocity", "direction", "length_x", "length_y") if name in file]
+            maps = {name: item[()] for name, item in file.items() if name in ("pressure", "shear_stress", "displacement", "gap")}
+        return {name: values for name, values in results_of(self.folder/"run.h5")[0].items() if name not in inputs}, maps
+
+    def test_velocity_of_either_sign(self):
+        """Vectors take the sign of the velocity, losses do not; sliding back is sliding to where pi shows."""
+        for surface, column in (("wave_1d", 7), ("wave_2d", 7), ("profile", 7), ("heights", 7), ("wave_1d", 8), ("profile", 8),
+                                ("wave_1d", 9), ("wave_product", 9), ("cosines", 9), ("profile", 9), ("heights", 9),
+                                ("wave_1d", 10), ("profile", 10), ("cylinder", 7)):
+            scene = scene_of(surface, column)
+            forward, _ = self.run_scene(scene)
+            back, _ = self.run_scene(scene.replace("velocity = ", "velocity = -"))
+            self.assertEqual(forward.keys(), back.keys())
+            vectors = [name for name in forward if name in VECTORS and np.isfinite(forward[name])]
+            self.assertGreater(len(vectors), 1, (surface, column))
+            for name in vectors:
+                self.assertGreaterEqual(forward[name] if "lateral" not in name and "shift" not in name else 0, 0, (surface, column, name))
+                self.assertLessEqual(back[name] if "lateral" not in name and "shift" not in name else 0, 0, (surface, column, name))
+            self.assertGreater(back["dissipation"], 0)
+            if surface in ("cylinder", "wave_1d") and column == 7:
+                continue
+            turned, _ = self.run_scene(scene.replace("velocity = ", "direction = 3.14159265, velocity = "))
+            for name, values in turned.items():
+                np.testing.assert_array_equal(back[name], -values if name in VECTORS else values, err_msg=f"{surface}, {column}: {name}")
+            there_and_back, _ = self.run_scene(scene.replace("velocity = ", "direction = 3.14159265, velocity = -"))
+            for name, values in forward.items():
+                np.testing.assert_array_equal(there_and_back[name], -values if name in VECTORS else values, err_msg=f"{surface}, {column}: {name}")
+
+    def test_mirrored_heights(self):
+        """A surface that slides back is its mirror image that slides forth, with profiles that are mirrored in x."""
+        profiles = "\n&output profiles = .true., n_x = 65 /\n"
+        with h5py.File(self.folder/"z.h5", "a") as file:
+            for name in ("profile", "map"):
+                file[name + "_mirrored"] = np.roll(file[name][()][..., ::-1], 1, axis=-1)
+        for surface, column in (("cosines", 9), ("profile", 9), ("heights", 9), ("profile", 10), ("wave_1d", 9), ("wave_1d", 10)):
+            scene = (scene_of(surface, column) + profiles).replace("length_x", "detrend = 'none', periodise = 'none', length_x")
+            back, maps = self.run_scene(scene.replace("velocity = ", "velocity = -"))
+            mirrored = scene.replace("z.h5:/profile", "z.h5:/profile_mirrored").replace("z.h5:/map", "z.h5:/map_mirrored")
+            forth, images = self.run_scene(mirrored.replace("phases = 0.0, 1.0", "phases = 0.0, -1.0"))
+            for name, values in forth.items():
+                if name not in ("error_estimate", "energy_imbalance"):
+                    np.testing.assert_allclose(back[name], -values if name in VECTORS else values, rtol=1e-9, atol=1e-20,
+                                               err_msg=f"{surface}, {column}: {name}")
+            self.assertEqual(set(maps), {"pressure", "shear_stress", "displacement", "gap"})
+            for name, values in maps.items():
+                image = images[name][..., ::-1]
+                np.testing.assert_allclose(values, -image if name == "shear_stress" else image, rtol=1e-7,
+                                           atol=1e-9*np.abs(image).max(), err_msg=f"{surface}, {column}: {name}")
+            # the mean of the shear stress over the period is the friction, with its sign
+            if surface in ("cosines", "profile"):
+                mean = np.mean(maps["shear_stress"][..., :-1])
+                np.testing.assert_allclose(mean, back["friction_stress"], rtol=0.1)
+                self.assertLess(mean, 0)
+
+    def test_sweep_of_velocity(self):
+        """A sweep of velocities from one sign to the other, its derivative and its refinement."""
+        for surface, column in (("profile", 7), ("profile", 9), ("wave_1d", 10)):
+            scene = scene_of(surface, column).replace(", velocity = 0.01", "")
+            swept, _ = self.run_scene(scene + "&sweep variable = 'velocity', from = -0.02, to = 0.02, count = 5 /\n"
+                                      "&output derivatives = 'velocity' /\n")
+            friction = swept["friction_stress"]
+            self.assertTrue(np.all(friction[:2] < 0) and np.all(friction[3:] > 0))
+            # adhesion is lost at edges that slide however slowly
+            self.assertLess(abs(friction[2]), (1e-3 if column == 10 else 1e-9)*friction[4])
+            for at, velocity in ((0, -0.02), (4, 0.02)):
+                one, _ = self.run_scene(scene_of(surface, column).replace("velocity = 0.01", f"velocity = {velocity}"))
+                np.testing.assert_allclose(friction[at], one["friction_stress"], rtol=1e-9)
+            self.assertGreater(swept["friction_stress_by_velocity"][2], 0)
+
+    def test_what_does_not_vary(self):
+        """A direction of a few values has no derivative, no error, and cannot be refined or fitted."""
+        for surface, column in (("profile", 7), ("profile", 9)):
+            scene = scene_of(surface, column).replace("velocity", "direction = 0.0, velocity")
+            for group, message in (("&output derivatives = 'direction' /", "&output derivatives: it has some values alone, given 'direction'"),
+                                   ("&uncertain variable = 'direction', error = 0.1 /", "&uncertain[1] variable: it has some values alone")):
+                self.write(scene + group + "\n")
+                _, errors = self.run_program("check", "run.nml", status=2)
+                self.assertIn(message, errors)
+            self.write("velocity,friction_stress\n0.01,1.0\n0.02,2.0\n0.03,3.0\n", "v.csv")
+            self.write(scene.replace("direction = 0.0, velocity = 0.01", "").replace(",  /", " /") + "&free variable = 'direction' /\n"
+                       "&data file = 'v.csv', abscissa = 'velocity', ordinate = 'friction_stress' /\n")
+            _, errors = self.run_program("fit", "run.nml", status=2)
+            self.assertIn("it has some values alone, it cannot be fitted, given 'direction'", errors)
+
+    def test_work_from_zero(self):
+        """A sweep of the work of adhesion from 0: Hertz's contact there, and JKR's or Maugis's behind it."""
+        for surface in ("paraboloid", "cone", "sphere"):
+            for more in ("", "&adhesion adhesion_stress = 1e6 /\n", "&adhesion adhesion_range = 1e-8 /\n"):
+                scene = scene_of(surface, 1).replace("&operating load = 1e-3", "&operating load = 1e-4") + more
+                swept, _ = self.run_scene(scene + "&sweep variable = 'work_of_adhesion', from = 0.0, to = 0.05, count = 3 /\n")
+                plain, _ = self.run_scene(scene_of(surface, 1).replace("load = 1e-3", "load = 1e-4"))
+                for name in ("contact_radius", "approach"):
+                    np.testing.assert_allclose(swept[name][0], plain[name], rtol=1e-13, err_msg=f"{surface}: {name}")
+                self.assertTrue(np.all(np.diff(swept["contact_radius"]) > 0))
+                self.assertEqual(swept["contact_radius"].shape, (3,))
+        scene = scene_of("paraboloid", 1) + "&sweep variable = 'work_of_adhesion', from = 0.0, to = 0.05, count = 3 /\n"
+        self.run_scene(scene)
+        with h5py.File(self.folder/"run.h5") as file:
+            meanings = file["theory_used"].attrs["flag_meanings"].split()
+            values = list(file["theory_used"].attrs["flag_values"])
+            self.assertEqual([meanings[values.index(k)] for k in file["theory_used"][()]], ["hertz", "jkr", "jkr"])
+        # a theory that is asked for keeps its bound
+        self.write(scene + "&adhesion theory = 'jkr' /\n")
+        _, errors = self.run_program("check", "run.nml", status=2)
+        self.assertIn("&adhesion work_of_adhesion: is 0", errors)
+
+    def test_spacing_of_heights(self):
+        """The attributes dx and dy of heights give the lengths, on a half-space as on columns; a length that is given counts."""
+        for surface, column in (("profile", 1), ("heights", 1), ("heights", 2), ("profile", 7), ("heights", 7), ("heights", 8), ("heights", 9)):
+            scene = scene_of(surface, column)
+            given, _ = self.run_scene(scene)
+            bare_scene = re.sub(r", length_[xy] = [^ ,]+", "", scene)
+            self.assertNotIn("length", bare_scene)
+            with h5py.File(self.folder/"z.h5", "a") as file:
+                for name in ("profile", "map"):
+                    file[name].attrs.update({"dx": 1e-4/32, "dy": 1e-4/32})
+            found, _ = self.run_scene(bare_scene)
+            for name, values in given.items():
+                np.testing.assert_allclose(found[name], values, rtol=1e-12, atol=1e-14, err_msg=f"{surface}, {column}: {name}")
+            if column < 9:
+                with h5py.File(self.folder/"run.h5") as file:
+                    np.testing.assert_allclose(file["length_x"][()], 1e-4, rtol=1e-14)
+                    self.assertEqual("length_y" in file, surface == "heights")
+            with h5py.File(self.folder/"z.h5", "a") as file:
+                for name in ("profile", "map"):
+                    file[name].attrs["dx"] = 2e-4/32
+            again, _ = self.run_scene(scene)
+            for name, values in given.items():
+                np.testing.assert_array_equal(again[name], values, err_msg=name)
+            with h5py.File(self.folder/"z.h5", "a") as file:
+                for name in ("profile", "map"):
+                    file[name].attrs["dx"] = -1.0
+            self.write(bare_scene)
+            _, errors = self.run_program("check", "run.nml", status=2)
+            self.assertIn("&surface heights: has an attribute dx that is not > 0", errors)
+            with h5py.File(self.folder/"z.h5", "a") as file:
+                for name in ("profile", "map"):
+                    del file[name].attrs["dx"], file[name].attrs["dy"]
+
+    def test_modulus_of_a_curve(self):
+        """A bonded layer takes a master curve of Young's modulus or of the contact modulus, and Poisson's ratio beside either."""
+        omega = np.logspace(-1, 6, 43)
+        storage, loss = (1e6 + 9e6*(omega*1e-3)**2/(1 + (omega*1e-3)**2), 9e6*omega*1e-3/(1 + (omega*1e-3)**2))
+        with h5py.File(self.folder/"curve.h5", "w") as file:
+            for name, factor in (("young", 1.0), ("contact", 1/(1 - 0.45**2))):
+                file[f"{name}/omega"] = omega
+                file[f"{name}/storage"] = factor*storage
+                file[f"{name}/loss"] = factor*loss
+        scene = scene_of("wave_1d", 8)
+        solid = scene[scene.index("&solid"):scene.index("&operating")]
+        found = {}
+        for word, ratio in (("young", "poisson_ratio = 0.45, "), ("contact", "poisson_ratio = 0.45, "), ("", "poisson_ratio = 0.45, ")):
+            says = f"curve_modulus = '{word}', " if word else ""
+            found[word], _ = self.run_scene(scene.replace(solid, f"&solid master_curve = 'curve.h5:/{word or 'young'}', {says}{ratio}extent = 'layer',"
+                                                          " thickness = 1e-4, base = 'bonded' /\n"))
+        for name in ("friction_stress", "contact_fraction", "approach"):
+            np.testing.assert_allclose(found["contact"][name], found["young"][name], rtol=1e-9, err_msg=name)
+            np.testing.assert_array_equal(found[""][name], found["young"][name], err_msg=name)
+        for text, message in (("curve_modulus = 'contact'", "&solid poisson_ratio: is missing [-]; a bonded layer needs it"),
+                              ("curve_modulus = 'young'", "&solid poisson_ratio: is missing [-]; a master curve of Young's modulus needs it"),
+                              ("curve_modulus = 'shear'", "&solid curve_modulus: unknown word, given 'shear', allowed: 'young', 'contact'")):
+            self.write(scene.replace(solid, f"&solid master_curve = 'curve.h5:/contact', {text}, extent = 'layer', thickness = 1e-4, base = 'bonded' /\n"))
+            _, errors = self.run_program("check", "run.nml", status=2)
+            self.assertIn(message, errors)
+        self.write(scene.replace("modulus = 1e7", "curve_modulus = 'young', modulus = 1e7"))
+        _, errors = self.run_program("check", "run.nml", status=2)
+        self.assertIn("&solid curve_modulus: has no meaning without master_curve", errors)
+        # an input of a model says it by where Poisson's ratio stands
+        self.write("&job model = 'surface_sliding', output = 'run.h5' /\n&surface kind = 'wave_1d', period = 1e-4, amplitude = 1e-6 /\n"
+                   "&material master_curve = 'curve.h5:/contact' /\n&layer thickness = 1e-4, base = 'bonded', poisson_ratio = 0.45 /\n"
+                   "&operating mean_pressure = 5e4, velocity = 0.01 /\n&numerics cells = 64 /\n")
+        text, _ = self.run_program("modernise", "run.nml")
+        self.assertIn("curve_modulus = 'contact'", text)
+        old, _ = self.run_scene((self.folder/"run.nml").read_text())
+        new, _ = self.run_scene(text)
+        np.testing.assert_array_equal(new["friction_stress"], old["friction_stress"])
+
+    def test_messages(self):
+        """What a solver finds wrong is said with the names of the scene."""
+        with h5py.File(self.folder/"z.h5", "a") as file:
+            file["long"] = np.linspace(-1e-3, 1e-3, 33)
+        flat = scene_of("line_punch", 1)
+        coulomb = scene_of("cone", 5)
+        old_names = re.compile(r"&(sphere|shape|contact|punch|material|foundation|layer|samples|model)\b|friction coefficient|tangential_axis|"
+                               r"surface_energy|strip_spacing|wave_3d|degrees|'flat'|shear_tractions")
+        for scene, message in (
+                (coulomb.replace("&friction coulomb_coefficient = 0.3 /\n", ""), "run.nml: &"),
+                (scene_of("ellipsoid", 5).replace("tangential_force = 1e-6", "direction = 1.5707963").replace("&friction coulomb_coefficient = 0.3 /\n", ""), ""),
+                (scene_of("wave_2d", 5).replace(", tangential_stress = 1e3", ", direction = 1.5707963"), "&operating tangential_stress: is missing [Pa]; &friction coulomb_coefficient needs it"),
+                (scene_of("line_polynomial", 1).replace("coefficient_2 = 500.0", "coefficient_2 = 0.0"), "&surface coefficient_2: is 0 like all coefficients; give one of them, or kind = 'line_punch'"),
+                (scene_of("polynomial", 1).replace("coefficient_2 = 500.0, coefficient_4 = 1e6", "coefficient_2 = 0.0"), "&surface coefficient_1: is 0 like all coefficients; give one of them, or kind = 'flat_punch'"),
+                (scene_of("wedge", 1).replace("slope = 0.1", "slope = 0.1, face_half_width = 1e-6").replace("load = 1e-3", "contact_half_width = 1e-5"), "&operating contact_half_width: is larger than the face_half_width"),
+                (flat.replace("load = 1e-3", "load = 1e-3, contact_half_width = 1e-6"), "&operating contact_half_width"),
+                (scene_of("power", 2).replace("exponent = 4.0", "exponent = 0.4").replace(", adhesion_stress = 1e6", ""), "&surface exponent: is too small for adhesion"),
+                (scene_of("cone", 2).replace("adhesion_stress = 1e6", "theory = 'dmt', adhesion_stress = 1e6"), "&adhesion theory: is 'dmt'"),
+                (scene_of("wave_1d", 2).replace("work_of_adhesion = 1e-4, adhesion_stress = 1e3", "adhesion_stress = 1e-15, adhesion_range = 1e-7"), "&adhesion adhesion_stress: or its range is too small"),
+                (scene_of("wave_2d", 7).replace("velocity = 0.01", "velocity = 0.01, direction = 0.5"), "&operating direction: is no multiple of pi/4"),
+                (scene_of("profile", 7).replace("velocity = 0.01", "velocity = 0.01, direction = 0.5"), "&operating direction: is no multiple of pi/2"),
+                (scene_of("wave_product", 9).replace("relaxation_time = 1e-4, retardation_ratio = 10.0", "stiffnesses = 1e10, relaxation_times = 1e-3"), "&surface kind: is wave_product, which has one relaxation time; sample it as heights"),
+                (scene_of("profile", 9).replace(", length_x = 1e-4", ""), "&surface length_x: is missing"),
+                (scene_of("profile", 9).replace("z.h5:/profile", "z.h5:/map"), "&surface heights: of a profile have one dimension; those of two are of kind heights"),
+                (scene_of("wave_1d", 9).replace("retardation_ratio = 10.0", "retardation_ratio = 10.0, stiffnesses = 1e10"), "&solid stiffnesses: belongs to heights"),
+                ("&job output = 'run.h5' /\n&traction kind = 'strip', distribution = 'sampled', positions = 'z.h5:/long', pressures = 'z.h5:/long', shear_stresses = 'z.h5:/profile' /\n"
+                 + ELASTIC + "&position position_x = 0.0, position_z = 1e-3 /\n", "&traction shear_stresses: has not as many values as positions")):
+            self.write(scene)
+            _, errors = self.run_program("check", "run.nml", status=2)
+            self.assertIn(message, errors)
+            self.assertIsNone(old_names.search(errors), errors)
+
+    def test_help_on_names(self):
+        """What scenes say of a name stands first, and what models say of it behind."""
+        for topic, first, then in (("work_of_adhesion", "&adhesion\n  work_of_adhesion [J/m^2]", "model = 'sphere'"),
+                                   ("amplitude", "&surface\n  amplitude [m]", "model = 'wave_1d'"),
+                                   ("friction_force", "Results, where they have a meaning\n  friction_force", "model = "),
+                                   ("operating", "&operating\n", "model = "),
+                                   ("wave_product", "&surface\n  kind ", ""), ("operating%velocity", "&operating\n  velocity [m/s]", "model = "),
+                                   ("blend_fraction", "&surface\n  blend_fraction [-]", ""), ("curve_modulus", "&solid\n  curve_modulus", "")):
+            page, _ = self.run_program("help", topic)
+            self.assertIn("In a scene (adfric help scenes)\n" + first, page, topic)
+            if then:
+                old = page.index("In an input that names a model (&job model)\n" + then)
+                self.assertGreater(old, page.index("In a scene"))
+            else:
+                self.assertNotIn("model = ", page)
 
     def test_lengths(self):
         """A profile by its length and by the attribute of its spacing."""
