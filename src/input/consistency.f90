@@ -8,6 +8,7 @@ module adfric_input_consistency
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_variable, only: show_value
    use adfric_describe_model, only: model_t
+   use adfric_describe_scene_messages, only: say_as_scene
    use adfric_run_plan, only: axis_t
    implicit none (type, external)
    private
@@ -78,6 +79,7 @@ contains
       integer :: i, n_before
 
       call model%check_values(values, input%is_swept, found)
+      call say_as_scene(model, found)
       n_before = problems%count()
       do i = 1, found%count()
          associate (item => found%items(i))

@@ -10,6 +10,7 @@ module adfric_input_dataset_loading
    use adfric_input_group_columns, only: load_columns
    use adfric_input_variable, only: describe_allowed
    use adfric_describe_model, only: model_t
+   use adfric_describe_scene_messages, only: say_as_scene
    use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
@@ -43,6 +44,7 @@ contains
             else
                call model%take_dataset(i, values, found)
                call hand_over_attributes(model, i, dataset, found)
+               call say_as_scene(model, found)
             end if
             do k = 1, found%count()
                call problems%add(found%items(k)%group, found%items(k)%variable, found%items(k)%text, line=input%line(i))
