@@ -9,7 +9,7 @@ module adfric_command_help
    use adfric_command_help_lists, only: model_box_t, list_topics, show_list
    use adfric_command_help_names, only: describe_model, describe_outputs, describe_name, describe_common, &
       describe_variables, list_names, list_words
-   use adfric_command_help_scenes, only: describe_scenes, list_scene_names
+   use adfric_command_help_scenes, only: describe_scene_name, describe_scenes, list_scene_names
    use adfric_command_help_pages, only: usage_page, input_page, tables_page, outputs_head
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
@@ -109,7 +109,8 @@ contains
       !> A name in small letters, without the & of a group.
       character(*), intent(in) :: topic
       character(:), allocatable :: text
-      character(:), allocatable :: of_models, of_fits
+      character(:), allocatable :: of_models, of_fits, of_scenes
+      character(*), parameter :: of_old_inputs = 'In an input that names a model (&job model)'
 
       text = ''
       if (has_word(known_commands, topic)) text = usage_page
@@ -118,12 +119,13 @@ contains
       of_fits = describe_fits(topic)
       if (len(text) > 0 .and. len(of_fits) > 0) text = text//newline
       text = text//of_fits
+      of_scenes = describe_scene_name(models, topic)
+      if (len(text) > 0 .and. len(of_scenes) > 0) text = text//newline
+      text = text//of_scenes
       of_models = describe_every_model(models, topic)
       if (len(text) > 0 .and. len(of_models) > 0) text = text//newline
+      if (len(of_scenes) > 0 .and. len(of_models) > 0) text = text//of_old_inputs//newline
       text = text//of_models
-      if (len(text) > 0) return
-      ! a name that scenes alone have
-      if (has_word(list_scene_names(models), topic)) text = describe_scenes(models)
    end function explain
 
    !> What the groups of fits say of a topic; empty if they do not have the name.

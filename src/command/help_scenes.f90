@@ -6,11 +6,13 @@ module adfric_command_help_scenes
    use adfric_command_help_lists, only: model_box_t
    use adfric_describe_table, only: kind_choice, variable_t
    use adfric_describe_vocabulary, only: order_of_scenes
-   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, meaning_of, rename_words
-   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_extents, known_surfaces, known_tractions, word_length
+   use adfric_describe_scene_messages, only: with_phrases
+   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, meaning_of, rename_words, renamed_to
+   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, &
+      known_tractions, word_length
    implicit none (type, external)
    private
-   public :: describe_scenes, list_scene_names
+   public :: describe_scenes, describe_scene_name, list_scene_names
 
    !> Columns of the table: solid, interface, operation, and what they are.
    integer, parameter :: n_columns = 10
@@ -48,7 +50,7 @@ contains
          //newline//describe_table()//newline &
          //'Given loads: &traction kind = ''line'', ''strip'' or ''point'' in place of &surface.'//newline//newline &
          //'Variables'//newline//describe_groups(models)//newline//'Results, where they have a meaning'//newline// &
-         describe_results(models)
+         describe_results(models, '')
    end function describe_scenes
 
    !> The table of surfaces.
@@ -107,11 +109,53 @@ contains
          names = ''
          if (group == 'surface') text = text//words_line('kind', known_surfaces)
          if (group == 'traction') text = text//words_line('kind', known_tractions)
-         if (group == 'solid') text = text//words_line('extent', known_extents)
+         if (group == 'solid') text = text//words_line('extent', known_extents)//words_line('curve_modulus', known_curves)
          if (has_word('surface traction', group)) names = 'kind'
-         call add_group(models, group, names, text)
+         call add_group(models, group, '', names, text)
       end do
    end function describe_groups
+
+   !> What scenes say of a name; empty if they do not have it.
+   function describe_scene_name(models, topic) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      !> Name of a group, a variable, a result, or a word of a scene, in small letters; a variable may stand behind its group and %.
+      character(*), intent(in) :: topic
+      character(:), allocatable :: text, group, lines, names, name, meant
+      integer :: g
+
+      text = ''
+      meant = groups_meant(models, topic)
+      do g = 1, count_words(order_of_scenes)
+         group = get_word(order_of_scenes, g)
+         name = topic
+         if (index(topic, group//'%') == 1) name = topic(len(group) + 2:)
+         if (group == topic) name = ''
+         if (index(name, '%') > 0) cycle
+         names = 'kind extent'
+         lines = ''
+         if (group == 'surface' .and. is_of(name, 'kind', known_surfaces)) lines = words_line('kind', known_surfaces)
+         if (group == 'traction' .and. is_of(name, 'kind', known_tractions)) lines = words_line('kind', known_tractions)
+         if (group == 'solid' .and. is_of(name, 'extent', known_extents)) lines = words_line('extent', known_extents)
+         if (group == 'solid' .and. is_of(name, 'curve_modulus', known_curves)) lines = lines//words_line('curve_modulus', &
+            known_curves)
+         if (has_word(meant, group)) call add_group(models, group, name, names, lines)
+         if (len(lines) > 0) text = text//'&'//group//newline//lines
+      end do
+      lines = describe_results(models, topic)
+      if (len(lines) > 0 .and. len(topic) > 0) text = text//'Results, where they have a meaning'//newline//lines
+      if (len(text) > 0) text = 'In a scene (adfric help scenes)'//newline//text
+   end function describe_scene_name
+
+   !> Is a variable of words meant by a name, which may be one of its words, or empty?
+   pure logical function is_of(name, variable, words)
+      character(*), intent(in) :: name
+      !> Name of the variable.
+      character(*), intent(in) :: variable
+      !> Its words, separated by a blank.
+      character(*), intent(in) :: words
+
+      is_of = len(name) == 0 .or. name == variable .or. has_word(words, name)
+   end function is_of
 
    !> A variable whose words are known.
    pure function words_line(name, words) result(line)
@@ -131,56 +175,122 @@ contains
    end function words_line
 
    !> Add the variables of a group.
-   subroutine add_group(models, group, names, text)
+   subroutine add_group(models, group, wanted, names, text)
       type(model_box_t), intent(in) :: models(:)
       !> Name of the group.
       character(*), intent(in) :: group
+      !> Name of a variable, or one of its words; empty for all variables.
+      character(*), intent(in) :: wanted
       !> Names that have been described.
       character(:), allocatable, intent(inout) :: names
       !> The page so far.
       character(:), allocatable, intent(inout) :: text
       type(variable_t) :: row
-      character(:), allocatable :: name
+      character(:), allocatable :: name, old_names
       integer :: m, i, percent
 
       name = ''
+      old_names = renamed_to(wanted)
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)
+            if (.not. may_be_meant(models(m)%model%variables(i), wanted, old_names)) cycle
             row = models(m)%model%variables(i)
             name = likely_name_of(models(m)%model%name, row%group//'%'//row%name)
             percent = index(name, '%')
             if (name(:percent - 1) /= group .or. has_word(names, name(percent + 1:))) cycle
+            if (.not. is_meant(models(m)%model%name, name(percent + 1:), row, wanted)) cycle
             names = names//' '//name(percent + 1:)
             ! an angle in scenes, whatever it is for the solver
             if (name == 'operating%direction') then
                row%choices = ''
                row%unit = 'rad'
             end if
-            text = text//pad('  '//name(percent + 1:)//unit_of(row), name_width)//meaning_of(name, row%meaning)// &
+            text = text//pad('  '//name(percent + 1:)//unit_of(row), name_width)//with_phrases(meaning_of(name, row%meaning))// &
                newline
             if (len(row%choices) > 0) text = text//words_line('', words_of_all(models, name))
          end do
       end do
    end subroutine add_group
 
-   !> The results of all scenes, each once.
-   function describe_results(models) result(text)
+   !> Groups of the variables that a topic means, separated by a blank.
+   function groups_meant(models, topic) result(groups)
       type(model_box_t), intent(in) :: models(:)
-      character(:), allocatable :: text, names, name
+      !> Name of a group, a variable or a word; a variable may stand behind its group and %.
+      character(*), intent(in) :: topic
+      character(:), allocatable :: groups, name, old_names
+      integer :: m, i, percent
+
+      groups = ''
+      name = ''
+      old_names = renamed_to(topic(index(topic, '%') + 1:))
+      do m = 1, size(models)
+         do i = 1, size(models(m)%model%variables)
+            associate (row => models(m)%model%variables(i))
+               if (.not. may_be_meant(row, topic(index(topic, '%') + 1:), old_names)) cycle
+               name = likely_name_of(models(m)%model%name, row%group//'%'//row%name)
+               percent = index(name, '%')
+               if (has_word(groups, name(:percent - 1))) cycle
+               if (name(:percent - 1) == topic .or. name == topic .or. &
+                  is_meant(models(m)%model%name, name(percent + 1:), row, topic)) groups = groups//' '//name(:percent - 1)
+            end associate
+         end do
+      end do
+   end function groups_meant
+
+   !> May a variable be meant? A glance that spares most of them the rules.
+   pure logical function may_be_meant(row, wanted, old_names)
+      !> Row of the solver.
+      type(variable_t), intent(in) :: row
+      !> Name of a group, a variable or a word; empty: every variable.
+      character(*), intent(in) :: wanted
+      !> What rules rename to it.
+      character(*), intent(in) :: old_names
+
+      may_be_meant = len(wanted) == 0 .or. row%name == wanted .or. len(row%choices) > 0 .or. has_word(order_of_scenes, wanted)
+      if (.not. may_be_meant) may_be_meant = has_word(old_names, row%group//'%'//row%name)
+   end function may_be_meant
+
+   !> Is a variable meant by a name, or by one of its words?
+   pure logical function is_meant(solver, name, row, wanted)
+      !> Name of the solver, and name of the variable in the language of scenes.
+      character(*), intent(in) :: solver, name
+      !> Row of the solver.
+      type(variable_t), intent(in) :: row
+      !> What is meant; empty: every variable.
+      character(*), intent(in) :: wanted
+      type(variable_t) :: renamed
+
+      is_meant = len(wanted) == 0 .or. name == wanted
+      if (is_meant .or. len(row%choices) == 0) return
+      renamed = row
+      call rename_words(solver, '', renamed)
+      is_meant = has_word(renamed%choices, wanted)
+   end function is_meant
+
+   !> The results of all scenes, each once, or the one of a name with its unit.
+   function describe_results(models, wanted) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      !> Name of the result; empty for all results.
+      character(*), intent(in) :: wanted
+      character(:), allocatable :: text, names, name, old_names
       integer :: k, m, i
 
       text = ''
       names = ''
       name = ''
+      old_names = renamed_to(wanted)
       ! from bodies to waves: the first solver is that of columns
       do k = 1, size(models)
          m = 1 + modulo(k, size(models))
          do i = 1, size(models(m)%model%results)
             associate (row => models(m)%model%results(i))
+               if (len(wanted) > 0 .and. row%name /= wanted) then
+                  if (.not. has_word(old_names, row%name)) cycle
+               end if
                name = likely_result_of(models(m)%model%name, row%name)
-               if (has_word(names, name)) cycle
+               if (has_word(names, name) .or. len(wanted) > 0 .and. name /= wanted) cycle
                names = names//' '//name
-               text = text//pad('  '//name, name_width)//row%long_name//newline
+               text = text//pad('  '//name, name_width)//with_phrases(row%long_name)//newline
             end associate
          end do
       end do
@@ -217,7 +327,7 @@ contains
       character(:), allocatable :: text
 
       text = ''
-      if (len_trim(row%unit) > 0) text = ' ['//row%unit//']'
+      if (len_trim(row%unit) > 0) text = ' ['//with_phrases(row%unit)//']'
    end function unit_of
 
    !> Names of scenes, for completion and for what may be meant by an unknown topic.
@@ -227,7 +337,7 @@ contains
       integer :: m, i
 
       name = ''
-      names = known_surfaces//' '//known_tractions//' extent '//known_extents//' '//order_of_scenes
+      names = known_surfaces//' '//known_tractions//' extent curve_modulus '//known_extents//' '//known_curves//' '//order_of_scenes
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)
             associate (row => models(m)%model%variables(i))
