@@ -242,8 +242,9 @@ def draw_overview():
 def page():
     """The text of docs/gallery.md."""
     lines = ["<!-- written by scripts/gallery -->", "", "# Gallery", "",
-             "Every input of `inputs/` with its figure, as `scripts/run inputs/NAME.nml` draws it, or with several inputs `scripts/plot`. The texts are those of",
-             "the inputs. `scripts/gallery` makes this page.", ""]
+             "Every input of `inputs/` with its figure, as `scripts/run inputs/NAME.nml` draws it, or with several inputs",
+             "`scripts/plot`. The texts are those of the inputs. `scripts/gallery` makes this page and draws the figures, of which",
+             "the repository has six. The site (`scripts/site`) has all.", ""]
     for area, entries in AREAS.items():
         lines += [f"## {area}", ""]
         for entry in entries:
