@@ -116,6 +116,32 @@ class Folders(unittest.TestCase):
                     self.assertRegex(path.read_text(), re.compile(rf"^module {path.stem}$", re.MULTILINE))
 
 
+class Words(unittest.TestCase):
+    """One word has one meaning: the field's own (docs/reference/glossary.md)."""
+
+    BANNED = {"way", "ways", "place", "places", "held", "room", "rooms", "march", "marched", "marches"}
+    # a constant of MPI
+    ALLOWED = {"mpi_in_place"}
+
+    def banned_in(self, text):
+        """The names of a source that have a banned word."""
+        found = set()
+        for line in text.splitlines():
+            code = re.sub(r"'(?:[^']|'')*'|\"[^\"]*\"", "", line).partition("!")[0]
+            found |= {name for name in re.findall(r"[a-z]\w*", code.lower()) if self.BANNED & set(name.split("_"))}
+        return found - self.ALLOWED
+
+    def test_sources(self):
+        """No name of the sources has a banned word."""
+        for path, _ in files_of(ROOT):
+            with self.subTest(path=path.relative_to(ROOT).as_posix()):
+                self.assertEqual(set(), self.banned_in(path.read_text()))
+
+    def test_faults(self):
+        """Names are found, texts and comments are not."""
+        self.assertEqual({"way", "last_place"}, self.banned_in("! the way\nx = way(last_place) ! held\ny = 'no room'\ncall MPI_IN_PLACE\n"))
+
+
 class Names(unittest.TestCase):
     """What C calls."""
 

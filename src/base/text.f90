@@ -158,12 +158,12 @@ contains
       read (buffer(index(buffer, 'E') + 1:), *) exponent
       digits = buffer(1:1)//buffer(3:index(buffer, 'E') - 1)
       digits = digits(:max(1, verify(digits, '0', back=.true.)))
-      shown = place_point(digits, exponent)
+      shown = put_point(digits, exponent)
       if (x < 0) shown = '-'//shown
    end function show_number
 
    !> Digits and a decimal exponent as a number: plain where that is short, else with an exponent.
-   pure function place_point(digits, exponent) result(shown)
+   pure function put_point(digits, exponent) result(shown)
       !> Decimal digits, at least one; with exponent 0 the first one stands before the point.
       character(*), intent(in) :: digits
       !> Decimal exponent of the first digit.
@@ -181,7 +181,7 @@ contains
       else
          shown = digits(:exponent + 1)//'.'//digits(exponent + 2:)
       end if
-   end function place_point
+   end function put_point
 
    !> An integer as text.
    pure function show_integer(n) result(shown)

@@ -6,7 +6,7 @@ module adfric_c_models
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    use adfric_base_version, only: git_revision, program_version
    use adfric_base_words, only: count_words, get_word
-   use adfric_c_places, only: check_index
+   use adfric_c_indices, only: check_index
    use adfric_c_tables, only: model_info_t, new_tables, result_info_t, tables_t, variable_info_t
    use adfric_c_texts, only: keep_text, read_text, refuse_null, status_of, too_little_memory
    use adfric_input_run, only: say_unknown_model

@@ -16,7 +16,7 @@ module adfric_c_results
    use adfric_c_cases, only: take_case
    use adfric_c_handles, only: add_handle, end_handle, kind_results, leave_object, let_stop, take_object
    use adfric_c_listener, only: listener_t, new_listener
-   use adfric_c_places, only: check_index
+   use adfric_c_indices, only: check_index
    use adfric_c_texts, only: read_text, refuse_null, status_of, too_little_memory
    use adfric_run_memory_sink, only: memory_sink_t
    use adfric_run_summary, only: run_summary_t

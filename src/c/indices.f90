@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Indices in lists, which C counts from 0.
-module adfric_c_places
+module adfric_c_indices
    use, intrinsic :: iso_c_binding, only: c_int32_t
    use adfric_base_error, only: error_t, input_failure, set_error
    implicit none (type, external)
@@ -31,4 +31,4 @@ contains
       end if
    end subroutine check_index
 
-end module adfric_c_places
+end module adfric_c_indices
