@@ -118,51 +118,80 @@ contains
       !> Receives the relative error of a result: the largest one, or the mean where there is a fold, beside which it is large.
       real(dp), intent(out) :: error
       type(fold_t), intent(out) :: fold
-      real(dp), allocatable :: all_values(:, :), results(:, :), error_estimate(:)
-      real(dp) :: counts(size(self%model%counts)), largest, total
-      integer, allocatable :: status(:)
-      integer :: first, last, i, k, n, n_solved
+      real(dp), allocatable :: errors(:)
+      real(dp) :: found(size(self%model%results))
+      integer :: first, last, n_solved
 
+      allocate (errors(size(x)), source=0.0_dp)
       y = 0
       regimes = regime_none
-      largest = least_error
-      total = 0
-      n_solved = 0
-      n = min(size(x), most_at_once)
-      allocate (all_values(size(values), n), results(size(self%model%results), n), error_estimate(n), status(n))
+      error = least_error
+      if (size(x) == 0) return
       if (self%is_sphere) call find_sphere_fold(values, fold)
-      do first = 1, size(x), most_at_once
+      last = min(most_at_once, size(x))
+      call ask_block(self, values, x(:last), y(:last), regimes(:last), errors(:last), found)
+      if (.not. self%is_sphere) call read_fold(self, values, found, fold)
+      !$omp parallel do schedule(dynamic) private(last, found) if (size(x) > 2*most_at_once)
+      do first = most_at_once + 1, size(x), most_at_once
          last = min(first + most_at_once - 1, size(x))
-         n = last - first + 1
-         do k = 1, n
-            all_values(:, k) = values
-            all_values(self%abscissa, k) = x(first + k - 1)
-         end do
-         call self%model%solve_block(all_values(:, :n), results(:, :n), error_estimate(:n), status(:n), counts)
-         if (first == 1 .and. .not. self%is_sphere) call read_fold(self, values, results(:, 1), fold)
-         do k = 1, n
-            i = first + k - 1
-            if (fold%is_known .and. .not. x(i) > fold%x) then
-               regimes(i) = regime_beyond
-               cycle
-            end if
-            if (status(k) /= status_solved) cycle
-            if (.not. ieee_is_finite(results(self%ordinate, k))) cycle
-            y(i) = results(self%ordinate, k)
-            regimes(i) = 0
-            if (self%regime > 0) regimes(i) = nint(results(self%regime, k))
-            n_solved = n_solved + 1
-            if (.not. ieee_is_finite(error_estimate(k))) cycle
-            largest = max(largest, error_estimate(k))
-            total = total + error_estimate(k)
-         end do
+         call ask_block(self, values, x(first:last), y(first:last), regimes(first:last), errors(first:last), found)
       end do
-      error = min(largest, largest_error)
+      !$omp end parallel do
+      if (fold%is_known) then
+         where (.not. x > fold%x) regimes = regime_beyond
+      end if
+      where (is_beyond_fold(regimes) .or. .not. ieee_is_finite(errors)) errors = 0
+      n_solved = count(regimes /= regime_none .and. regimes /= regime_beyond)
+      error = min(max(maxval(errors), least_error), largest_error)
       if (.not. fold%is_known) return
-      if (n_solved > 0) error = min(max(total/n_solved, least_error), largest_error)
+      if (n_solved > 0) error = min(max(sum_in_order(errors)/n_solved, least_error), largest_error)
       if (any(is_beyond_fold(regimes))) call find_ordinate(self, values, fold)
       where (is_beyond_fold(regimes)) y = fold%y
    end subroutine ask
+
+   !> Ask the model for the ordinates of a block; what stands in other blocks does not matter.
+   subroutine ask_block(self, values, x, y, regimes, errors, first)
+      class(model_points_t), intent(in) :: self
+      real(dp), intent(in) :: values(:), x(:)
+      !> In: 0 and `regime_none`. Out: ordinates and regimes of the points that have a solution.
+      real(dp), intent(inout) :: y(:)
+      integer, intent(inout) :: regimes(:)
+      !> Receives the relative errors of the solutions; 0 without one.
+      real(dp), intent(out) :: errors(:)
+      !> Receives all results of the first point.
+      real(dp), intent(out) :: first(:)
+      real(dp), allocatable :: all_values(:, :), results(:, :)
+      real(dp) :: counts(size(self%model%counts))
+      integer :: status(size(x)), k
+
+      allocate (all_values(size(values), size(x)), results(size(self%model%results), size(x)))
+      do k = 1, size(x)
+         all_values(:, k) = values
+         all_values(self%abscissa, k) = x(k)
+      end do
+      call self%model%solve_block(all_values, results, errors, status, counts)
+      first = results(:, 1)
+      do k = 1, size(x)
+         if (status(k) == status_solved .and. ieee_is_finite(results(self%ordinate, k))) then
+            y(k) = results(self%ordinate, k)
+            regimes(k) = 0
+            if (self%regime > 0) regimes(k) = nint(results(self%regime, k))
+         else
+            errors(k) = 0
+         end if
+      end do
+   end subroutine ask_block
+
+   !> The sum of numbers, one after the other, as it does not depend on how loops are compiled.
+   pure real(dp) function sum_in_order(numbers) result(total)
+      real(dp), intent(in) :: numbers(:)
+      integer :: k
+
+      total = 0
+      do k = 1, size(numbers)
+         total = total + numbers(k)
+      end do
+   end function sum_in_order
 
    !> The fold alone.
    subroutine find_fold(self, values, fold)

@@ -307,6 +307,19 @@ class Stacks(Fits):
         self.run_program("fit", "--quiet", "--resume", "run.nml")
         self.assert_same(whole, self.snapshot("run.h5"))
 
+    def test_bits_of_one_curve(self):
+        """A curve of several blocks of points, which threads share, has the same bits with any number of them."""
+        noise = np.random.default_rng(3)
+        depth = np.linspace(-2e-8, 1e-7, 2500)
+        load = 1e4 * np.maximum(depth, 0) ** 1.5 + noise.normal(0, 2e-9, depth.size)
+        np.savetxt(self.folder / "curve.csv", np.c_[depth, load], delimiter=",", header="approach,load", comments="")
+        for kind in ("kind = 'power', exponent = 2.2, power_coefficient = 1e7", "kind = 'paraboloid', radius = 1e-6"):
+            self.write(f"&job output = 'run.h5' /\n&surface {kind} /\n&data file = 'curve.csv', abscissa = 'approach', "
+                       "ordinate = 'load', sigma = 2e-9 /\n&free variable = 'contact_modulus' /\n&free variable = 'contact_point' /\n")
+            for threads in (1, 3):
+                self.run_program("fit", "--quiet", "--force", "run.nml", "--output", f"{threads}.h5", threads=threads)
+            self.assert_same(self.snapshot("1.h5"), self.snapshot("3.h5"))
+
     def test_doubts(self):
         """Each fitted curve has the doubt of its widest contact by JKR; tables of fits and of merged parts count them."""
         radius, stiffness = 8e-6, 0.05
