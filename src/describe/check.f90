@@ -3,11 +3,12 @@
 module adfric_describe_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_describe_table, only: variable_t, kind_choice
    implicit none (type, external)
    private
-   public :: require, require_one, refuse_given, refuse_swept
+   public :: require, require_one, refuse_given, refuse_size, refuse_swept
 
 contains
 
@@ -34,6 +35,19 @@ contains
          end associate
       end do
    end subroutine require
+
+   !> A value is possible, but its contact needs numbers that no computer has.
+   subroutine refuse_size(variable, value, problems)
+      !> Row of the variable.
+      type(variable_t), intent(in) :: variable
+      !> Its value, in its unit.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call problems%add(variable%group, variable%name, 'leads to numbers above 1e308 or below 1e-308 with these bodies, given '// &
+         & show_number(value)//' ['//variable%unit//']')
+   end subroutine refuse_size
 
    !> Of a list not more than one may be given, and one has to be if it is needed.
    subroutine require_one(variables, values, list, is_needed, problems)

@@ -166,7 +166,7 @@ contains
          call self%find_contacts(values, contacts, units, is_possible)
          if (is_possible) return
          associate (v => self%variables(n + merge(path_loads, path_approaches, is_set(values(n + path_loads)))))
-            call problems%add(v%group, v%name, 'are beyond all numbers for these bodies')
+            call problems%add(v%group, v%name, 'lead to numbers above 1e308 or below 1e-308 with these bodies')
          end associate
       end associate
    end subroutine check_values

@@ -6,6 +6,7 @@ module adfric_plane_punch_model
    use adfric_base_counting, only: counting
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_plane_contact_conditions, only: largest_violation
    use adfric_plane_field_model, only: set_plane_stresses, maps_of
@@ -176,7 +177,8 @@ contains
 
       do i = punch_input%coefficient_2, punch_input%coefficient_8
          if (.not. is_carried(values, i)) call problems%add('punch', self%variables(i)%name, &
-            & 'makes a load beyond all numbers at this contact_half_width')
+            & 'makes a load above 1e308 N/m at this contact_half_width, given '//show_number(values(i))//' ['// &
+            & self%variables(i)%unit//']')
       end do
    end subroutine check_coefficients
 

@@ -14,7 +14,7 @@ module adfric_round_check
       & kind_rounded_cone, kind_rounded_punch, kind_sphere, law_peeling, theory_maugis_dugdale, in => indenter_input
    use adfric_solid_contact_modulus, only: check_contact_modulus
    use adfric_interface_shear_strength_rows, only: check_shear
-   use adfric_describe_check, only: require, require_one, refuse_swept
+   use adfric_describe_check, only: require, require_one, refuse_size, refuse_swept
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
@@ -176,11 +176,11 @@ contains
 
       call resolve_case(values, case)
       if (is_set(values(in%lateral_stiffness)) .and. case%height_unit > 0 .and. .not. has_plain_spring(case)) then
-         call problems%add('operating', 'lateral_stiffness', 'is beyond all numbers for this indenter')
+         call refuse_size(variables(in%lateral_stiffness), values(in%lateral_stiffness), problems)
          return
       end if
       if (case%height_unit > 0 .and. .not. has_plain_base(case)) then
-         call problems%add('operating', 'base_displacement', 'is beyond all numbers for this indenter')
+         call refuse_size(variables(in%base_displacement), values(in%base_displacement), problems)
          return
       end if
       if (is_possible(values, case)) then
@@ -203,7 +203,7 @@ contains
          call problems%add('operating', 'contact_radius', &
             & 'is smaller than face_radius, and without adhesion the whole face is in contact')
       else
-         call problems%add('operating', variables(prescribed)%name, 'is beyond all numbers for this indenter')
+         call refuse_size(variables(prescribed), values(prescribed), problems)
       end if
    end subroutine check_sizes
 
