@@ -78,6 +78,8 @@ AREAS = {
     },
     "Project": {
         "Contributing": "CONTRIBUTING.md",
+        "A paper for JOSS: draft": "docs/paper/joss.md",
+        "Results: draft of a paper": "docs/paper/results.md",
         "Changes": "CHANGELOG.md",
     },
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/validation/misprints.md: its blocks of Python run as they stand, and print what stands behind them."""
+"""docs/validation/misprints.md and docs/paper/results.md: their blocks of Python run as they stand, and print what stands behind them."""
 
 import os
 import re
@@ -12,7 +12,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from runs import main  # noqa: E402
 
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
-PAGE = SOURCE / "docs/validation/misprints.md"
+# pages, with the least number of their blocks
+PAGES = {"docs/validation/misprints.md": 12, "docs/paper/results.md": 2}
 BLOCK = re.compile(r"^```python\n(.*?)^```\n\n```text\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # a test of a file, as the page names it
 NAMED = re.compile(r"((?:`test_\w+`(?:,| and)? ?)+) of `(tests/[\w/.]+)`|`(tests/[\w/.]+)`((?:, `test_\w+`)*)")
@@ -22,20 +23,21 @@ class Misprints(unittest.TestCase):
     @unittest.skipUnless("ADFRIC_LIBRARY" in os.environ, "there is no shared library")
     def test_blocks(self):
         """Every block of Python has its output behind it, and prints it."""
-        text = PAGE.read_text()
-        blocks = BLOCK.findall(text)
-        self.assertEqual(text.count("```python"), len(blocks))
-        self.assertGreaterEqual(len(blocks), 12)
         environment = {**os.environ, "PYTHONPATH": str(SOURCE / "python"), "OMP_NUM_THREADS": "2"}
-        for code, expected in blocks:
-            with self.subTest(code.splitlines()[-1]):
-                done = subprocess.run([sys.executable, "-c", code], cwd=SOURCE, env=environment, capture_output=True, text=True, check=False)
-                self.assertEqual(0, done.returncode, done.stderr)
-                self.assertEqual(expected, done.stdout)
+        for page, least in PAGES.items():
+            text = (SOURCE / page).read_text()
+            blocks = BLOCK.findall(text)
+            self.assertEqual(text.count("```python"), len(blocks), page)
+            self.assertGreaterEqual(len(blocks), least, page)
+            for code, expected in blocks:
+                with self.subTest(code.splitlines()[-1]):
+                    done = subprocess.run([sys.executable, "-c", code], cwd=SOURCE, env=environment, capture_output=True, text=True, check=False)
+                    self.assertEqual(0, done.returncode, done.stderr)
+                    self.assertEqual(expected, done.stdout)
 
     def test_named_tests(self):
-        """Every test that a page of validation names is there."""
-        for page in sorted((SOURCE / "docs/validation").glob("*.md")):
+        """Every test that a page of validation or the page of results names is there."""
+        for page in (*sorted((SOURCE / "docs/validation").glob("*.md")), SOURCE / "docs/paper/results.md"):
             for before, file, other, behind in NAMED.findall(page.read_text()):
                 path = SOURCE / (file or other)
                 self.assertTrue(path.exists(), f"{page.name}: {path}")
