@@ -9,6 +9,8 @@ DOCUMENTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "docs/
 INLINE = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\])*\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)")
 DEFINED = re.compile(r"^\[[^\]]+\]:\s*<?(\S+?)>?\s*$", re.MULTILINE)
 HTML = re.compile(r"<(?:a|img)\s[^>]*?\b(?:href|src)=\"([^\"]+)\"")
+# Files of the project that a text names.
+NAMED = re.compile(r"(?<![\w/.])(?:docs(?:/\w+)+\.md|(?:src|tests|scripts|bench|drivers)(?:/\w+)+\.(?:f90(?:\.in)?|pf|py|c|md|csv|nml))\b")
 HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$")
 
 
@@ -104,5 +106,5 @@ def faults_of(root):
         # versions that are gone may name what was there
         if path.name != "CHANGELOG.md":
             faults += [f"{place}:{number}: there is no {name}" for number, line in enumerate(path.read_text().splitlines(), 1)
-                       for name in re.findall(r"\bdocs/\w+\.md\b", line) if not Path(root, name).exists()]
+                       for name in NAMED.findall(line) if not Path(root, name).exists()]
     return faults
