@@ -5,7 +5,7 @@ module adfric_describe_scene_facts
    use adfric_describe_scene_solvers, only: word_length
    implicit none (type, external)
    private
-   public :: scene_t, find_facts, words_of, describe_scene
+   public :: scene_t, find_facts, words_of, describe_scene, is_named
 
    !> What an input says of its scene.
    type :: scene_t

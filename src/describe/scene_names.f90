@@ -187,6 +187,7 @@ contains
       integer :: i, k
 
       pairs = ''
+      variable = ''
       do i = 1, size(word_rules)
          variable = get_word(word_rules(i), 2)
          k = index(variable, '%')

@@ -14,7 +14,7 @@ module adfric_input_scene
    use adfric_describe_model, only: model_t
    use adfric_describe_vocabulary, only: list_groups_of, order_of_scenes
    use adfric_run_converted_model, only: convert_model
-   use adfric_describe_scene_facts, only: describe_scene, find_facts, scene_t, words_of
+   use adfric_describe_scene_facts, only: describe_scene, find_facts, is_named, scene_t, words_of
    use adfric_describe_scene_names, only: rename_tables
    use adfric_describe_scene_solvers, only: answers, find_nearest, known_curves, known_extents, known_surfaces, &
       known_tractions, n_scenes, scenes, word_length
@@ -159,6 +159,7 @@ contains
       call list_given(file, scene%names)
       scene%extent = 'half_space'
       call read_choice(file, 'solid', 'extent', known_extents, scene%extent, problems)
+      call check_extent(scene, problems)
       scene%curve = ''
       call read_choice(file, 'solid', 'curve_modulus', known_curves, scene%curve, problems)
       call check_curve(scene, problems)
@@ -192,6 +193,26 @@ contains
       end subroutine read_kind
 
    end subroutine read_scene
+
+   !> A layer has a thickness, a half-space has none, and a stiffness per area belongs to columns.
+   subroutine check_extent(scene, problems)
+      type(scene_t), intent(in) :: scene
+      type(problems_t), intent(inout) :: problems
+      logical :: has_thickness
+
+      has_thickness = is_named(scene%names, 'solid%thickness')
+      if (scene%extent == 'layer' .and. .not. has_thickness) then
+         call problems%add('solid', 'thickness', 'is missing [m]; a layer needs it')
+      else if (scene%extent == 'half_space' .and. has_thickness) then
+         call problems%add('solid', 'thickness', 'belongs to a layer or to columns, and a half-space has none; '// &
+            & 'give extent = ''layer'' or extent = ''foundation''')
+      end if
+      if (scene%extent /= 'layer' .and. is_named(scene%names, 'solid%base')) call problems%add('solid', 'base', &
+         & 'belongs to a layer; give extent = ''layer''')
+      if (scene%extent /= 'foundation' .and. (is_named(scene%names, 'solid%stiffness') .or. &
+         & is_named(scene%names, 'solid%stiffnesses'))) call problems%add('solid', 'stiffness', &
+         & 'belongs to columns; give extent = ''foundation''')
+   end subroutine check_extent
 
    !> Which modulus a master curve is one of: that of columns is Young's.
    subroutine check_curve(scene, problems)
