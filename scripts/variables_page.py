@@ -19,6 +19,8 @@ what is allowed, and what each solver takes where nothing is given. `scripts/var
 # groups, names with their units, and their words
 GROUP = re.compile(r"&(\w+)$")
 VARIABLE = re.compile(r"  (\w+)(?: \[([^]]+)\])?(?: +(\S.*))?$")
+# what stands behind the variables
+RESULTS = "Results, where they have a meaning"
 WORDS = re.compile(r" {10,}(\S.*)$")
 
 
@@ -27,7 +29,9 @@ def read_variables(text):
     groups = []
     for line in text[text.index("\nVariables\n"):].splitlines()[2:]:
         if found := GROUP.match(line):
-            groups.append((found[1], []))
+            groups.append((f"&{found[1]}", []))
+        elif line == RESULTS:
+            groups.append(("Results", []))
         elif found := WORDS.match(line):
             groups[-1][1][-1][2].append(found[1])
         elif found := VARIABLE.match(line):
@@ -39,13 +43,15 @@ def page_of(text):
     """The page, from what the program prints."""
     lines = [HEAD]
     for group, variables in read_variables(text):
-        lines += [f"## &{group}", "", "| variable | unit | meaning |", "| --- | --- | --- |"]
+        lines += [f"## {group}", "", "| variable | unit | meaning |", "| --- | --- | --- |"]
+        if group == "Results":
+            lines[-3:] = ["A file has those that have a meaning in its scene, with their units.", "", "| result | meaning |", "| --- | --- |"]
         for name, unit, meaning in variables:
             # choices follow what the variable means
             says, choices = ([], meaning) if meaning[0].startswith("'") else (meaning[:1], meaning[1:])
             words = ": ".join(part for part in (*says, " ".join(choices)) if part).replace("|", "\\|").replace("*", "\\*")
             shown = re.sub(r"('[a-z0-9_]+')", r"`\1`", words)
-            lines.append(f"| `{name}` | {unit} | {shown} |")
+            lines.append(f"| `{name}` | {shown} |" if group == "Results" else f"| `{name}` | {unit} | {shown} |")
         lines.append("")
     return "\n".join(lines)
 
