@@ -45,7 +45,7 @@ def page_of(text):
     for group, variables in read_variables(text):
         lines += [f"## {group}", "", "| variable | unit | meaning |", "| --- | --- | --- |"]
         if group == "Results":
-            lines[-3:] = ["A file has those that have a meaning in its scene, with their units.", "", "| result | meaning |", "| --- | --- |"]
+            lines[-2:] = ["A file has those that have a meaning in its scene, with their units.", "", "| result | meaning |", "| --- | --- |"]
         for name, unit, meaning in variables:
             # choices follow what the variable means
             says, choices = ([], meaning) if meaning[0].startswith("'") else (meaning[:1], meaning[1:])
