@@ -612,6 +612,25 @@ class Scenes(Runs):
             self.assertIn(message, errors)
             self.assertIsNone(old_names.search(errors), errors)
 
+    def test_extent(self):
+        """A layer has a thickness, a half-space has none; a base belongs to a layer, and a stiffness per area to columns."""
+        rubber = scene_of("wave_1d", 7)
+        layer, columns = scene_of("wave_1d", 8), scene_of("wave_1d", 9)
+        self.assertIn("thickness = ", layer)
+        without = re.sub(r"thickness = [0-9.e-]+,?", "", layer)
+        for scene, message in (
+                (rubber.replace("&solid ", "&solid thickness = 1e-5, "), "&solid thickness: belongs to a layer or to columns, and a half-space has none"),
+                (rubber.replace("&solid ", "&solid extent = 'half_space', thickness = 1e-5, "), "&solid thickness: belongs to a layer"),
+                (without, "&solid thickness: is missing [m]; a layer needs it"),
+                (rubber.replace("&solid ", "&solid base = 'bonded', "), "&solid base: belongs to a layer; give extent = 'layer'"),
+                (columns.replace("extent = 'foundation', ", ""), "&solid stiffness: belongs to columns; give extent = 'foundation'")):
+            self.write(scene)
+            _, errors = self.run_program("check", "run.nml", status=2)
+            self.assertIn(message, errors)
+        # a thickness that is swept is one
+        self.write(without + "&sweep variable = 'thickness', values = 1e-5, 1e-4 /\n")
+        self.run_program("check", "run.nml")
+
     def test_help_on_names(self):
         """What scenes say of a name stands first, and what models say of it behind."""
         for topic, first, then in (("work_of_adhesion", "&adhesion\n  work_of_adhesion [J/m^2]", "model = 'sphere'"),
