@@ -298,12 +298,16 @@ contains
       character(*), parameter :: of_units = 'units radius work_of_adhesion theory '//modulus_names
       character(*), parameter :: of_lambda = of_units//' adhesion_stress adhesion_range lambda'
       type(sphere_case_t) :: case
+      logical :: has_range
 
       associate (first => in%contact_modulus, last => in%second_poisson_ratio)
          derived = derive_contact_modulus(self%variables(first:last), values(first:last))
       end associate
       call resolve_case(values, case)
-      call add_derived(derived, 'lambda', '-', 'Maugis''s parameter lambda', case%lambda, of_lambda)
+      ! without a range the units take lambda for 1, which a scene does not say
+      has_range = any(is_set(values([in%adhesion_stress, in%adhesion_range, in%lambda])))
+      if (has_range .or. .not. allocated(self%scene)) call add_derived(derived, 'lambda', '-', 'Maugis''s parameter lambda', &
+         & case%lambda, of_lambda)
       if (.not. is_reduced(values)) then
          call add_derived(derived, 'radius_unit', 'm', 'unit of radii', case%length_unit, of_units)
          call add_derived(derived, 'approach_unit', 'm', 'unit of the approach', case%approach_unit, of_units)

@@ -260,6 +260,14 @@ class Scenes(Runs):
         self.assertEqual(solver, "sphere")
         np.testing.assert_allclose(results["pull_off_load"], -1.5*np.pi*0.05*1e-3, rtol=1e-14)
 
+    def test_lambda(self):
+        """Without a range there is no lambda, whatever the units are; with one it is derived."""
+        tip = "&job output = 'run.h5' /\n&surface kind = 'paraboloid', radius = 1e-6 /\n&solid contact_modulus = 1e9 /\n&operating load = 0.0 /\n"
+        for adhesion, count in (("work_of_adhesion = 0.05", 0), ("work_of_adhesion = 0.05, adhesion_range = 3e-10", 1)):
+            self.write(f"{tip}&adhesion {adhesion} /\n")
+            page, _ = self.run_program("check", "run.nml")
+            self.assertEqual(count, len(re.findall(r"^  lambda .*Maugis", page, re.MULTILINE)), page)
+
     def test_nominal_area(self):
         """A mean pressure that is given is that of the results, however the ends of heights are brought together."""
         for surface in ("profile", "heights"):
