@@ -7,7 +7,7 @@ module adfric_command_help_scenes
    use adfric_describe_table, only: kind_choice, variable_t
    use adfric_describe_vocabulary, only: order_of_scenes
    use adfric_describe_scene_messages, only: with_phrases
-   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, meaning_of, rename_words, renamed_to
+   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, long_name_of, meaning_of, rename_words, renamed_to
    use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, &
       known_tractions, word_length
    implicit none (type, external)
@@ -290,7 +290,8 @@ contains
                name = likely_result_of(models(m)%model%name, row%name)
                if (has_word(names, name) .or. len(wanted) > 0 .and. name /= wanted) cycle
                names = names//' '//name
-               text = text//pad('  '//name, name_width)//with_phrases(row%long_name)//newline
+               text = text//pad('  '//name, name_width)//with_phrases(long_name_of(models(m)%model%name, name, &
+                  & row%long_name))//newline
             end associate
          end do
       end do

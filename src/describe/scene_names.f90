@@ -9,7 +9,8 @@ module adfric_describe_scene_names
       & variable_rules, with_depth, word_rules
    implicit none (type, external)
    private
-   public :: rename_tables, rename_words, likely_name_of, likely_result_of, meaning_of, words_of_rules, added_word, renamed_to
+   public :: rename_tables, rename_words, likely_name_of, likely_result_of, long_name_of, meaning_of, words_of_rules, &
+      & added_word, renamed_to
 
 contains
 
@@ -120,20 +121,31 @@ contains
          result%flag_meanings = ''
       end if
       result%name = name
-      if (is_of(with_depth, solver)) result%long_name = with_z(result%long_name)
+      result%long_name = long_name_of(solver, name, result%long_name)
    end subroutine rename_result
+
+   !> What a result is, in the words of scenes.
+   pure function long_name_of(solver, name, of_solver) result(long_name)
+      !> Name of the solver, name of the result in scenes, and what the solver says of it.
+      character(*), intent(in) :: solver, name, of_solver
+      character(:), allocatable :: long_name
+
+      long_name = meaning_of(solver//'%'//name, of_solver)
+      if (is_of(with_depth, solver)) long_name = with_z(long_name)
+   end function long_name_of
 
    !> A text with z for the depth, which is y for the solvers of the plane.
    pure function with_z(text) result(renamed)
       character(*), intent(in) :: text
       character(:), allocatable :: renamed
-      character(*), parameter :: pairs(*) = [character(9) :: 's_yy s_zz', 's_xy s_xz', 'u_y u_z']
-      integer :: i, at
+      character(*), parameter :: pairs(*) = [character(15) :: 's_yy=s_zz', 's_xy=s_xz', 'u_y=u_z', 'along y=along z']
+      integer :: i, at, equals
 
       renamed = text
       do i = 1, size(pairs)
-         at = index(renamed, get_word(pairs(i), 1))
-         if (at > 0) renamed = renamed(:at - 1)//get_word(pairs(i), 2)//renamed(at + len(get_word(pairs(i), 1)):)
+         equals = index(pairs(i), '=')
+         at = index(renamed, pairs(i)(:equals - 1))
+         if (at > 0) renamed = renamed(:at - 1)//trim(pairs(i)(equals + 1:))//renamed(at + equals - 1:)
       end do
    end function with_z
 

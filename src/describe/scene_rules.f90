@@ -253,7 +253,7 @@ module adfric_describe_scene_rules
       & 'indenter results%theory_used none=hertz', &
       & '* adhesion%branch approach=loading']
 
-   !> What a variable is, where the words of the solvers say only what it is for one of them.
+   !> What a variable is, where the words of the solvers say only what it is for one of them; and what a result of a solver is.
    character(*), parameter :: meanings(*) = [character(120) :: &
       & 'surface%radius radius of the body, or of curvature at its tip', &
       & 'surface%amplitude amplitude of each wave: half its height from valley to crest', &
@@ -277,6 +277,7 @@ module adfric_describe_scene_rules
       & 'adhesion%theory_tolerance largest error of the theory that auto may choose', &
       & 'operating%approach approach of the body from first touch of the undisturbed surface', &
       & 'operating%penetration penetration of the crests below the mean of the deformed surface', &
+      & 'sphere%friction_force force that keeps the body sliding', &
       & 'operating%load load pressing the bodies together; of a line per length, of a period in foundations']
 
    !> Values that follow from what a scene leaves out: the solvers, the variable in their language, its value, and the facts.
