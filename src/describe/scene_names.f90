@@ -31,7 +31,7 @@ contains
       end do
       do i = 1, size(model%profiles)
          model%profiles(i)%name = scene_name_of(profile_rules, model%name, model%profiles(i)%name, facts)
-         if (is_of(with_depth, model%name)) model%profiles(i)%long_name = with_z(model%profiles(i)%long_name)
+         model%profiles(i)%long_name = long_name_of(model%name, model%profiles(i)%name, model%profiles(i)%long_name)
       end do
       if (is_of(with_depth, model%name)) model%profile_axes = 'z x'
    end subroutine rename_tables
@@ -124,9 +124,9 @@ contains
       result%long_name = long_name_of(solver, name, result%long_name)
    end subroutine rename_result
 
-   !> What a result is, in the words of scenes.
+   !> What a result or a profile is, in the words of scenes.
    pure function long_name_of(solver, name, of_solver) result(long_name)
-      !> Name of the solver, name of the result in scenes, and what the solver says of it.
+      !> Name of the solver, name in scenes, and what the solver says of it.
       character(*), intent(in) :: solver, name, of_solver
       character(:), allocatable :: long_name
 

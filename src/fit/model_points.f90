@@ -144,7 +144,7 @@ contains
       n_solved = count(regimes /= regime_none .and. regimes /= regime_beyond)
       error = min(max(maxval(errors), least_error), largest_error)
       if (.not. fold%is_known) return
-      if (n_solved > 0) error = min(max(sum_in_order(errors)/n_solved, least_error), largest_error)
+      if (n_solved > 0) error = min(max(sum(errors)/n_solved, least_error), largest_error)
       if (any(is_beyond_fold(regimes))) call find_ordinate(self, values, fold)
       where (is_beyond_fold(regimes)) y = fold%y
    end subroutine ask
@@ -181,17 +181,6 @@ contains
          end if
       end do
    end subroutine ask_block
-
-   !> The sum of numbers, one after the other, as it does not depend on how loops are compiled.
-   pure real(dp) function sum_in_order(numbers) result(total)
-      real(dp), intent(in) :: numbers(:)
-      integer :: k
-
-      total = 0
-      do k = 1, size(numbers)
-         total = total + numbers(k)
-      end do
-   end function sum_in_order
 
    !> The fold alone.
    subroutine find_fold(self, values, fold)

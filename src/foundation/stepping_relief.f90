@@ -84,7 +84,7 @@ contains
       call reduce(self)
    end subroutine new_measured_relief
 
-   !> Heights from the highest position in units of the height, and ways that begin where rows are highest.
+   !> Heights from the highest position in units of the height, and paths that begin where rows are highest.
    pure subroutine reduce(self)
       type(relief_t), intent(inout) :: self
       real(dp) :: lowest(size(self%rows)), highest(size(self%rows)), unit

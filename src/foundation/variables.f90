@@ -17,25 +17,26 @@ module adfric_foundation_variables
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: foundation_input_t
-      !> Indices, which `foundation_input` has.
+      !> Indices of the rows.
       integer :: kind = 0, period = 0, height = 0, slope = 0, heights = 0, spacing = 0, strip_spacing = 0, amplitudes = 0, &
          & phases = 0, interpolation = 0, detrend = 0, periodise = 0, blend_share = 0, shortest_wavelength = 0, reverse = 0, &
          & height_factor = 0, stiffness = 0, young_modulus = 0, poisson_ratio = 0, thickness = 0, relaxation_time = 0, &
          & retardation_ratio = 0, moduli = 0, young_moduli = 0, relaxation_times = 0, master_curve = 0, relaxed_modulus = 0, &
-         & terms_per_decade = 0, time_factor = 0, shift = 0, reference_temperature = 0, wlf_c1 = 0, wlf_c2 = 0, activation_energy &
-         & = 0, stress = 0, surface_energy = 0, range = 0, edge = 0, branch = 0, velocity = 0, temperature = 0, load = 0, &
-         & mean_pressure = 0, penetration = 0, relative_tolerance = 0, strips = 0, pull_off = 0, profiles = 0, n_x = 0, n_y = 0
+         & terms_per_decade = 0, time_factor = 0, shift = 0, reference_temperature = 0, wlf_c1 = 0, wlf_c2 = 0, &
+         & activation_energy = 0, stress = 0, surface_energy = 0, range = 0, edge = 0, branch = 0, velocity = 0, &
+         & temperature = 0, load = 0, mean_pressure = 0, penetration = 0, relative_tolerance = 0, strips = 0, pull_off = 0, &
+         & profiles = 0, n_x = 0, n_y = 0
    end type foundation_input_t
    type(foundation_input_t), parameter, public :: foundation_input = transfer(counting, foundation_input_t())
    integer, parameter :: n_variables = storage_size(foundation_input)/storage_size(1)
 
    !> Results in the order of their rows; a component is the index of its row.
    type :: foundation_output_t
-      !> Indices, which `foundation_output` has.
-      integer :: load = 0, penetration = 0, friction_force = 0, friction_coefficient = 0, contact_area = 0, adhesion_area = &
-         & 0, contact_width = 0, contact_shift = 0, regime = 0, dissipation = 0, edge_loss = 0, energy_imbalance = 0, &
-         & pull_off_load = 0, pull_off_penetration = 0, contact_count = 0, adhesion_count = 0, snap_count = 0, saturated_share = &
-         & 0, friction_sample_error = 0
+      !> Indices of the rows.
+      integer :: load = 0, penetration = 0, friction_force = 0, friction_coefficient = 0, contact_area = 0, &
+         & adhesion_area = 0, contact_width = 0, contact_shift = 0, regime = 0, dissipation = 0, edge_loss = 0, &
+         & energy_imbalance = 0, pull_off_load = 0, pull_off_penetration = 0, contact_count = 0, adhesion_count = 0, &
+         & snap_count = 0, saturated_share = 0, friction_sample_error = 0
    end type foundation_output_t
    type(foundation_output_t), parameter, public :: foundation_output = transfer(counting, foundation_output_t())
    integer, parameter, public :: n_wavy_results = storage_size(foundation_output)/storage_size(1)

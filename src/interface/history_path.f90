@@ -19,7 +19,7 @@ module adfric_interface_history_path
    integer, parameter, public :: n_path_rows = path_tangential_displacements
    !> Results in the order of their rows; a component is the index of its row.
    type :: path_output_t
-      !> Indices, which `path_output` has.
+      !> Indices of the rows.
       integer :: total_loss = 0, largest_force = 0, largest_displacement = 0
    end type path_output_t
    type(path_output_t), parameter, public :: path_output = transfer(counting, path_output_t())

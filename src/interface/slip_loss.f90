@@ -15,7 +15,7 @@ module adfric_interface_slip_loss
 
    !> Below this change of the normal state an integral over it is a rule of three nodes.
    real(dp), parameter :: small = 1.0e-2_dp
-   !> A segment of this share of its place is so narrow that F is a straight function of the position.
+   !> A segment of this share of its position is so narrow that F is a straight function of the position.
    real(dp), parameter :: narrow = 1.0e-6_dp
    !> Beside the edge, within this share of the approach, terms take each other's digits.
    real(dp), parameter :: close = 0.03_dp

@@ -11,7 +11,7 @@
 !>   shares that are not above, they rise to the **least adhered** one. No path is followed, and no state in between is passed.
 !> - These rounds close in by a constant factor, next to a fold by one near 1. Newton's method is faster, but may pass a state. Its
 !>   state g is taken only where none is passed on the way from a gap g -+ x, x >= 0, whose shares bound the wanted state: let m be the
-!>   largest slope of the shares on a piece of the way, |t(g -+ s x) - t(g)|/s, a < s <= b. If y = sigma0 A_OO^-1 m is below x where m > 0
+!>   largest slope of the shares on a piece of the path, |t(g -+ s x) - t(g)|/s, a < s <= b. If y = sigma0 A_OO^-1 m is below x where m > 0
 !>   (O open at g; for the least adhered one, at the far end), then T(g -+ s x) lies nearer to g than g -+ s x for all these s. Where
 !>   that is so for all pieces, a growing sequence passes the whole way and ends at g.
 !> - As way serves what a round has left, or the change of g with the load, (A - sigma0 dt/dg)_OO^-1 1, so far that zones move by a cell.
@@ -278,7 +278,7 @@ contains
       end do
    end function is_next_to
 
-   !> The largest slopes of the shares from a state to positions of a piece of the way.
+   !> The largest slopes of the shares from a state to positions of a piece of the path.
    subroutine find_slope(law, state, path, piece, slope)
       !> The law with its slopes at the state, and the squares on the way.
       type(cohesion_t), intent(in) :: law

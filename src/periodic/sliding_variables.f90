@@ -16,9 +16,9 @@ module adfric_periodic_sliding_variables
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: sliding_input_t
-      !> Indices, which `sliding_input` has.
-      integer :: kind = 0, period = 0, amplitude = 0, heights = 0, length_x = 0, length_y = 0, rms_height = 0, direction = &
-         & 0, cells = 0
+      !> Indices of the rows.
+      integer :: kind = 0, period = 0, amplitude = 0, heights = 0, length_x = 0, length_y = 0, rms_height = 0, direction = 0, &
+         & cells = 0
    end type sliding_input_t
    type(sliding_input_t), parameter, public :: sliding_input = transfer(counting, sliding_input_t())
    integer, parameter, public :: n_surface_rows = storage_size(sliding_input)/storage_size(1)
@@ -34,9 +34,9 @@ module adfric_periodic_sliding_variables
 
    !> Results in the order of their rows; a component is the index of its row.
    type :: sliding_output_t
-      !> Indices, which `sliding_output` has.
-      integer :: friction_stress = 0, friction_coefficient = 0, lateral_stress = 0, full_contact_friction = 0, contact_shift &
-         & = 0, dissipation = 0, energy_imbalance = 0, regime = 0, smooth_fraction = 0
+      !> Indices of the rows.
+      integer :: friction_stress = 0, friction_coefficient = 0, lateral_stress = 0, full_contact_friction = 0, &
+         & contact_shift = 0, dissipation = 0, energy_imbalance = 0, regime = 0, smooth_fraction = 0
    end type sliding_output_t
    type(sliding_output_t), parameter, public :: sliding_output = transfer(counting(n_periodic_results + 1:), sliding_output_t())
    integer, parameter, public :: n_sliding_results = n_periodic_results + storage_size(sliding_output)/storage_size(1)

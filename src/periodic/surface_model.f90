@@ -17,7 +17,7 @@ module adfric_periodic_surface_model
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: surface_input_t
-      !> Indices, which `surface_input` has.
+      !> Indices of the rows.
       integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0
    end type surface_input_t
    type(surface_input_t), parameter, public :: surface_input = transfer(counting, surface_input_t())

@@ -16,7 +16,7 @@ module adfric_periodic_variables
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: periodic_input_t
-      !> Indices, which `periodic_input` has.
+      !> Indices of the rows.
       integer :: mean_pressure = 0, penetration = 0, profiles = 0
    end type periodic_input_t
    type(periodic_input_t), parameter, public :: periodic_input = transfer(counting, periodic_input_t())
@@ -28,12 +28,12 @@ module adfric_periodic_variables
 
    !> Results in the order of their rows; a component is the index of its row.
    type :: periodic_output_t
-      !> Indices, which `periodic_output` has.
+      !> Indices of the rows.
       integer :: mean_pressure = 0, penetration = 0, contact_fraction = 0, contact_fraction_error = 0, peak_pressure = 0, &
-         & mean_gap = 0, full_contact_pressure = 0, contact_violation = 0, regime = 0, adhesion_fraction = 0, elastic_energy = 0, &
-         & adhesion_energy = 0, pull_off_pressure = 0, cells_per_zone = 0, friction_stress = 0, friction_coefficient = 0, &
-         & friction_force = 0, stick_fraction = 0, tangential_displacement = 0, tangential_stiffness = 0, cycle_energy = 0, &
-         & poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0
+         & mean_gap = 0, full_contact_pressure = 0, contact_violation = 0, regime = 0, adhesion_fraction = 0, &
+         & elastic_energy = 0, adhesion_energy = 0, pull_off_pressure = 0, cells_per_zone = 0, friction_stress = 0, &
+         & friction_coefficient = 0, friction_force = 0, stick_fraction = 0, tangential_displacement = 0, &
+         & tangential_stiffness = 0, cycle_energy = 0, poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0
    end type periodic_output_t
    type(periodic_output_t), parameter, public :: periodic_output = transfer(counting, periodic_output_t())
    integer, parameter, public :: n_periodic_results = periodic_output%contact_violation

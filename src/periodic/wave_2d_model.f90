@@ -22,7 +22,7 @@ module adfric_periodic_wave_2d_model
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: wave_2d_input_t
-      !> Indices, which `wave_2d_input` has.
+      !> Indices of the rows.
       integer :: period = 0, amplitude = 0, cells = 0
    end type wave_2d_input_t
    type(wave_2d_input_t), parameter, public :: wave_2d_input = transfer(counting, wave_2d_input_t())

@@ -41,7 +41,7 @@ module adfric_plane_hertz_history_model
       & h_tangential_forces = h_axis + path_tangential_forces, h_tangential_displacements = h_axis + path_tangential_displacements
    !> Results in the order of their rows; a component is the index of its row.
    type :: hertz_history_output_t
-      !> Indices, which `hertz_history_output` has.
+      !> Indices of the rows.
       integer :: axis_ratio = 0, major_axis_angle = 0
    end type hertz_history_output_t
    type(hertz_history_output_t), parameter, public :: hertz_history_output = transfer(counting(n_path_results + 1:), &

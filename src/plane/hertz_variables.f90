@@ -13,7 +13,7 @@ module adfric_plane_hertz_variables
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: hertz_input_t
-      !> Indices, which `hertz_input` has.
+      !> Indices of the rows.
       integer :: kind = 0, radius = 0, radius_1x = 0, radius_1y = 0, radius_2x = 0, radius_2y = 0, angle = 0, &
          & contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, second_young_modulus = 0, second_poisson_ratio = 0, &
          & material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, load = 0, approach = 0, tangential_force = 0, &
@@ -26,11 +26,11 @@ module adfric_plane_hertz_variables
    integer, parameter, public :: axis_minor = 2
    !> Results in the order of their rows; a component is the index of its row.
    type :: hertz_output_t
-      !> Indices, which `hertz_output` has.
+      !> Indices of the rows.
       integer :: load = 0, approach = 0, half_width = 0, minor = 0, peak_pressure = 0, mean_pressure = 0, contact_area = 0, &
-         & direction = 0, shear = 0, shear_depth = 0, violation = 0, friction_force = 0, friction_coefficient = 0, contact_shift &
-         & = 0, dissipation = 0, energy_imbalance = 0, stick_fraction = 0, tangential_displacement = 0, tangential_stiffness = 0, &
-         & cycle_energy = 0
+         & direction = 0, shear = 0, shear_depth = 0, violation = 0, friction_force = 0, friction_coefficient = 0, &
+         & contact_shift = 0, dissipation = 0, energy_imbalance = 0, stick_fraction = 0, tangential_displacement = 0, &
+         & tangential_stiffness = 0, cycle_energy = 0
    end type hertz_output_t
    type(hertz_output_t), parameter, public :: hertz_output = transfer(counting, hertz_output_t())
    !> Number of results.

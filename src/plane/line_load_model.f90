@@ -17,13 +17,13 @@ module adfric_plane_line_load_model
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: line_load_input_t
-      !> Indices, which `line_load_input` has.
+      !> Indices of the rows.
       integer :: normal = 0, tangential = 0, datum = 0
    end type line_load_input_t
    type(line_load_input_t), parameter, public :: line_load_input = transfer(counting(plane_load_input%y + 1:), line_load_input_t())
    !> Results in the order of their rows; a component is the index of its row.
    type :: line_load_output_t
-      !> Indices, which `line_load_output` has.
+      !> Indices of the rows.
       integer :: displacement_x = 0, displacement_y = 0
    end type line_load_output_t
    type(line_load_output_t), parameter, public :: line_load_output = transfer(counting(plane_load_output%shear + 1:), &

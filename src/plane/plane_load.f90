@@ -12,13 +12,13 @@ module adfric_plane_plane_load
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: plane_load_input_t
-      !> Indices, which `plane_load_input` has.
+      !> Indices of the rows.
       integer :: young_modulus = 0, poisson_ratio = 0, x = 0, y = 0
    end type plane_load_input_t
    type(plane_load_input_t), parameter, public :: plane_load_input = transfer(counting, plane_load_input_t())
    !> Results in the order of their rows; a component is the index of its row.
    type :: plane_load_output_t
-      !> Indices, which `plane_load_output` has.
+      !> Indices of the rows.
       integer :: stress_xx = 0, stress_yy = 0, stress_xy = 0, shear = 0
    end type plane_load_output_t
    type(plane_load_output_t), parameter, public :: plane_load_output = transfer(counting, plane_load_output_t())

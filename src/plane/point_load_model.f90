@@ -15,15 +15,15 @@ module adfric_plane_point_load_model
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: point_load_input_t
-      !> Indices, which `point_load_input` has.
+      !> Indices of the rows.
       integer :: young_modulus = 0, poisson_ratio = 0, x = 0, y = 0, z = 0, normal = 0, tangential = 0
    end type point_load_input_t
    type(point_load_input_t), parameter, public :: point_load_input = transfer(counting, point_load_input_t())
    !> Results in the order of their rows; a component is the index of its row.
    type :: point_load_output_t
-      !> Indices, which `point_load_output` has.
-      integer :: stress_xx = 0, stress_yy = 0, stress_zz = 0, stress_xy = 0, stress_yz = 0, stress_xz = 0, displacement_x = &
-         & 0, displacement_y = 0, displacement_z = 0
+      !> Indices of the rows.
+      integer :: stress_xx = 0, stress_yy = 0, stress_zz = 0, stress_xy = 0, stress_yz = 0, stress_xz = 0, &
+         & displacement_x = 0, displacement_y = 0, displacement_z = 0
    end type point_load_output_t
    type(point_load_output_t), parameter, public :: point_load_output = transfer(counting, point_load_output_t())
 

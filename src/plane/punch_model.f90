@@ -31,16 +31,16 @@ module adfric_plane_punch_model
    real(dp), parameter :: most = 50.0_dp
    !> Variables in the order of their rows; a component is the index of its row.
    type :: punch_input_t
-      !> Indices, which `punch_input` has.
+      !> Indices of the rows.
       integer :: kind = 0, face = 0, slope = 0, radius = 0, coefficient_2 = 0, coefficient_4 = 0, coefficient_6 = 0, &
-         & coefficient_8 = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, load = 0, contact_half_width = 0, points &
-         & = 0
+         & coefficient_8 = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, load = 0, contact_half_width = 0, &
+         & points = 0
    end type punch_input_t
    type(punch_input_t), parameter, public :: punch_input = transfer(counting, punch_input_t())
    integer, parameter, public :: kind_flat = 1, kind_wedge = 2, kind_cylinder = 3, kind_polynomial = 4
    !> Results in the order of their rows; a component is the index of its row.
    type :: punch_output_t
-      !> Indices, which `punch_output` has.
+      !> Indices of the rows.
       integer :: load = 0, contact_half_width = 0, mean_pressure = 0, centre_pressure = 0, edge_intensity = 0, violation = 0
    end type punch_output_t
    type(punch_output_t), parameter, public :: punch_output = transfer(counting, punch_output_t())

@@ -33,7 +33,7 @@ module adfric_plane_sliding_cylinder_profile
 
    !> What a relaxation length adds to the pressure at a position in the contact.
    type, extends(integrand_t) :: cylinder_contact_integrand_t
-      !> Way from the trailing edge to the position, 1 + y.
+      !> Path from the trailing edge to the position, 1 + y.
       real(dp) :: from_trailing = 0
       !> What remains from the end of the range to the leading edge.
       real(dp) :: rest = 0
@@ -45,7 +45,7 @@ module adfric_plane_sliding_cylinder_profile
 
    !> What a retardation length adds to the gap at a position.
    type, extends(integrand_t) :: cylinder_gap_integrand_t
-      !> Way from the leading edge to the position, or from the position to the trailing edge.
+      !> Path from the leading edge to the position, or from the position to the trailing edge.
       real(dp) :: path = 0
       !> 1 ahead of the contact, -1 behind it.
       real(dp) :: side = 1

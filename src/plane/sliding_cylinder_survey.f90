@@ -25,7 +25,7 @@ module adfric_plane_sliding_cylinder_survey
    integer, parameter :: n_positions = 8
    real(dp), parameter :: reach = 2
 
-   !> Distance of the positions of the sums, in the logarithm of the ratio of the ways to both edges. A layer e^(-s/a) leaves an
+   !> Distance of the positions of the sums, in the logarithm of the ratio of the paths to both edges. A layer e^(-s/a) leaves an
    !> error of e^(-pi^2/step).
    real(dp), parameter :: step = 0.2_dp
    !> Where the positions end, in that logarithm, if the solid is elastic: the load beyond is 1e-18 of the whole.

@@ -258,7 +258,7 @@ contains
       end if
    end function beyond_line
 
-   !> Way from the edge to a position.
+   !> Path from the edge to a position.
    pure real(dp) function path_from_edge(arc, values)
       type(arc_t), intent(in) :: arc
       !> sn, cn, dn at the position.

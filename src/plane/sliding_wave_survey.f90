@@ -24,7 +24,7 @@ module adfric_plane_sliding_wave_survey
 
    !> Positions in the contact, and in the gap, at which the conditions of contact are checked.
    integer, parameter :: n_positions = 8
-   !> Distance of the positions of the sum, in the logarithm of the ratio of the ways to both edges. A layer e^(-s/a) leaves an
+   !> Distance of the positions of the sum, in the logarithm of the ratio of the paths to both edges. A layer e^(-s/a) leaves an
    !> error of e^(-pi^2/step).
    real(dp), parameter :: step = 0.3_dp
    !> Where the positions end, in that logarithm, if the solid is elastic: the load beyond is 1e-15 of the whole.
@@ -129,7 +129,7 @@ contains
    !> See `integrand_t`.
    pure real(dp) function evaluate(self, from_left, from_right) result(value)
       class(wave_position_t), intent(in) :: self
-      !> Way from the edge where it begins.
+      !> Path from the edge where it begins.
       real(dp), intent(in) :: from_left
       !> Way to the other edge.
       real(dp), intent(in) :: from_right

@@ -24,15 +24,15 @@ module adfric_plane_strip_load_model
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: strip_load_input_t
-      !> Indices, which `strip_load_input` has.
-      integer :: normal = 0, tangential = 0, distribution = 0, half_width = 0, positions = 0, pressures = 0, shear_tractions &
-         & = 0
+      !> Indices of the rows.
+      integer :: normal = 0, tangential = 0, distribution = 0, half_width = 0, positions = 0, pressures = 0, &
+         & shear_tractions = 0
    end type strip_load_input_t
    type(strip_load_input_t), parameter, public :: strip_load_input = transfer(counting(plane_load_input%y + 1:), &
       & strip_load_input_t())
    !> Results in the order of their rows; a component is the index of its row.
    type :: strip_load_output_t
-      !> Indices, which `strip_load_output` has.
+      !> Indices of the rows.
       integer :: strain = 0, slope = 0
    end type strip_load_output_t
    type(strip_load_output_t), parameter, public :: strip_load_output = transfer(counting(plane_load_output%shear + 1:), &

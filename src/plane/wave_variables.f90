@@ -16,21 +16,23 @@ module adfric_plane_wave_variables
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: wave_input_t
-      !> Indices, which `wave_input` has.
-      integer :: period = 0, amplitude = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, second_young_modulus &
-         & = 0, second_poisson_ratio = 0, adhesion = 0, surface_energy = 0, adhesion_range = 0, branch = 0, turning_pressure = 0, &
-         & material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, mean_pressure = 0, penetration = 0, shear_strength = &
-         & 0, pressure_factor = 0, tangential_stress = 0, tangential_axis = 0, coefficient = 0
+      !> Indices of the rows.
+      integer :: period = 0, amplitude = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, &
+         & second_young_modulus = 0, second_poisson_ratio = 0, adhesion = 0, surface_energy = 0, adhesion_range = 0, &
+         & branch = 0, turning_pressure = 0, material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, &
+         & mean_pressure = 0, penetration = 0, shear_strength = 0, pressure_factor = 0, tangential_stress = 0, &
+         & tangential_axis = 0, coefficient = 0
    end type wave_input_t
    type(wave_input_t), parameter, public :: wave_input = transfer(counting, wave_input_t())
    !> Results in the order of their rows; a component is the index of its row.
    type :: wave_output_t
-      !> Indices, which `wave_output` has.
-      integer :: mean_pressure = 0, penetration = 0, contact_width = 0, contact_fraction = 0, peak_pressure = 0, mean_gap = &
-         & 0, largest_gap = 0, full_contact_pressure = 0, regime = 0, violation = 0, friction_stress = 0, friction_coefficient = &
-         & 0, contact_shift = 0, dissipation = 0, energy_imbalance = 0, adhesion_fraction = 0, elastic_energy = 0, &
-         & adhesion_energy = 0, pull_off_pressure = 0, pull_off_penetration = 0, jump_off_penetration = 0, hysteresis_loss = 0, &
-         & stick_fraction = 0, tangential_displacement = 0, tangential_stiffness = 0, cycle_energy = 0
+      !> Indices of the rows.
+      integer :: mean_pressure = 0, penetration = 0, contact_width = 0, contact_fraction = 0, peak_pressure = 0, &
+         & mean_gap = 0, largest_gap = 0, full_contact_pressure = 0, regime = 0, violation = 0, friction_stress = 0, &
+         & friction_coefficient = 0, contact_shift = 0, dissipation = 0, energy_imbalance = 0, adhesion_fraction = 0, &
+         & elastic_energy = 0, adhesion_energy = 0, pull_off_pressure = 0, pull_off_penetration = 0, &
+         & jump_off_penetration = 0, hysteresis_loss = 0, stick_fraction = 0, tangential_displacement = 0, &
+         & tangential_stiffness = 0, cycle_energy = 0
    end type wave_output_t
    type(wave_output_t), parameter, public :: wave_output = transfer(counting, wave_output_t())
    !> Number of results.

@@ -106,7 +106,7 @@ contains
       prescribed_of = prescribed_part(curve, control, state%load, state%approach)
    end function prescribed_of
 
-   !> What is held by a contact, see `prescribed_of`.
+   !> What is prescribed for a contact, see `prescribed_of`.
    pure real(dp) function prescribed_by(curve, control, contact)
       class(curve_t), intent(in) :: curve
       integer, intent(in) :: control
@@ -115,7 +115,7 @@ contains
       prescribed_by = prescribed_part(curve, control, contact%load, contact%approach)
    end function prescribed_by
 
-   !> Derivative of what is held by u along the curve, see `prescribed_of`.
+   !> Derivative of what is prescribed by u along the curve, see `prescribed_of`.
    pure real(dp) function prescribed_slope(curve, control, state)
       class(curve_t), intent(in) :: curve
       integer, intent(in) :: control

@@ -148,7 +148,7 @@ contains
    pure real(dp) function loss_at(self, number, x, total) result(loss)
       type(sheared_t), intent(in) :: self
       integer, intent(in) :: number
-      !> The way to the position.
+      !> The path to the position.
       real(dp), intent(in) :: x
       !> v(e).
       real(dp), intent(in) :: total

@@ -33,7 +33,7 @@ module adfric_round_sphere_contact
       real(dp) :: load = 0, approach = 0
       !> Position on the theory's curve where the contact was found; it is the first guess for a neighbour. 0: none.
       real(dp) :: position = 0
-      !> Derivative of what is held by the position; 0: not known.
+      !> Derivative of what is prescribed by the position; 0: not known.
       real(dp) :: slope = 0
    end type sphere_contact_t
 

@@ -93,7 +93,7 @@ contains
 
    !> A path; its start is not found if there is no contact at rest.
    pure subroutine new_path(self, theory, friction, control, prescribed, branch)
-      !> In: a new way. Out: the path with its parameters and its start.
+      !> In: a new path. Out: the path with its parameters and its start.
       type(peeling_path_t), intent(inout) :: self
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory

@@ -13,13 +13,13 @@ module adfric_round_sphere_variables
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: sphere_input_t
-      !> Indices, which `sphere_input` has.
-      integer :: units = 0, radius = 0, contact_modulus = 0, young_modulus = 0, body_poisson_ratio = 0, second_young_modulus &
-         & = 0, second_poisson_ratio = 0, work_of_adhesion = 0, adhesion_stress = 0, adhesion_range = 0, lambda = 0, &
-         & shear_strength = 0, pressure_factor = 0, poisson_ratio = 0, edge_fraction = 0, interaction = 0, critical_slip = 0, &
-         & slip_energy_ratio = 0, load = 0, approach = 0, contact_radius = 0, branch = 0, state = 0, tangential_force = 0, &
-         & tangential_displacement = 0, base_displacement = 0, lateral_stiffness = 0, theory = 0, relative_tolerance = 0, events &
-         & = 0, profiles = 0, n_r = 0, r_max = 0
+      !> Indices of the rows.
+      integer :: units = 0, radius = 0, contact_modulus = 0, young_modulus = 0, body_poisson_ratio = 0, &
+         & second_young_modulus = 0, second_poisson_ratio = 0, work_of_adhesion = 0, adhesion_stress = 0, adhesion_range = 0, &
+         & lambda = 0, shear_strength = 0, pressure_factor = 0, poisson_ratio = 0, edge_fraction = 0, interaction = 0, &
+         & critical_slip = 0, slip_energy_ratio = 0, load = 0, approach = 0, contact_radius = 0, branch = 0, state = 0, &
+         & tangential_force = 0, tangential_displacement = 0, base_displacement = 0, lateral_stiffness = 0, theory = 0, &
+         & relative_tolerance = 0, events = 0, profiles = 0, n_r = 0, r_max = 0
    end type sphere_input_t
    type(sphere_input_t), parameter, public :: sphere_input = transfer(counting, sphere_input_t())
    integer, parameter, public :: n_sphere_variables = storage_size(sphere_input)/storage_size(1)
@@ -30,13 +30,13 @@ module adfric_round_sphere_variables
 
    !> Results in the order of their rows; a component is the index of its row.
    type :: sphere_output_t
-      !> Indices, which `sphere_output` has.
+      !> Indices of the rows.
       integer :: load = 0, approach = 0, contact_radius = 0, adhesion_radius = 0, friction_radius = 0, contact_area = 0, &
          & friction_area = 0, friction_force = 0, adhesion_ratio = 0, stick_radius = 0, slip = 0, largest_slip = 0, &
          & tangential_displacement = 0, pull_off_load = 0, stable = 0, theory_used = 0, theory_error = 0, peak_force = 0, &
          & peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, snap_off_displacement = 0, &
-         & critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, jump_force = 0, arrest_force = 0, &
-         & jump_energy = 0, jump_period = 0, period_work = 0
+         & critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, jump_force = 0, &
+         & arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0
    end type sphere_output_t
    type(sphere_output_t), parameter, public :: sphere_output = transfer(counting, sphere_output_t())
    integer, parameter, public :: n_sphere_results = storage_size(sphere_output)/storage_size(1)

@@ -17,15 +17,15 @@ module adfric_round_variables
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: indenter_input_t
-      !> Indices, which `indenter_input` has.
+      !> Indices of the rows.
       integer :: kind = 0, radius = 0, slope = 0, half_angle = 0, exponent = 0, coefficient = 0, face_radius = 0, &
          & coefficient_1 = 0, coefficient_2 = 0, coefficient_3 = 0, coefficient_4 = 0, coefficient_5 = 0, coefficient_6 = 0, &
-         & coefficient_7 = 0, coefficient_8 = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, second_young_modulus &
-         & = 0, second_poisson_ratio = 0, work_of_adhesion = 0, adhesion_stress = 0, adhesion_range = 0, lambda = 0, theory = 0, &
-         & load = 0, approach = 0, contact_radius = 0, face_angle = 0, branch = 0, profiles = 0, n_r = 0, r_max = 0, &
-         & tangential_force = 0, friction_coefficient = 0, shear_strength = 0, pressure_factor = 0, edge_fraction = 0, position_z &
-         & = 0, base_approach = 0, machine_stiffness = 0, events = 0, law = 0, state = 0, interaction = 0, critical_slip = 0, &
-         & slip_energy_ratio = 0, lateral_stiffness = 0, base_displacement = 0
+         & coefficient_7 = 0, coefficient_8 = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, &
+         & second_young_modulus = 0, second_poisson_ratio = 0, work_of_adhesion = 0, adhesion_stress = 0, adhesion_range = 0, &
+         & lambda = 0, theory = 0, load = 0, approach = 0, contact_radius = 0, face_angle = 0, branch = 0, profiles = 0, &
+         & n_r = 0, r_max = 0, tangential_force = 0, friction_coefficient = 0, shear_strength = 0, pressure_factor = 0, &
+         & edge_fraction = 0, position_z = 0, base_approach = 0, machine_stiffness = 0, events = 0, law = 0, state = 0, &
+         & interaction = 0, critical_slip = 0, slip_energy_ratio = 0, lateral_stiffness = 0, base_displacement = 0
    end type indenter_input_t
    type(indenter_input_t), parameter, public :: indenter_input = transfer(counting, indenter_input_t())
    integer, parameter, public :: n_indenter_variables = storage_size(indenter_input)/storage_size(1)
@@ -41,16 +41,16 @@ module adfric_round_variables
 
    !> Results in the order of their rows; a component is the index of its row.
    type :: indenter_output_t
-      !> Indices, which `indenter_output` has.
+      !> Indices of the rows.
       integer :: load = 0, approach = 0, contact_radius = 0, contact_area = 0, mean_pressure = 0, contact_stiffness = 0, &
          & elastic_energy = 0, pull_off_load = 0, pull_off_approach = 0, jump_inward_load = 0, jump_inward_approach = 0, &
-         & jump_outward_load = 0, jump_outward_approach = 0, stable = 0, theory_used = 0, adhesion_radius = 0, stick_fraction = &
-         & 0, tangential_displacement = 0, tangential_stiffness = 0, cycle_energy = 0, friction_area = 0, friction_force = 0, &
-         & stress_zz = 0, stress_rr = 0, base_approach = 0, jump_in_base_approach = 0, jump_in_load = 0, pull_off_base_approach = &
-         & 0, loop_energy = 0, friction_radius = 0, adhesion_ratio = 0, stick_radius = 0, slip = 0, largest_slip = 0, peak_force &
-         & = 0, peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, snap_off_displacement = 0, &
-         & critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, jump_force = 0, arrest_force = 0, &
-         & jump_energy = 0, jump_period = 0, period_work = 0, tangential_force = 0
+         & jump_outward_load = 0, jump_outward_approach = 0, stable = 0, theory_used = 0, adhesion_radius = 0, &
+         & stick_fraction = 0, tangential_displacement = 0, tangential_stiffness = 0, cycle_energy = 0, friction_area = 0, &
+         & friction_force = 0, stress_zz = 0, stress_rr = 0, base_approach = 0, jump_in_base_approach = 0, jump_in_load = 0, &
+         & pull_off_base_approach = 0, loop_energy = 0, friction_radius = 0, adhesion_ratio = 0, stick_radius = 0, slip = 0, &
+         & largest_slip = 0, peak_force = 0, peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, &
+         & snap_off_displacement = 0, critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, &
+         & jump_force = 0, arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0, tangential_force = 0
    end type indenter_output_t
    type(indenter_output_t), parameter, public :: indenter_output = transfer(counting, indenter_output_t())
    integer, parameter, public :: n_indenter_results = storage_size(indenter_output)/storage_size(1)
