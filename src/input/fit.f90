@@ -61,8 +61,9 @@ contains
 
       select type (model)
       class is (converted_model_t)
-         if (model%name == 'sphere' .and. model%follows /= follows_nothing) call problems%add('adhesion', 'work_of_adhesion', &
-            'is missing [J/m^2]; a fit takes it with adhesion_stress or with adhesion_range, not these two')
+         if (model%name == 'sphere' .and. model%scene_values%follows /= follows_nothing) &
+            & call problems%add('adhesion', 'work_of_adhesion', 'is missing [J/m^2]; a fit takes it '// &
+            & 'with adhesion_stress or with adhesion_range, not these two')
       end select
    end subroutine refuse_missing_work
 

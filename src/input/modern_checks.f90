@@ -28,8 +28,8 @@ contains
 
       select type (new)
       class is (converted_model_t)
-         new%n_x = counts(1)
-         new%n_y = counts(2)
+         new%scene_values%n_x = counts(1)
+         new%scene_values%n_y = counts(2)
       end select
       group = file%find_group('surface')
       if (counts(1) > 0 .or. group == 0) return

@@ -11,6 +11,7 @@ module adfric_input_modern_values
    use adfric_input_vocabulary, only: find_variable, full_name
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: kind_choice, variable_t
+   use adfric_run_conversion, only: as_it_is
    use adfric_run_converted_model, only: converted_model_t
    implicit none (type, external)
    private
@@ -28,7 +29,7 @@ contains
       is_converted = .false.
       select type (new)
       class is (converted_model_t)
-         if (at > 0) is_converted = new%is_converted(at)
+         if (at > 0) is_converted = new%scene_values%how(at) /= as_it_is
       end select
    end function is_converted
 
@@ -238,7 +239,7 @@ contains
       number = show_number(value)
       select type (new)
       class is (converted_model_t)
-         number = show_number(new%of_scene(at, value))
+         number = show_number(new%scene_values%of_scene(at, value))
       end select
    end function number_in_scene
 

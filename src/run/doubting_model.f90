@@ -9,6 +9,7 @@ module adfric_run_doubting_model
    use adfric_describe_profile_receiver, only: profile_receiver_t
    use adfric_describe_status, only: status_solved
    use adfric_describe_table, only: doubt_row, result_t
+   use adfric_run_converted_model, only: converted_model_t
    use adfric_run_wrapped_model, only: wrapped_model_t
    implicit none (type, external)
    private
@@ -20,12 +21,14 @@ module adfric_run_doubting_model
       procedure :: solve_block
       procedure :: solve_block_and_profiles
       procedure :: describe_results
+      procedure :: nominal_size
    end type doubting_model_t
 
 contains
 
-   !> Let a model doubt; one that has the result already, as a fit or a model that doubts, stays as it is.
-   subroutine let_doubt(model)
+   !> Let a model doubt; one that has the result already, as a fit or a model that doubts, stays as it is. A solver with the values
+   !> of a scene doubts itself, so that these are converted once.
+   recursive subroutine let_doubt(model)
       !> In: the model. Out: a model that holds it.
       class(model_t), allocatable, intent(inout) :: model
       type(doubting_model_t), allocatable :: doubting
@@ -34,6 +37,12 @@ contains
       do k = 1, size(model%results)
          if (model%results(k)%name == doubt_name) return
       end do
+      select type (model)
+      class is (converted_model_t)
+         call let_doubt(model%inner)
+         call model%take_doubt()
+         return
+      end select
       allocate (doubting)
       call doubting%wrap(model)
       call append_doubt(doubting%inner%results, doubting%results)
@@ -113,6 +122,14 @@ contains
          results(n, i) = find_doubt(measures)
       end do
    end subroutine add_doubts
+
+   !> See `model_t`: values are those of the inner model, and need no copy.
+   pure real(dp) function nominal_size(self, values)
+      class(doubting_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      nominal_size = self%inner%nominal_size(values)
+   end function nominal_size
 
    !> See `model_t`.
    function describe_results(self, values) result(results)

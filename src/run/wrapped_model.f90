@@ -32,6 +32,7 @@ module adfric_run_wrapped_model
       procedure :: describe_case
       procedure :: describe_doubts
       procedure :: measure
+      procedure :: nominal_size
       procedure :: count_profiles
       procedure :: describe_profiles
       procedure :: unit_of
@@ -211,6 +212,14 @@ contains
 
       call self%inner%measure(self%inner_values(values), self%inner_results(values, results), measures)
    end subroutine measure
+
+   !> See `model_t`.
+   pure real(dp) function nominal_size(self, values)
+      class(wrapped_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      nominal_size = self%inner%nominal_size(self%inner_values(values))
+   end function nominal_size
 
    !> See `model_t`.
    pure integer function count_profiles(self, values)
