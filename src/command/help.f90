@@ -9,7 +9,8 @@ module adfric_command_help
    use adfric_command_help_lists, only: model_box_t, list_topics, show_list
    use adfric_command_help_names, only: describe_model, describe_outputs, describe_name, describe_common, &
       describe_variables, list_names, list_words
-   use adfric_command_help_scenes, only: describe_scene_name, describe_scenes, list_scene_names
+   use adfric_command_help_scenes, only: describe_scene_list, describe_scene_name, describe_scenes, &
+      list_scene_names
    use adfric_command_help_pages, only: usage_page, input_page, tables_page, outputs_head
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
@@ -23,6 +24,8 @@ module adfric_command_help
 
    !> Topics that are pages.
    character(*), parameter :: page_topics = 'scenes input tables outputs names'
+   !> Head of what only inputs in the names of version 0.2 have.
+   character(*), parameter :: of_old_inputs = 'In an input that names a model (&job model)'
 
 contains
 
@@ -82,7 +85,7 @@ contains
       if (len(topic) == 0) then
          text = usage_page//show_list(models, 'models')
       else if (has_word(list_topics, topic)) then
-         text = show_list(models, topic)
+         text = list_of(models, topic)
          ! a variable may have the name of a list
          named = explain(models, topic)
          if (len(named) > 0) text = text//newline//named
@@ -103,6 +106,18 @@ contains
          //''', allowed: '//list_topics//' '//page_topics//', or a name that stands there'//did_you_mean(topic, every_name(models)))
    end subroutine find_page
 
+   !> A list of scenes, and below it that of inputs that name a model.
+   function list_of(models, topic) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      !> One of `list_topics`.
+      character(*), intent(in) :: topic
+      character(:), allocatable :: text
+
+      text = describe_scene_list(models, topic)
+      if (len(text) > 0) text = text//newline//of_old_inputs//newline
+      text = text//show_list(models, topic)
+   end function list_of
+
    !> What there is to say of a name; empty if nothing knows it.
    function explain(models, topic) result(text)
       type(model_box_t), intent(in) :: models(:)
@@ -110,7 +125,6 @@ contains
       character(*), intent(in) :: topic
       character(:), allocatable :: text
       character(:), allocatable :: of_models, of_fits, of_scenes
-      character(*), parameter :: of_old_inputs = 'In an input that names a model (&job model)'
 
       text = ''
       if (has_word(known_commands, topic)) text = usage_page

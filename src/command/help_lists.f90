@@ -7,7 +7,9 @@ module adfric_command_help_lists
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows
    use adfric_input_vocabulary, only: common_groups
    use adfric_describe_model, only: model_t
+   use adfric_describe_scene_names, only: likely_name_of, likely_result_of
    use adfric_describe_table, only: result_t, common_results, variable_t
+   use adfric_run_conversion, only: is_counted_over_area, unit_over_area
    implicit none (type, external)
    private
    public :: model_box_t, list_topics, show_list
@@ -130,20 +132,28 @@ contains
          //profiles%show_table(name_width, .true.)
    end function show_results
 
-   !> Units, with the names of what is given in them.
+   !> Units, with the names that scenes have for what is given in them.
    function show_units(models) result(text)
       type(model_box_t), intent(in) :: models(:)
-      character(:), allocatable :: text
+      character(:), allocatable :: text, name, unit
       type(entries_t) :: entries
       integer :: i, k
 
+      name = ''
+      unit = ''
       do i = 1, size(models)
          associate (model => models(i)%model)
             do k = 1, size(model%variables)
-               call add_units(entries, model%variables(k)%unit, model%variables(k)%name)
+               name = likely_name_of(model%name, model%variables(k)%group//'%'//model%variables(k)%name)
+               unit = model%variables(k)%unit
+               ! an angle in scenes, whatever it is for the solver
+               if (name == 'operating%direction') unit = 'rad'
+               call add_units(entries, unit, name(index(name, '%') + 1:))
             end do
             do k = 1, size(model%results)
-               call add_units(entries, model%results(k)%unit, model%results(k)%name)
+               unit = model%results(k)%unit
+               if (is_counted_over_area(model%name, model%results(k)%name)) unit = unit_over_area(unit)
+               call add_units(entries, unit, likely_result_of(model%name, model%results(k)%name))
             end do
             do k = 1, size(model%profiles)
                call entries%add(model%profiles(k)%unit, model%profiles(k)%name)

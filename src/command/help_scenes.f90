@@ -12,7 +12,7 @@ module adfric_command_help_scenes
       known_tractions, word_length
    implicit none (type, external)
    private
-   public :: describe_scenes, describe_scene_name, list_scene_names
+   public :: describe_scenes, describe_scene_list, describe_scene_name, list_scene_names
 
    !> Columns of the table: solid, interface, operation, and what they are.
    integer, parameter :: n_columns = 10
@@ -52,6 +52,28 @@ contains
          //'Variables'//newline//describe_groups(models)//newline//'Results, where they have a meaning'//newline// &
          describe_results(models, '')
    end function describe_scenes
+
+   !> What scenes have of a list; empty where its page needs nothing of them.
+   function describe_scene_list(models, topic) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      !> One of `list_topics`.
+      character(*), intent(in) :: topic
+      character(:), allocatable :: text
+      integer :: g
+
+      text = ''
+      select case (topic)
+      case ('groups')
+         text = 'Groups of scenes'//newline
+         do g = 1, count_words(order_of_scenes)
+            text = text//'  &'//get_word(order_of_scenes, g)//newline
+         end do
+      case ('variables')
+         text = 'Variables of scenes'//newline//describe_groups(models)
+      case ('results')
+         text = 'Results of scenes, where they have a meaning'//newline//describe_results(models, '')
+      end select
+   end function describe_scene_list
 
    !> The table of surfaces.
    function describe_table() result(text)
@@ -107,9 +129,9 @@ contains
          group = get_word(order_of_scenes, g)
          text = text//'&'//group//newline
          names = ''
-         if (group == 'surface') text = text//words_line('kind', known_surfaces)
-         if (group == 'traction') text = text//words_line('kind', known_tractions)
-         if (group == 'solid') text = text//words_line('extent', known_extents)//words_line('curve_modulus', known_curves)
+         if (group == 'surface') text = text//kinds_of_surface()
+         if (group == 'traction') text = text//kinds_of_traction()
+         if (group == 'solid') text = text//extents()//curve_moduli()
          if (has_word('surface traction', group)) names = 'kind'
          call add_group(models, group, '', names, text)
       end do
@@ -133,11 +155,10 @@ contains
          if (index(name, '%') > 0) cycle
          names = 'kind extent'
          lines = ''
-         if (group == 'surface' .and. is_of(name, 'kind', known_surfaces)) lines = words_line('kind', known_surfaces)
-         if (group == 'traction' .and. is_of(name, 'kind', known_tractions)) lines = words_line('kind', known_tractions)
-         if (group == 'solid' .and. is_of(name, 'extent', known_extents)) lines = words_line('extent', known_extents)
-         if (group == 'solid' .and. is_of(name, 'curve_modulus', known_curves)) lines = lines//words_line('curve_modulus', &
-            known_curves)
+         if (group == 'surface' .and. is_of(name, 'kind', known_surfaces)) lines = kinds_of_surface()
+         if (group == 'traction' .and. is_of(name, 'kind', known_tractions)) lines = kinds_of_traction()
+         if (group == 'solid' .and. is_of(name, 'extent', known_extents)) lines = extents()
+         if (group == 'solid' .and. is_of(name, 'curve_modulus', known_curves)) lines = lines//curve_moduli()
          if (has_word(meant, group)) call add_group(models, group, name, names, lines)
          if (len(lines) > 0) text = text//'&'//group//newline//lines
       end do
@@ -157,15 +178,49 @@ contains
       is_of = len(name) == 0 .or. name == variable .or. has_word(words, name)
    end function is_of
 
-   !> A variable whose words are known.
-   pure function words_line(name, words) result(line)
-      character(*), intent(in) :: name
+   !> `&surface kind`, `&traction kind`, `&solid extent` and `&solid curve_modulus`, which choose the solver: meaning and words.
+   pure function kinds_of_surface() result(lines)
+      character(:), allocatable :: lines
+
+      lines = meaning_and_words('kind', 'shape of the rigid surface', known_surfaces)
+   end function kinds_of_surface
+
+   pure function kinds_of_traction() result(lines)
+      character(:), allocatable :: lines
+
+      lines = meaning_and_words('kind', 'where the tractions act', known_tractions)
+   end function kinds_of_traction
+
+   pure function extents() result(lines)
+      character(:), allocatable :: lines
+
+      lines = meaning_and_words('extent', 'deep, a layer on a rigid base, or columns side by side', known_extents)
+   end function extents
+
+   pure function curve_moduli() result(lines)
+      character(:), allocatable :: lines
+
+      lines = meaning_and_words('curve_modulus', 'which modulus the master curve is one of: E, or E/(1 - nu^2)', known_curves)
+   end function curve_moduli
+
+   !> A variable with its meaning and its words.
+   pure function meaning_and_words(name, meaning, words) result(lines)
+      character(*), intent(in) :: name, meaning
       !> Its words, separated by a blank.
+      character(*), intent(in) :: words
+      character(:), allocatable :: lines
+
+      lines = pad('  '//name, name_width)//meaning//newline//words_line(words)
+   end function meaning_and_words
+
+   !> The words that a variable may have.
+   pure function words_line(words) result(line)
+      !> The words, separated by a blank.
       character(*), intent(in) :: words
       character(:), allocatable :: line
       integer :: k
 
-      line = pad('  '//name, name_width)
+      line = repeat(' ', name_width)
       do k = 1, count_words(words)
          if (k > 1) line = line//', '
          if (len(line) - index(line, newline, back=.true.) > 100) line = trim(line)//newline//repeat(' ', name_width)
@@ -207,7 +262,7 @@ contains
             end if
             text = text//pad('  '//name(percent + 1:)//unit_of(row), name_width)//with_phrases(meaning_of(name, row%meaning))// &
                newline
-            if (len(row%choices) > 0) text = text//words_line('', words_of_all(models, name))
+            if (len(row%choices) > 0) text = text//words_line(words_of_all(models, name))
          end do
       end do
    end subroutine add_group

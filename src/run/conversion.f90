@@ -12,7 +12,7 @@ module adfric_run_conversion
    public :: as_it_is, to_reverse, to_axis, to_degrees, direction_tolerance
    public :: follows_nothing, follows_work, follows_stress
    public :: be_angle, conversion_of, lengths_of, take_spacing
-   public :: find_what_follows, text_over_area, to_scene, to_solver, unit_over_area
+   public :: find_what_follows, is_counted_over_area, text_over_area, to_scene, to_solver, unit_over_area
 
    !> How a value of the scene becomes that of the solver.
    integer, parameter :: as_it_is = 0, doubled = 1, by_samples_x = 2, by_samples_y = 3, to_reverse = 4, to_axis = 5, to_degrees = 6
@@ -20,6 +20,9 @@ module adfric_run_conversion
    real(dp), parameter :: direction_tolerance = 1.0e-4_dp
    !> What of adhesion follows from the other two: nothing, the work, or the stress.
    integer, parameter :: follows_nothing = 0, follows_work = 1, follows_stress = 2
+   !> Results of columns that a solver counts for a period, and a scene over the nominal area.
+   character(*), parameter :: of_period = 'load friction_force contact_area adhesion_area dissipation edge_loss pull_off_load '// &
+      & 'friction_sample_error'
 
 contains
 
@@ -145,6 +148,15 @@ contains
          follows = follows_stress
       end if
    end function find_what_follows
+
+   !> Does a scene count a result over the nominal area, and the solver for a period?
+   pure logical function is_counted_over_area(solver, result_name)
+      character(*), intent(in) :: solver
+      !> Name that the solver has for the result.
+      character(*), intent(in) :: result_name
+
+      is_counted_over_area = solver == 'wavy_sliding' .and. has_word(of_period, result_name)
+   end function is_counted_over_area
 
    !> Unit of what the solver counts for a period, over the nominal area: Pa for a force, 1 for an area.
    pure function unit_over_area(unit) result(over_area)

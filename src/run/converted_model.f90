@@ -10,23 +10,18 @@ module adfric_run_converted_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: has_word
    use adfric_describe_derived, only: add_derived, derived_t
    use adfric_describe_model, only: model_t
    use adfric_describe_profile_receiver, only: profile_receiver_t
    use adfric_describe_status, only: status_solved
    use adfric_describe_table, only: result_t
-   use adfric_run_conversion, only: as_it_is, text_over_area, unit_over_area
+   use adfric_run_conversion, only: as_it_is, is_counted_over_area, text_over_area, unit_over_area
    use adfric_run_reversal, only: new_reversal
    use adfric_run_scene_values, only: new_scene_values, scene_values_t
    use adfric_run_wrapped_model, only: wrapped_model_t
    implicit none (type, external)
    private
    public :: converted_model_t, convert_model
-
-   !> Results of a period that a scene counts over the nominal area.
-   character(*), parameter :: of_period = 'load friction_force contact_area adhesion_area dissipation edge_loss pull_off_load '// &
-      & 'friction_sample_error'
 
    !> The solver with the values of a scene.
    type, extends(wrapped_model_t) :: converted_model_t
@@ -71,7 +66,7 @@ contains
       call converted%scene_values%change_rows(converted%variables)
       converted%results = converted%inner%results
       allocate (converted%is_of_period(size(converted%results)), source=.false.)
-      if (converted%name == 'wavy_sliding') call count_over_area(converted)
+      call count_over_area(converted)
       converted%of_period = indices_of(converted%is_of_period)
       call move_alloc(converted, model)
    end subroutine convert_model
@@ -82,7 +77,7 @@ contains
       integer :: j
 
       do j = 1, size(self%results)
-         self%is_of_period(j) = has_word(of_period, self%results(j)%solver_name)
+         self%is_of_period(j) = is_counted_over_area(self%name, self%results(j)%solver_name)
          if (.not. self%is_of_period(j)) cycle
          self%results(j)%unit = unit_over_area(self%results(j)%unit)
          self%results(j)%long_name = text_over_area(self%results(j)%long_name)
