@@ -116,6 +116,9 @@ module adfric_describe_scene_rules
       & 'surface_sliding penetration approach layer', &
       & 'surface_sliding lateral_stress lateral_friction_stress', &
       & 'surface_sliding full_contact_friction full_contact_friction_stress', &
+      & 'surface_sliding adhesion_fraction - !adhesion', &
+      & 'surface_sliding cells_per_zone - !adhesion', &
+      & 'surface_sliding friction_stress_without_adhesion - !adhesion', &
       & 'indenter slip - coulomb', &
       & 'indenter largest_slip - coulomb', &
       & 'indenter stick_radius - coulomb', &
@@ -302,9 +305,10 @@ module adfric_describe_scene_rules
 
    !> Solvers that know a speed and no velocity. Behind each stand its results and profiles, in its language, that are vectors along
    !> the motion or across it: those of a scene take the sign of the velocity.
-   character(*), parameter :: of_speed(*) = [character(120) :: &
+   character(*), parameter :: of_speed(*) = [character(160) :: &
       & 'wavy_sliding friction_force friction_coefficient contact_shift shear_stress', &
-      & 'surface_sliding friction_stress friction_coefficient lateral_stress full_contact_friction contact_shift']
+      & 'surface_sliding friction_stress friction_coefficient lateral_stress full_contact_friction contact_shift '// &
+      & 'friction_stress_without_adhesion']
    !> Those among them whose profiles run along the motion, whatever its direction.
    character(*), parameter :: along_motion = 'wavy_sliding'
 

@@ -47,6 +47,7 @@ module adfric_describe_scene_solvers
       & 'profile,heights half_space shear,adhesion+shear press,slide surface_elastic numerical', &
       & 'profile,heights half_space coulomb press,tangential surface_elastic numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer none press,slide surface_sliding numerical', &
+      & 'wave_1d,wave_2d,profile,heights relaxing,layer adhesion press,slide surface_sliding numerical', &
       & 'wave_1d,wave_product,cosines,profile,heights foundation none,adhesion press,slide wavy_sliding exact', &
       & 'line half_space none press,tangential line_load exact', &
       & 'strip half_space none press strip_load exact', &

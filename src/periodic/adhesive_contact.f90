@@ -29,7 +29,7 @@ module adfric_periodic_adhesive_contact
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: solve_adhesive_contact, find_state, solve_again, widen_share
+   public :: solve_adhesive_contact, find_state, solve_again, solve_with_share, widen_share
 
    !> Rounds from the bound, at most.
    integer, parameter :: most_rounds = 2000

@@ -1,22 +1,25 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Adhesive contact of a periodic surface with an elastic half-space on nested grids: load to pressure, gap and area on either branch.
+!> Adhesive contact of a periodic surface, at rest or sliding steadily, on nested grids: load to pressure, gap and area on either
+!> branch.
 !>
-!> Each grid has the state of the wanted branch (`adfric_periodic_adhesive_contact`), found from shares that are 1 or 0 everywhere; a coarser
-!> one says where Newton's method begins. On the finest grid alone the zones of the next coarser one, wider or narrower by a cell,
+!> Each grid has the state of the wanted branch (`adfric_periodic_adhesive_contact`; where the body slides
+!> `adfric_periodic_sliding_rounds`), found from shares that are 1 or 0 everywhere; a coarser one says where Newton's method begins. On the finest grid alone the zones of the next coarser one, wider or narrower by a cell,
 !> are the bound, where that has contact. So the load of a jump is known as well as a grid of half the cells knows it: nearer to a jump
 !> the answer may be the state on its other side.
 module adfric_periodic_adhesive_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_adhered
    use adfric_periodic_adhesive_contact, only: solve_adhesive_contact, widen_share
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_grids, only: coarsen
-   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_full_pressure, set_solution, &
-      & start_from_coarse, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range
+   use adfric_periodic_sliding_rounds, only: solve_by_rounds
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_friction, set_full_pressure, &
+      & set_solution, start_from_coarse, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range
    implicit none (type, external)
    private
-   public :: periodic_adhesion_t, solve_adhesive_load, solve_adhesive_state
+   public :: adhesion_in_units, periodic_adhesion_t, solve_adhesive_load, solve_adhesive_state
 
    !> Adhesion of Maugis and Dugdale, and which of the states is wanted.
    type :: periodic_adhesion_t
@@ -32,7 +35,21 @@ module adfric_periodic_adhesive_solver
 
 contains
 
-   !> Solve under a mean pressure with adhesion; elastic solids alone.
+   !> An adhesion with stresses in the unit of the contact.
+   pure type(periodic_adhesion_t) function adhesion_in_units(law, modulus) result(adhesion)
+      !> The adhesion; its stress is above 0.
+      type(adhesion_law_t), intent(in) :: law
+      !> Unit of pressures E* or E0 [Pa].
+      real(dp), intent(in) :: modulus
+
+      adhesion%stress = law%stress/modulus
+      adhesion%range = law%range
+      adhesion%is_adhered = law%branch == branch_adhered
+      adhesion%has_turned = allocated(law%turning_pressure)
+      if (allocated(law%turning_pressure)) adhesion%turning_pressure = law%turning_pressure/modulus
+   end function adhesion_in_units
+
+   !> Solve under a mean pressure with adhesion.
    subroutine solve_adhesive_load(self, shape, mean_pressure, adhesion, tolerance, solution, error)
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
@@ -53,6 +70,7 @@ contains
          if (solution%status == contact_out_of_range .or. .not. allocated(states(n)%gap)) return
          call set_full_pressure(self%grids(n)%operator, shape, solution)
          call set_solution(states, self%grids(n)%operator, solution)
+         call set_friction(self, states, shape, solution)
       end associate
    end subroutine solve_adhesive_load
 
@@ -165,8 +183,14 @@ contains
                call widen_share(state%cohesion%share, grid%operator%is_quarter, is_adhered, bound)
                bound(:, :) = merge(min(bound, widest), max(bound, widest), is_adhered)
             end if
-            call solve_adhesive_contact(state, grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, &
-               & k == size(states)), is_adhered, bound, is_sure, has_guess, has_contact)
+            associate (grid_tolerance => merge(tolerance, coarse_tolerance, k == size(states)))
+               if (grid%operator%is_symmetric) then
+                  call solve_adhesive_contact(state, grid%operator, grid%gap_solver, grid_tolerance, is_adhered, bound, &
+                     & is_sure, has_guess, has_contact)
+               else
+                  call solve_by_rounds(state, grid%operator, grid%gap_solver, grid_tolerance, bound, has_contact)
+               end if
+            end associate
             if (.not. has_contact) state = blank
             deallocate (bound, widest)
             solution%n_applied = grid%operator%n_applied - n_before

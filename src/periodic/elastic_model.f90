@@ -2,10 +2,9 @@
 !> What the models of a periodic surface on an elastic half-space share, with or without adhesion; a model says what its surface is.
 module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, check_adhesion, has_adhesion, &
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, check_adhesion, has_adhesion, &
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
       & has_poisson_ratio, n_two_bodies, set_modulus_rows
@@ -18,27 +17,20 @@ module adfric_periodic_elastic_model
    use adfric_describe_rows, only: positive
    use adfric_describe_table, only: profile_axis_t, variable_t
    use adfric_numerics_found_once, only: found_once_t
-   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
+   use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, are_sizes_possible, cells_per_zone, doubt_zone, error_of_edge, &
+      & least_cells, regime_of, zone_length
+   use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_chords, only: chord_fraction
-   use adfric_periodic_variables, only: get_elastic_results, n_elastic_solid, pull_off_row, regime_adhesion_only, &
-      & regime_adhesion_zones, regime_full, regime_none, regime_partial, regime_saturated_adhesion, in => periodic_input, &
+   use adfric_periodic_variables, only: get_elastic_results, n_elastic_solid, pull_off_row, in => periodic_input, &
       & out => periodic_output
    implicit none (type, external)
    private
    public :: elastic_model_t
-
-   !> Cells per zone below which there is a doubt, and below which edges of adhesion are those of the cells.
-   real(dp), parameter :: few_cells = 4, least_cells = 0.5_dp
-   !> Error of an edge of adhesion with one cell per zone; it falls with the cells, below one with their square (`bench/run
-   !> adhesion_cells`).
-   real(dp), parameter :: error_of_cell = 0.05_dp
-   !> Stress over E* height/period, and range over height, that are taken.
-   real(dp), parameter :: least_size = 1.0e-12_dp, largest_size = 1.0e12_dp
 
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
@@ -201,17 +193,10 @@ contains
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t) :: surface
-      type(adhesion_law_t) :: law
-      real(dp) :: height, sizes(2)
 
-      law = self%adhesion_of(values)
-      is_possible = .not. law%stress > 0
-      if (is_possible) return
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
-      height = self%height_of(values)
-      sizes = [law%stress/surface%solid%modulus/(height/maxval(surface%period)), law%range/height]
-      is_possible = all(sizes >= least_size .and. sizes <= largest_size)
+      is_possible = are_sizes_possible(self%adhesion_of(values), self%height_of(values), surface)
    end function is_possible
 
    !> See `periodic_model_t`.
@@ -253,12 +238,7 @@ contains
       end if
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
-      allocate (goal%adhesion)
-      goal%adhesion%stress = law%stress/modulus
-      goal%adhesion%range = law%range
-      goal%adhesion%is_adhered = law%branch == branch_adhered
-      goal%adhesion%has_turned = allocated(law%turning_pressure)
-      if (allocated(law%turning_pressure)) goal%adhesion%turning_pressure = law%turning_pressure/modulus
+      goal%adhesion = adhesion_in_units(law, modulus)
       goal%wants_pull_off = wants_pull_off(values(self%last_of_solid))
       goal%pull_offs => self%pull_offs
    end subroutine set_interface
@@ -288,12 +268,10 @@ contains
 
       law = self%adhesion_of(values)
       error_estimate = relative_error_of(solution%area)
-      associate (modulus => surface%solid%modulus, cells => real(size(solution%gap), dp))
+      associate (modulus => surface%solid%modulus)
          results(out%elastic_energy) = modulus*solution%elastic_energy
          results(out%adhesion_energy) = modulus*solution%adhesion_energy
-         results(out%adhesion_fraction) = 0
-         if (allocated(solution%share)) &
-            & results(out%adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
+         results(out%adhesion_fraction) = adhesion_fraction_of(solution)
          results(out%regime) = regime_of(solution)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
          associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
@@ -365,15 +343,6 @@ contains
       end do
    end subroutine fill_profiles
 
-   !> Relative error that the cells make of the edge of adhesion.
-   pure real(dp) function error_of_edge(cells) result(error)
-      !> Cells per zone.
-      real(dp), intent(in) :: cells
-
-      error = huge(error)
-      if (cells >= least_cells) error = error_of_cell/min(cells, cells**2)
-   end function error_of_edge
-
    !> See `model_t`: zones of adhesion that the cells do not see.
    function describe_doubts(self, values) result(text)
       class(elastic_model_t), intent(in) :: self
@@ -389,47 +358,11 @@ contains
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
       type(periodic_surface_t) :: surface
-      type(adhesion_law_t) :: law
-      character(120) :: line
 
-      text = ''
-      law = self%adhesion_of(values)
-      if (.not. law%stress > 0) return
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
-      associate (n => cells_per_zone(law, surface))
-         if (n >= few_cells) return
-         write (line, '(a, es8.1, 2a)') 'a short zone of adhesion has', n, ' cells: pull-off and branches are ', &
-            & trim(merge('those of the cells          ', 'out of reach: no such answer', n >= least_cells))
-      end associate
-      text = trim(line)//new_line('a')
+      text = doubt_zone(self%adhesion_of(values), surface)
    end function doubt_adhesion
-
-   !> The regime of a solution.
-   pure integer function regime_of(solution) result(regime)
-      type(periodic_solution_t), intent(in) :: solution
-
-      regime = merge(regime_partial, regime_none, solution%area%cells > 0)
-      if (allocated(solution%share)) then
-         if (.not. any(solution%share < 1)) then
-            regime = regime_saturated_adhesion
-         else if (any(solution%share > 0)) then
-            regime = merge(regime_adhesion_zones, regime_adhesion_only, solution%area%cells > 0)
-         end if
-      end if
-      if (solution%area%cells >= 1) regime = regime_full
-   end function regime_of
-
-   !> Length of a short zone of adhesion over that of a cell.
-   pure real(dp) function cells_per_zone(law, surface)
-      type(adhesion_law_t), intent(in) :: law
-      !> Periods and cells of the surface [m], and its solid.
-      type(periodic_surface_t), intent(in) :: surface
-
-      associate (size => surface%cell_sizes())
-         cells_per_zone = pi*surface%solid%modulus*law%range/(4*law%stress*maxval(size, mask=surface%n_cells > 1))
-      end associate
-   end function cells_per_zone
 
    !> See `periodic_model_t`: the contact modulus, and lengths of adhesion.
    function derive_solid(self, values, surface) result(derived)
@@ -446,7 +379,7 @@ contains
       if (.not. law%stress > 0) return
       call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
       call add_derived(derived, 'zone_length', 'm', 'length of a short zone of adhesion, pi E* h0/(4 p0)', &
-         & pi*surface%solid%modulus*law%range/(4*law%stress))
+         & zone_length(law, surface%solid%modulus))
       call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
          & cells_per_zone(law, surface))
    end function derive_solid

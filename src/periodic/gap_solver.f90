@@ -165,7 +165,7 @@ contains
       !> Is there nothing to be improved, but for round-off? The gap is not changed then. So it is where the tension of adhesion
       !> makes the solid give way.
       logical, intent(out) :: is_stuck
-      !> Adhesion whose shares may follow the gap; symmetric stiffness alone. Not allocated: none.
+      !> Adhesion whose shares may follow the gap. Not allocated: none.
       type(cohesion_t), allocatable, intent(in) :: cohesion
       real(dp) :: sums(2), length, lost
 
@@ -179,7 +179,7 @@ contains
          self%has_remains = .false.
          length = 1
       else if (.not. self%is_symmetric) then
-         call self%set_sliding_step(operator, pressure, length)
+         call self%set_sliding_step(operator, pressure, length, cohesion)
          is_stuck = .not. length > 0
          if (is_stuck) return
          self%length = length
@@ -297,7 +297,7 @@ contains
    end subroutine precondition
 
    !> The next direction under a sliding body, and how far to go.
-   subroutine set_sliding_step(self, operator, pressure, length)
+   subroutine set_sliding_step(self, operator, pressure, length, cohesion)
       class(gap_solver_t), intent(inout) :: self
       !> Operator of the same cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
@@ -305,10 +305,13 @@ contains
       real(dp), intent(in), contiguous :: pressure(:, :)
       !> Receives the length of the step; 0 if nothing is to be improved but round-off.
       real(dp), intent(out) :: length
-      real(dp) :: product
+      !> Adhesion whose shares may follow the gap; not allocated: none.
+      type(cohesion_t), allocatable, intent(in) :: cohesion
+      real(dp) :: product, lost
 
       call self%set_direction(0.0_dp)
       call operator%apply_stiffness(self%direction, self%stiff)
+      if (allocated(cohesion)) call cohesion%subtract_slope(self%direction, self%stiff, lost)
       call self%precondition_freely(self%stiff, self%preconditioned)
       call self%past%take(self%direction, self%stiff, self%preconditioned, product)
       length = 0

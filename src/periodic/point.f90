@@ -15,7 +15,7 @@ module adfric_periodic_point
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_pull_off_table, only: get_pull_off
    use adfric_periodic_slip, only: periodic_slip_t, solve_slip
-   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
+   use adfric_periodic_solver, only: contact_solved, periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
    public :: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
@@ -54,7 +54,7 @@ module adfric_periodic_point
       real(dp) :: value = 0
       !> Largest residual.
       real(dp) :: tolerance = 1.0e-10_dp
-      !> Adhesion, with its stress in E* and its range in m; not allocated: none. Elastic half-spaces alone.
+      !> Adhesion, with its stress in E* and its range in m; not allocated: none.
       type(periodic_adhesion_t), allocatable :: adhesion
       !> Friction, with its stress in E*; not allocated: none. Elastic half-spaces without adhesion alone.
       type(coulomb_t), allocatable :: friction
@@ -147,6 +147,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(periodic_adhesion_t) :: adhesion
       type(periodic_pull_off_t) :: pull_off
+      type(periodic_solution_t) :: without
       real(dp), allocatable :: shape_in_periods(:, :)
 
       adhesion = goal%adhesion
@@ -158,7 +159,16 @@ contains
          call solve_adhesive_penetration(memory%solver, shape_in_periods, goal%value/surface%period(1), adhesion, &
             & goal%tolerance, solution, error)
       end if
-      if (allocated(error) .or. .not. goal%wants_pull_off) return
+      if (allocated(error)) return
+      associate (grids => memory%solver%grids)
+         if (.not. grids(size(grids))%operator%is_symmetric .and. goal%is_pressure .and. goal%value > 0 .and. &
+            & solution%status == contact_solved) then
+            call memory%solver%solve_load(shape_in_periods, goal%value, goal%tolerance, without, error)
+            if (allocated(error)) return
+            if (without%status == contact_solved) solution%loss_without_adhesion = without%friction%loss
+         end if
+      end associate
+      if (.not. goal%wants_pull_off) return
       if (associated(goal%pull_offs)) then
          call get_pull_off(goal%pull_offs, memory%solver, shape_in_periods, memory%period, adhesion, &
             & goal%tolerance, pull_off, error)

@@ -4,17 +4,19 @@ module adfric_periodic_sliding_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
    use adfric_describe_check, only: require, refuse_given, refuse_swept
    use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_sliding_case, only: is_direction, speed_of
-   use adfric_periodic_sliding_variables, only: base_frictionless, cells_of, kind_heights, kind_wave_2d, s_base, &
-      & s_poisson_ratio, s_thickness, s_velocity, in => sliding_input
+   use adfric_periodic_sliding_variables, only: base_frictionless, cells_of, kind_heights, kind_wave_2d, s_adhesion, s_base, &
+      & s_last_adhesion, s_poisson_ratio, s_thickness, s_velocity, in => sliding_input
+   use adfric_periodic_variables, only: prescribed => periodic_input
    implicit none (type, external)
    private
-   public :: check_sliding_surface, check_sliding_solid
+   public :: check_pull, check_sliding_surface, check_sliding_solid
 
    !> Most cells along a period of waves along x and y.
    integer, parameter :: most_cells_2d = 8192
@@ -86,12 +88,35 @@ contains
       before = problems%count()
       call check_spectrum(rows(:n_spectrum_rows), values(:n_spectrum_rows), spectrum, is_swept(:n_spectrum_rows), problems)
       call require(rows, values, [s_velocity], problems)
+      call check_adhesion(rows(s_adhesion:s_last_adhesion), values(s_adhesion:s_last_adhesion), problems)
       if (problems%count() == before) then
          if (.not. speed_of(values, spectrum) <= fastest) call problems%add(rows(s_velocity)%group, rows(s_velocity)%name, &
             & 'times the factor of the relaxation times is too large')
       end if
       call check_layer(rows, values, length, is_swept, problems)
    end subroutine check_sliding_solid
+
+   !> Add to `problems` a load that nothing pulls, and a penetration beside adhesion.
+   subroutine check_pull(variables, values, before_prescribed, law, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Index of the row before those of what is prescribed.
+      integer, intent(in) :: before_prescribed
+      !> The adhesion, without a stress where there is none.
+      type(adhesion_law_t), intent(in) :: law
+      type(problems_t), intent(inout) :: problems
+
+      associate (load => before_prescribed + prescribed%mean_pressure, depth => before_prescribed + prescribed%penetration)
+         if (law%stress > 0) then
+            if (is_set(values(depth))) call problems%add(variables(depth)%group, variables(depth)%name, &
+               & 'has no unique answer with adhesion while the body slides; give the mean pressure')
+         else if (values(load) < 0) then
+            call problems%add(variables(load)%group, variables(load)%name, 'is below 0, but nothing pulls without &adhesion')
+         end if
+      end associate
+   end subroutine check_pull
 
    !> Add to `problems` what is wrong with the layer.
    subroutine check_layer(rows, values, length, is_swept, problems)

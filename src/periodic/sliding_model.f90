@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `surface_sliding`: a rigid periodic surface, a wave or given heights, that slides steadily over a viscoelastic half-space
-!> or layer, without friction at the surfaces and without adhesion.
+!> or layer, with adhesion or without, and without friction at the surfaces.
 !>
 !> The frame moves with the body, in which all is steady. Friction is the pressure on the slopes, and pays for the energy that is lost
 !> in the solid (`adfric_periodic_friction`).
@@ -12,19 +12,22 @@ module adfric_periodic_sliding_model
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
       & derive_spectrum, n_spectrum_rows
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, resolve_adhesion
    use adfric_describe_derived, only: derived_t, add_derived
    use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_table, only: variable_t
+   use adfric_periodic_adhesion_cells, only: are_sizes_possible, cells_per_zone, doubt_zone, zone_length
+   use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_sliding_case, only: set_sliding_solid, frequencies_of
-   use adfric_periodic_sliding_check, only: check_sliding_surface, check_sliding_solid
+   use adfric_periodic_sliding_check, only: check_pull, check_sliding_surface, check_sliding_solid
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
-      & kind_wave_2d, n_solid_rows, n_surface_rows, s_velocity, set_solid_rows, set_surface_rows, in => sliding_input, &
-      & out => sliding_output
+      & kind_wave_2d, n_solid_rows, n_surface_rows, s_adhesion, s_last_adhesion, s_velocity, set_solid_rows, &
+      & set_surface_rows, in => sliding_input, out => sliding_output
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
@@ -52,11 +55,14 @@ module adfric_periodic_sliding_model
       procedure :: get_full_pressure
       procedure :: get_peak_pressure
       procedure :: solve_in_closed_form
+      procedure :: set_interface
       procedure :: finish_point
       procedure :: derive_solid
       procedure :: describe_case
       procedure :: describe_doubts
       procedure :: measure
+      procedure, private :: adhesion_of
+      procedure, private :: height_of
    end type sliding_model_t
 
 contains
@@ -69,7 +75,7 @@ contains
 
       call set_surface_rows(surface)
       call set_solid_rows(solid)
-      call self%set_tables(name='surface_sliding', surface=surface, solid=solid, may_pull=.false., &
+      call self%set_tables(name='surface_sliding', surface=surface, solid=solid, may_pull=.true., &
          & summary='a rigid rough surface or wave that slides over a viscoelastic half-space or layer: friction, area and pressure')
       self%references = 'S. C. Hunter, J. Appl. Mech. 28 (1961) 611; B. N. J. Persson, J. Chem. Phys. 115 (2001) 3840'
       self%results = get_sliding_results()
@@ -132,11 +138,19 @@ contains
       logical, intent(in) :: is_swept(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      type(periodic_surface_t) :: surface
 
       associate (first => self%first_of_solid, last => self%last_of_solid)
          call check_sliding_solid(self%variables(first:last), values(first:last), &
             & values(merge(in%length_x, in%period, is_set(values(in%length_x)))), self%spectrum, is_swept(first:last), problems)
       end associate
+      call check_pull(self%variables, values, self%before_prescribed, self%adhesion_of(values), problems)
+      if (problems%count() > 0) return
+      call self%get_cells(values, surface)
+      call self%set_solid(values, surface)
+      if (.not. are_sizes_possible(self%adhesion_of(values), self%height_of(values), surface)) call problems%add('adhesion', &
+         & 'stress', 'or its range is too small or too large for the surface: stress/(E0 height/period) and range/height are ' &
+         & //'1e-12 to 1e12')
    end subroutine check_solid
 
    !> See `periodic_model_t`.
@@ -231,7 +245,7 @@ contains
       end associate
    end function get_peak_pressure
 
-   !> See `periodic_model_t`: a wave in full contact.
+   !> See `periodic_model_t`: a wave in full contact, which adhesion leaves as it is.
    subroutine solve_in_closed_form(self, values, surface, goal, solution, is_known)
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
@@ -260,6 +274,45 @@ contains
       end associate
    end subroutine solve_in_closed_form
 
+   !> See `periodic_model_t`.
+   subroutine set_interface(self, values, modulus, goal)
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Contact modulus E0 of the relaxed solid [Pa].
+      real(dp), intent(in) :: modulus
+      !> What is prescribed at the point; receives adhesion.
+      type(periodic_goal_t), intent(inout) :: goal
+      type(adhesion_law_t) :: law
+
+      law = self%adhesion_of(values)
+      if (allocated(goal%adhesion)) deallocate (goal%adhesion)
+      if (law%stress > 0) goal%adhesion = adhesion_in_units(law, modulus)
+   end subroutine set_interface
+
+   !> Adhesion of a point, whose values have been checked.
+   pure type(adhesion_law_t) function adhesion_of(self, values) result(law)
+      class(sliding_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      call resolve_adhesion(values(self%first_of_solid + s_adhesion - 1:self%first_of_solid + s_last_adhesion - 1), law)
+   end function adhesion_of
+
+   !> Range of the undeformed gap [m].
+   pure real(dp) function height_of(self, values) result(height)
+      class(sliding_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      select case (nint(values(in%kind)))
+      case (kind_heights)
+         height = self%heights%factor_of(values(in%heights:in%rms_height))*maxval(self%heights%depths)
+      case (kind_wave_1d)
+         height = 2*values(in%amplitude)
+      case default
+         height = 4*values(in%amplitude)
+      end select
+   end function height_of
+
    !> See `periodic_model_t`: friction, and its error.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
       class(sliding_model_t), intent(in) :: self
@@ -277,7 +330,7 @@ contains
       error_estimate = 0
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
-         call set_sliding_results(values, solid, solution, results, error_estimate)
+         call set_sliding_results(values, self%adhesion_of(values), surface, solid, solution, results, error_estimate)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
       end select
       associate (unused => self)
@@ -293,6 +346,7 @@ contains
       type(periodic_surface_t), intent(in) :: surface
       type(derived_t), allocatable :: derived(:)
       character(*), parameter :: sources = 'direction velocity period cells length_x length_y heights'
+      type(adhesion_law_t) :: law
       real(dp) :: frequencies(2)
 
       allocate (derived(0))
@@ -305,6 +359,13 @@ contains
          & frequencies(2), sources)
       if (nint(values(in%kind)) /= kind_heights) call add_derived(derived, 'cells', '-', 'cells along a period of a wave', &
          & real(cells_of(values), dp), 'cells')
+      law = self%adhesion_of(values)
+      if (.not. law%stress > 0) return
+      call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
+      call add_derived(derived, 'zone_length', 'm', 'length of a short zone of adhesion on the relaxed solid, pi E0 h0/(4 p0)', &
+         & zone_length(law, surface%solid%modulus))
+      call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
+         & cells_per_zone(law, surface))
    end function derive_solid
 
    !> See `model_t`: the arms, and what is not estimated.
@@ -332,6 +393,8 @@ contains
          & - 1), self%spectrum, frequencies_of(velocity_of(self, values), values(in%direction), &
          & nint(values(in%kind)) == kind_heights, surface))
       if (nint(values(in%kind)) == kind_heights) text = text//self%heights%doubt()
+      call self%set_solid(values, surface)
+      text = text//doubt_zone(self%adhesion_of(values), surface)
    end function describe_doubts
 
    !> Sliding velocity [m/s].

@@ -3,10 +3,12 @@
 module adfric_periodic_sliding_results
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_interface_adhesion_rows, only: adhesion_law_t
+   use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, cells_per_zone, error_of_edge, regime_of
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_contact_centre, only: contact_centre
-   use adfric_periodic_sliding_variables, only: kind_heights, kind_wave_2d, regime_full, regime_none, &
-      & regime_partial, in => sliding_input, sliding_output
+   use adfric_periodic_sliding_variables, only: kind_heights, kind_wave_2d, in => sliding_input, sliding_output
+   use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables, only: periodic_output
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
@@ -18,8 +20,12 @@ module adfric_periodic_sliding_results
 contains
 
    !> Set friction and what goes with it.
-   subroutine set_sliding_results(values, solid, solution, results, error_estimate)
+   subroutine set_sliding_results(values, law, surface, solid, solution, results, error_estimate)
       real(dp), intent(in) :: values(:)
+      !> The adhesion, without a stress where there is none.
+      type(adhesion_law_t), intent(in) :: law
+      !> Periods and cells of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Solution of the point; lengths in m, pressures in E0.
       type(periodic_solution_t), intent(in) :: solution
@@ -42,7 +48,8 @@ contains
       if (is_wave) results(sliding_output%full_contact_friction) = solid%modulus*wave_friction_of_full_contact(solid, &
          & values(in%amplitude)/values(in%period), nint(values(in%kind)) == kind_wave_2d)
       results(sliding_output%contact_shift) = not_a_number()
-      if (is_wave) results(sliding_output%contact_shift) = values(in%period)*shift_of(solution%pressure, solid)
+      if (is_wave) results(sliding_output%contact_shift) = values(in%period) &
+         & *shift_of(contact_pressure(solution, law%stress/solid%modulus), solid)
       results(sliding_output%energy_imbalance) = 0
       if (max(abs(direct), abs(loss)) > 0) results(sliding_output%energy_imbalance) = (direct - loss)/max(abs(direct), abs(loss))
       results(sliding_output%regime) = regime_of(solution)
@@ -50,16 +57,43 @@ contains
       ! in closed form
       if (is_wave .and. results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) error_estimate &
          & = 4*epsilon(1.0_dp)
+      if (law%stress > 0) call set_adhesive_results(law, surface, solid, solution, results, error_estimate)
    end subroutine set_sliding_results
 
-   !> Which regime is it?
-   pure integer function regime_of(solution) result(regime)
+   !> Set what adhesion adds.
+   subroutine set_adhesive_results(law, surface, solid, solution, results, error_estimate)
+      type(adhesion_law_t), intent(in) :: law
+      !> Periods and cells of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
+      type(viscoelastic_solid_t), intent(in) :: solid
+      !> Solution of the point; lengths in m, pressures in E0.
       type(periodic_solution_t), intent(in) :: solution
+      !> In: with all other results. Out: with all; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> In: without the error of the edge of adhesion. Out: the larger of both; above 1 where the cells do not see that edge.
+      real(dp), intent(inout) :: error_estimate
 
-      regime = regime_partial
-      if (.not. solution%area%cells > 0) regime = regime_none
-      if (solution%area%cells >= 1) regime = regime_full
-   end function regime_of
+      results(sliding_output%adhesion_fraction) = adhesion_fraction_of(solution)
+      results(sliding_output%cells_per_zone) = cells_per_zone(law, surface)
+      if (allocated(solution%loss_without_adhesion)) results(sliding_output%friction_without_adhesion) = &
+         & solid%forward(solution%loss_without_adhesion)*solid%modulus
+      if (results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) &
+         & results(sliding_output%friction_without_adhesion) = results(sliding_output%friction_stress)
+      if (.not. allocated(solution%share)) return
+      if (any(solution%share > 0) .and. any(solution%share < 1)) &
+         & error_estimate = max(error_estimate, error_of_edge(results(sliding_output%cells_per_zone)))
+   end subroutine set_adhesive_results
+
+   !> Pressure with the tension of adhesion added: above 0 in contact alone [E0].
+   pure function contact_pressure(solution, stress) result(pressure)
+      type(periodic_solution_t), intent(in) :: solution
+      !> Stress of adhesion [E0].
+      real(dp), intent(in) :: stress
+      real(dp), allocatable :: pressure(:, :)
+
+      allocate (pressure, source=solution%pressure)
+      if (allocated(solution%share)) pressure(:, :) = merge(0.0_dp, pressure + stress*solution%share, solution%gap > 0)
+   end function contact_pressure
 
    !> Relative error of the friction: the largest of what its two forms differ by, of what the last grid has changed, and of half of what
    !> the one before it has changed; 1 at most, and where the loss is no number above round-off. Where nothing rubs, that of the area.

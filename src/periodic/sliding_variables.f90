@@ -7,6 +7,7 @@ module adfric_periodic_sliding_variables
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
    use adfric_describe_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
    use adfric_describe_table, only: variable_t, result_t
+   use adfric_interface_adhesion_rows, only: n_adhesion_rows, set_adhesion_rows
    use adfric_periodic_given_heights, only: set_heights_rows, n_heights_rows
    use adfric_periodic_variables, only: get_periodic_results, n_periodic_results, smooth_fraction_row, &
       & periodic_output
@@ -28,7 +29,9 @@ module adfric_periodic_sliding_variables
    !> Indices among the rows of the solid: those of the spectrum, the last of which is the temperature, then those of the layer.
    integer, parameter, public :: s_thickness = n_spectrum_rows + 1, s_base = n_spectrum_rows + 2, &
       & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4
-   integer, parameter, public :: n_solid_rows = n_spectrum_rows + 4
+   !> Indices of the first and last row of adhesion, and number of all.
+   integer, parameter, public :: s_adhesion = s_velocity + 1, s_last_adhesion = s_velocity + n_adhesion_rows
+   integer, parameter, public :: n_solid_rows = s_last_adhesion
    !> Bases of the layer, in the order of the choice.
    integer, parameter, public :: base_frictionless = 1, base_bonded = 2
 
@@ -36,13 +39,11 @@ module adfric_periodic_sliding_variables
    type :: sliding_output_t
       !> Indices of the rows.
       integer :: friction_stress = 0, friction_coefficient = 0, lateral_stress = 0, full_contact_friction = 0, &
-         & contact_shift = 0, dissipation = 0, energy_imbalance = 0, regime = 0, smooth_fraction = 0
+         & contact_shift = 0, dissipation = 0, energy_imbalance = 0, regime = 0, smooth_fraction = 0, &
+         & adhesion_fraction = 0, cells_per_zone = 0, friction_without_adhesion = 0
    end type sliding_output_t
    type(sliding_output_t), parameter, public :: sliding_output = transfer(counting(n_periodic_results + 1:), sliding_output_t())
    integer, parameter, public :: n_sliding_results = n_periodic_results + storage_size(sliding_output)/storage_size(1)
-   !> Regimes, in the order of their meanings.
-   integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
-
    !> Cells along a period of a wave where none are given.
    integer, parameter :: default_cells_1d = 1024, default_cells_2d = 256
    !> Cells of waves come in multiples of this, so that there are three nested grids.
@@ -84,6 +85,7 @@ contains
          & meaning='Poisson''s ratio nu of a bonded layer, where &material does not have it')
       v(s_poisson_ratio)%has_bare_name = .false.
       v(s_velocity) = number(group='operating', name='velocity', unit='m/s', meaning='sliding velocity', lower=0.0_dp)
+      call set_adhesion_rows(v(s_adhesion:s_last_adhesion))
    end subroutine set_solid_rows
 
    !> Cells along a period of a wave.
@@ -117,8 +119,16 @@ contains
          & long_name='energy lost in the solid per nominal area and distance slid')
       r(sliding_output%energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
          & long_name='friction from the pressure on the slopes less the energy lost, over the larger of them')
-      r(sliding_output%regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
+      r(sliding_output%regime) = result_row(name='regime', unit='-', long_name='regime', &
+         & flag_meanings='no_contact partial full adhesion_without_contact adhesion_zones saturated_adhesion')
       r(sliding_output%smooth_fraction) = smooth_fraction_row()
+      r(sliding_output%adhesion_fraction) = result_row(name='adhesion_fraction', unit='-', &
+         & long_name='share of the area in adhesion without contact')
+      r(sliding_output%adhesion_fraction)%is_counted = .true.
+      r(sliding_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
+         & long_name='length pi E0 h0/(4 p0) of a short zone of adhesion on the relaxed solid over that of a cell')
+      r(sliding_output%friction_without_adhesion) = result_row(name='friction_stress_without_adhesion', unit='Pa', &
+         & long_name='friction over nominal area of the same load and velocity without adhesion')
    end function get_sliding_results
 
 end module adfric_periodic_sliding_variables

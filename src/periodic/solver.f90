@@ -21,7 +21,7 @@ module adfric_periodic_solver
    implicit none (type, external)
    private
    public :: periodic_solver_t, periodic_solution_t, new_periodic_solver
-   public :: check_shape, set_full_pressure, set_solution, start_from_coarse, coarse_tolerance
+   public :: check_shape, set_friction, set_full_pressure, set_solution, start_from_coarse, coarse_tolerance
    public :: contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
 
    !> How a solution ended.
@@ -62,6 +62,8 @@ module adfric_periodic_solver
       real(dp) :: coarse_losses(2, 2) = 0
       !> How many of these two grids there were.
       integer :: n_coarse_losses = 0
+      !> Friction of the same load without adhesion, from the loss, along x and along y [E*]; not allocated where it is not wanted.
+      real(dp), allocatable :: loss_without_adhesion(:)
       !> Largest violation of the conditions of contact, see `adfric_periodic_contact`.
       real(dp) :: residual = huge(1.0_dp)
       !> Iterations and applied operators on the finest grid.
@@ -249,14 +251,29 @@ contains
          end associate
       end do
       call set_solution(states(first:), self%grids(n)%operator, solution)
-      call get_friction(self%grids(n)%operator, solution%pressure, shape, solution%gap, solution%friction)
-      solution%n_coarse_losses = min(n - first, size(solution%coarse_losses, 2))
-      do k = 1, solution%n_coarse_losses
-         associate (coarse => states(n - k))
-            call get_losses(self%grids(n - k)%operator, coarse%gap - coarse%shape, solution%coarse_losses(:, k))
-         end associate
-      end do
+      call set_friction(self, states, shape, solution)
    end subroutine solve
+
+   !> Find the friction on the finest grid, and from the loss on the two coarser ones that have a contact.
+   subroutine set_friction(self, states, shape, solution)
+      class(periodic_solver_t), intent(inout) :: self
+      !> Contacts on all grids, the finest last; without a gap where there is none.
+      type(contact_state_t), intent(in) :: states(:)
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in), contiguous :: shape(:, :)
+      !> In: pressure and gap. Out: with friction.
+      type(periodic_solution_t), intent(inout) :: solution
+      integer :: k, n
+
+      n = size(states)
+      call get_friction(self%grids(n)%operator, solution%pressure, shape, solution%gap, solution%friction)
+      solution%n_coarse_losses = 0
+      do k = 1, min(n - 1, size(solution%coarse_losses, 2))
+         if (.not. allocated(states(n - k)%gap)) exit
+         call get_losses(self%grids(n - k)%operator, states(n - k)%gap - states(n - k)%shape, solution%coarse_losses(:, k))
+         solution%n_coarse_losses = k
+      end do
+   end subroutine set_friction
 
    !> Find the pressure at which contact becomes full, and the friction from there on.
    subroutine set_full_pressure(operator, shape, solution)
