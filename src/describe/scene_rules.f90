@@ -118,6 +118,7 @@ module adfric_describe_scene_rules
       & 'surface_sliding full_contact_friction full_contact_friction_stress', &
       & 'surface_sliding adhesion_fraction - !adhesion', &
       & 'surface_sliding cells_per_zone - !adhesion', &
+      & 'surface_sliding order_margin - !adhesion', &
       & 'surface_sliding friction_stress_without_adhesion - !adhesion', &
       & 'indenter slip - coulomb', &
       & 'indenter largest_slip - coulomb', &

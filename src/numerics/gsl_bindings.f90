@@ -1,13 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Bindings of the GNU Scientific Library. Its functions end the process where an argument is outside of their domain: only
-!> `adfric_numerics_elliptic`, `adfric_numerics_bessel_ratios`, `adfric_numerics_unit_samples` and `adfric_numerics_distributions` call
-!> them, which look at the arguments before.
+!> `adfric_numerics_elliptic`, `adfric_numerics_bessel_ratios`, `adfric_numerics_unit_samples`, `adfric_numerics_distributions` and
+!> `adfric_solid_order_margin` call them, which look at the arguments before.
 module adfric_numerics_gsl_bindings
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_long, c_ptr
    implicit none (type, external)
    private
    public :: gsl_sf_ellint_rf, gsl_sf_ellint_rd, gsl_prec_double
    public :: gsl_sf_bessel_i0_scaled, gsl_sf_bessel_i1_scaled, gsl_sf_bessel_k0_scaled, gsl_sf_bessel_k1_scaled
+   public :: gsl_sf_expint_ei_scaled
    public :: gsl_qrng_sobol, gsl_qrng_alloc, gsl_qrng_get, gsl_qrng_free
    public :: gsl_rng_mt19937, gsl_rng_alloc, gsl_rng_set, gsl_rng_uniform, gsl_rng_uniform_int, gsl_rng_free, gsl_cdf_ugaussian_pinv
    public :: gsl_cdf_chisq_q, gsl_cdf_chisq_pinv, gsl_cdf_fdist_pinv, gsl_cdf_tdist_pinv, gsl_cdf_ugaussian_q
@@ -153,6 +154,14 @@ module adfric_numerics_gsl_bindings
          !> Argument of the function, > 0.
          real(c_double), intent(in), value :: x
       end function gsl_sf_bessel_k1_scaled
+
+      !> The exponential integral e^(-x) Ei(x).
+      pure real(c_double) function gsl_sf_expint_ei_scaled(x) bind(c, name='gsl_sf_expint_Ei_scaled')
+         import :: c_double
+         implicit none (type, external)
+         !> Argument of the function, not 0.
+         real(c_double), intent(in), value :: x
+      end function gsl_sf_expint_ei_scaled
 
       !> Probability that chi squared is above a value.
       pure real(c_double) function gsl_cdf_chisq_q(x, nu) bind(c, name='gsl_cdf_chisq_Q')

@@ -10,7 +10,9 @@ module adfric_periodic_sliding_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
+   use adfric_solid_order_margin, only: order_margin_of
+   use adfric_solid_prony, only: prony_t
+   use adfric_solid_spectrum_rows, only: get_spectrum, take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
       & derive_spectrum, n_spectrum_rows
    use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, resolve_adhesion
    use adfric_describe_derived, only: derived_t, add_derived
@@ -347,6 +349,7 @@ contains
       type(derived_t), allocatable :: derived(:)
       character(*), parameter :: sources = 'direction velocity period cells length_x length_y heights'
       type(adhesion_law_t) :: law
+      type(prony_t) :: prony
       real(dp) :: frequencies(2)
 
       allocate (derived(0))
@@ -366,6 +369,9 @@ contains
          & zone_length(law, surface%solid%modulus))
       call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
          & cells_per_zone(law, surface))
+      call get_spectrum(values(self%first_of_solid:self%first_of_solid + n_spectrum_rows - 1), self%spectrum, prony)
+      call add_derived(derived, 'order_margin', '-', 'where >= 0, the branches bound all states on a half-plane', &
+         & order_margin_of(prony))
    end function derive_solid
 
    !> See `model_t`: the arms, and what is not estimated.

@@ -4,6 +4,7 @@ module adfric_periodic_sliding_results
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_adhesion_rows, only: adhesion_law_t
+   use adfric_solid_order_margin, only: order_margin_of
    use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, cells_per_zone, error_of_edge, regime_of
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_contact_centre, only: contact_centre
@@ -75,6 +76,7 @@ contains
 
       results(sliding_output%adhesion_fraction) = adhesion_fraction_of(solution)
       results(sliding_output%cells_per_zone) = cells_per_zone(law, surface)
+      results(sliding_output%order_margin) = order_margin_of(solid%prony)
       if (allocated(solution%loss_without_adhesion)) results(sliding_output%friction_without_adhesion) = &
          & solid%forward(solution%loss_without_adhesion)*solid%modulus
       if (results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) &

@@ -13,7 +13,8 @@
 !>   its largest gap is in range.
 !> - Newton's method is taken only where rounds close in, and where its state lies where they would end: with the changes c and c r of
 !>   two rounds, within a few c r/(1 - r).
-!> - Rounds whose change does not fall any more go half the way. Those that have not ended after the last one are no answer.
+!> - Shares that all move to one side pass on slowly where a state has just been lost, and need many rounds. Only where some move back
+!>   and the change does not fall any more, rounds go half the way. Those that have not ended after the last one are no answer.
 module adfric_periodic_sliding_rounds
    use adfric_base_kinds, only: dp
    use adfric_periodic_adhesive_contact, only: find_state, solve_again, solve_with_share
@@ -25,14 +26,16 @@ module adfric_periodic_sliding_rounds
    public :: solve_by_rounds
 
    !> Rounds from the bound, at most.
-   integer, parameter :: most_rounds = 240
-   !> Rounds without a smaller change after which they go half the way.
+   integer, parameter :: most_rounds = 2000
+   !> Rounds without a smaller change after which those that move shares both ways go half the way.
    integer, parameter :: patience = 12
    !> Largest change of a share that ends the rounds.
    real(dp), parameter :: resting_share = 1.0e-5_dp
    !> Change of the shares below which Newton's method is tried, and how far from where rounds would end its state may lie, in units
    !> of what they have left.
    real(dp), parameter :: near = 0.2_dp, nearby = 3
+   !> Moves back that count, in units of the largest move.
+   real(dp), parameter :: part_that_counts = 0.05_dp
    !> Rates at which rounds close in: at the least one that is reckoned with, and at the largest one that counts as closing in.
    real(dp), parameter :: least_rate = 0.5_dp, largest_rate = 0.95_dp
 
@@ -85,7 +88,7 @@ contains
             smallest = change
             since_smallest = 0
          end if
-         if (since_smallest >= patience) then
+         if (since_smallest >= patience .and. moves_both_ways(state%cohesion%share, share)) then
             share(:, :) = (share + state%cohesion%share)/2
          else
             share(:, :) = state%cohesion%share
@@ -100,5 +103,13 @@ contains
          state%is_converged = .false.
       end if
    end subroutine solve_by_rounds
+
+   !> Do some shares rise while others fall?
+   pure logical function moves_both_ways(share, before)
+      !> Shares of a round and of the one before.
+      real(dp), intent(in), contiguous :: share(:, :), before(:, :)
+
+      moves_both_ways = min(maxval(share - before), maxval(before - share)) > part_that_counts*maxval(abs(share - before))
+   end function moves_both_ways
 
 end module adfric_periodic_sliding_rounds
