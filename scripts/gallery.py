@@ -90,6 +90,7 @@ AREAS = {
         one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),
         one("wave_2d_elastic"), one("wave_2d_contact"),
         one("lecture_wave_cuts", options="--cut y=0 y=x"), one("wave_2d_sliding"),
+        one("wave_2d_sliding_adhesion", options="--y friction_stress friction_stress_without_adhesion contact_fraction"),
         one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
         one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),
         one("wave_2d_pull_off")),

@@ -50,6 +50,7 @@ AREAS = {
         "Contact of periodic surfaces": "docs/theory/periodic_contact.md",
         "Adhesion of periodic surfaces": "docs/theory/periodic_adhesion.md",
         "Sliding over rubber": "docs/theory/periodic_sliding.md",
+        "Adhesion while sliding": "docs/theory/adhesion_in_sliding.md",
         "Slip and friction of rough surfaces": "docs/theory/periodic_slip.md",
         "Layers on a rigid base": "docs/theory/layers.md",
     },

@@ -29,6 +29,7 @@ SYMBOLS = {
     "friction_force": "T",
     "friction_radius": "b",
     "friction_stress": "T",
+    "friction_stress_without_adhesion": "T_0",
     "height": "h",
     "interaction": r"\alpha",
     "lambda": r"\lambda",
@@ -73,7 +74,8 @@ SYMBOLS = {
     "velocity": "V",
     "work_of_adhesion": "w",
 }
-NAMES = {"area_left": "friction area", "contact_half_width": "half-width", "lambda": "", "minor_half_width": "minor half-width",
+NAMES = {"area_left": "friction area", "contact_half_width": "half-width",
+         "friction_stress_without_adhesion": "without adhesion", "lambda": "", "minor_half_width": "minor half-width",
          "position_x": "position", "position_y": "position", "position_z": "position", "pull_off_load": "pull-off load",
          "pull_off_pressure": "pull-off pressure", "pull_off_tension": "pull-off tension", "r": "", "radius_1x": "principal radius",
          "radius_2y": "principal radius",
