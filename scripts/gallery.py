@@ -16,10 +16,13 @@ import re
 import shlex
 import subprocess
 import sys
+import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 
 from PIL import Image, PngImagePlugin
+
+from document_prose import LONGEST_LINE
 
 ROOT = Path(__file__).resolve().parents[1]
 INPUTS, PAGE, FIGURES, WORK = ROOT / "inputs", ROOT / "docs/gallery.md", ROOT / "docs/gallery", ROOT / "build/gallery"
@@ -249,15 +252,26 @@ def page():
         lines += [f"## {area}", ""]
         for entry in entries:
             links = ", ".join(f"[`{name}.nml`](../inputs/{name}.nml)" for name in entry.inputs)
-            lines += [f"### {title_of(entry.name)}", "", f"{links}: {plain(head_of(entry.name))}", "",
+            lines += [f"### {title_of(entry.name)}", "", *wrapped(f"{links}: {plain(head_of(entry.name))}"), "",
                       f"![{title_of(entry.name)}](gallery/{entry.name}.png)", ""]
             commands = [f"scripts/{command}" for command in commands_of(entry)]
             commands += [f"build/release/adfric run inputs/{before}.nml" for name in entry.inputs for before in RUN_BEFORE.findall(text_of(name))]
             commands += [f"scripts/run inputs/{name}.nml" for name in entry.inputs]
             if len(entry.inputs) > 1:
                 commands.append(" ".join(["scripts/plot", *(output_of(name) for name in entry.inputs), entry.options]).strip())
-            lines += [*(f"    {command}" for command in commands), ""]
+            lines += ["```sh", *commands, "```", ""]
     return "\n".join(lines)
+
+
+def wrapped(text):
+    """The lines of a paragraph, none of which begins as an item of a list does."""
+    lines = textwrap.wrap(text, LONGEST_LINE, break_long_words=False, break_on_hyphens=False)
+    for k in range(1, len(lines)):
+        # the word before goes with such a mark
+        while re.match(r"(?:[-+*#>|=]|\d+[.)])(?:\s|$)|(?:={2,}|-{2,})", lines[k]) and " " in lines[k - 1]:
+            lines[k - 1], _, word = lines[k - 1].rpartition(" ")
+            lines[k] = f"{word} {lines[k]}"
+    return lines
 
 
 def plain(text):
