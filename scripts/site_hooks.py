@@ -36,6 +36,14 @@ def on_config(config):
     return config
 
 
+def on_page_content(html, page, files, **_):
+    """Called by MkDocs for the words of each page: at their end stands the notebook of the page, if it has one."""
+    file = files.get_file_from_path(page.file.src_uri.removesuffix(".md") + ".ipynb")
+    if file is None:
+        return html
+    return f'{html}\n<p class="notebook"><a href="{Path(file.src_uri).name}" download>This page as a notebook</a></p>'
+
+
 def on_page_context(context, page, **_):
     """Called by MkDocs for each page before it is written: what a program writes has no link to where it is edited."""
     if page.file.src_uri in WRITTEN:

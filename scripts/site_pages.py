@@ -23,6 +23,7 @@ import mkdocs
 import yaml
 
 from document_links import documents_of, faults_of, is_drawn, is_inside, links_of
+from notebooks import write_notebooks
 from site_areas import AREAS, missing_in_areas
 from site_versions import BadVersion, add_version, check_name, versions_in
 
@@ -37,6 +38,7 @@ STYLE = """
 .md-typeset img { max-width: 100%; background: white; }
 #gallery-filter { width: 24em; max-width: 70%; padding: 0.4em 0.7em; border: 1px solid; border-radius: 0.2em; color: inherit; }
 #gallery-count { margin-left: 1em; font-size: 0.8em; }
+.md-typeset .notebook { margin-top: 2em; font-size: 0.9em; }
 .md-typeset .formula { margin: 1em 0; overflow-x: auto; }
 .md-typeset math { font-size: 1.1em; font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "STIX Math", STIXMath, "DejaVu Math TeX Gyre", math; }
 """
@@ -175,6 +177,8 @@ def main(folder, has_figures, version=None):
         work = Path(name)
         pages = work / "pages"
         copy_documents(pages, has_figures)
+        write_notebooks(pages / "docs/guide")
+        shutil.copy(ROOT / "docs/guide/tutorial.ipynb", pages / "docs/guide")
         write_fortran(pages / "fortran", work)
         write_pages(pages, target, work, version)
     if version:

@@ -38,6 +38,7 @@ from bs4 import BeautifulSoup
 from markdown_it import MarkdownIt
 
 from document_links import documents_of, is_inside
+from notebooks import PAGES
 from site_areas import AREAS
 from site_formulas import DISPLAY, INLINE, FormulaError, mathml_of
 from site_hooks import WRITTEN
@@ -127,7 +128,7 @@ class Site(unittest.TestCase):
                 text, formulas = with_words(without_metadata(path.read_text()))
                 expected = BeautifulSoup(reader.render(text), "html.parser")
                 found = copy(self.pages[self.folder / page_of(file)].find("article"))
-                for part in [*found.find_all("nav"), *found.find_all(class_="md-content__button")]:
+                for part in [*found.find_all("nav"), *found.find_all(class_=("md-content__button", "notebook"))]:
                     part.decompose()
                 words = "".join(expected.get_text().split())
                 for word, formula in formulas.items():
@@ -195,6 +196,14 @@ class Site(unittest.TestCase):
             with self.assertRaises(SystemExit) as found:
                 edit_links(address)
             self.assertIn("ADFRIC_ADDRESS", found.exception.code)
+
+    def test_notebooks(self):
+        """Pages that are notebooks, too, offer them, and these are files of the site."""
+        found = {path.stem: link["href"] for path, page in self.pages.items() for part in page.find_all(class_="notebook") for link in part.find_all("a")}
+        self.assertEqual({name: f"{name}.ipynb" for name in (*PAGES, "tutorial")}, found)
+        for name in found:
+            cells = json.loads((self.folder / f"docs/guide/{name}.ipynb").read_text())["cells"]
+            self.assertGreater(sum(cell["cell_type"] == "code" for cell in cells), 2, name)
 
     def test_versions(self):
         """The versions that are there are listed, the newest first, and the first page leads to it."""
