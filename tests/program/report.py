@@ -11,7 +11,9 @@ import re  # noqa: E402
 import subprocess  # noqa: E402
 import sys  # noqa: E402
 import unittest  # noqa: E402
+from pathlib import Path  # noqa: E402
 
+import bokeh  # noqa: E402
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
@@ -79,6 +81,14 @@ class Report(Runs):
         self.assertIn(html.escape((self.folder / "run.nml").read_text()), text)
         for words in ("<svg class='sketch'", "Adhesion stress: 0, 1, 2 kPa", "Load: -100 to 600 mN, 9 values", "Statuses and doubts"):
             self.assertIn(words, text)
+
+    def test_choice(self):
+        """CONTRIBUTING says how large the scripts are that a page carries."""
+        row = next(line for line in (SOURCE / "CONTRIBUTING.md").read_text().splitlines() if line.startswith("| Bokeh"))
+        scripts = Path(bokeh.__file__).parent / "server/static/js"
+        sizes = [f"{scripts.joinpath(f'{name}.min.js').stat().st_size / 1e6:.2f} MB" for name in ("bokeh", "bokeh-widgets")]
+        self.assertIn(f"| Bokeh {bokeh.__version__} |", row)
+        self.assertTrue(row.endswith(f"| {' and '.join(sizes)} |"), row)
 
     def test_sizes(self):
         """A run of very many points has a page that is no larger than others, and that says what it leaves out."""
