@@ -31,8 +31,11 @@ WIDTH, COLOURS = 760, 64
 MOST_LETTERS = 420
 KEY = "made-from"
 COMMAND = re.compile(r"scripts/((?:make_\w+|import_surface|import_curve)\b[^\n]*)")
+# a space where no line is broken
+KEPT_SPACE = "\0"
 # an input whose results another one fits, and what tells a fit from a run
 RUN_BEFORE = re.compile(r"adfric run inputs/(\w+)\.nml")
+CUT_SHORT = re.compile(r"\b(?:Acta|Appl|Arch|Colloid|Eng|Int|Lett|Lond|Math|Mech|Mater|Phys|Proc|Rev|Sci|Soc|Struct|Trans)$")
 FIT = re.compile(r"^\s*&free\b", re.MULTILINE | re.IGNORECASE)
 
 
@@ -154,8 +157,8 @@ def head_of(name):
         lines.append(line.removeprefix("!").strip())
     text = " ".join(lines)
     shown = text.partition("scripts/")[0]
-    # an initial of a name ends no sentence
-    ends = [match.end() for match in re.finditer(r"(?<=[a-z0-9)\]*])\.(?=\s|$)", shown)]
+    # an initial of a name, or a word of a source that is cut short, ends no sentence
+    ends = [match.end() for match in re.finditer(r"(?<=[a-z0-9)\]*])\.(?=\s|$)", shown) if not CUT_SHORT.search(shown[:match.start()])]
     short = [end for end in ends if end <= MOST_LETTERS]
     return shown[:max(short, default=min(ends))]
 
@@ -265,13 +268,8 @@ def page():
 
 def wrapped(text):
     """The lines of a paragraph, none of which begins as an item of a list does."""
-    lines = textwrap.wrap(text, LONGEST_LINE, break_long_words=False, break_on_hyphens=False)
-    for k in range(1, len(lines)):
-        # the word before goes with such a mark
-        while re.match(r"(?:[-+*#>|=]|\d+[.)])(?:\s|$)|(?:={2,}|-{2,})", lines[k]) and " " in lines[k - 1]:
-            lines[k - 1], _, word = lines[k - 1].rpartition(" ")
-            lines[k] = f"{word} {lines[k]}"
-    return lines
+    marked = re.sub(r" (?=(?:[-+*#>|=]|\d+[.)])(?: |$))", KEPT_SPACE, text)
+    return [line.replace(KEPT_SPACE, " ") for line in textwrap.wrap(marked, LONGEST_LINE, break_long_words=False, break_on_hyphens=False)]
 
 
 def plain(text):
