@@ -19,6 +19,8 @@ SCRIPT = Path(__file__).with_name("maps.js")
 MOST_CELLS, MOST_MAPS = 128, 24
 # fewer values along an axis are curves, and no map
 FEWEST = 3
+# the axis that points into the solid
+DEPTH = "z"
 MISSING = "#d9d9d9"
 # blue for tension, white, red for compression
 DIVERGING = interp_palette(["#053061", "#4393c3", "#f7f7f7", "#d6604d", "#67001f"], 256)
@@ -96,6 +98,7 @@ def make_maps(maps, prefix, is_surface):
                  match_aspect=is_surface, name=f"{prefix}figure")
     one.toolbar.logo = None
     one.grid.visible = False
+    one.y_range.flipped = maps.slow.name == DEPTH
     cells = _cells_of(x, y, is_log)
     cells["value"] = np.zeros(cells["x"].size, np.float32)
     source = ColumnDataSource(cells, name=f"{prefix}cells")

@@ -15,7 +15,7 @@ from jinja2 import Template
 from .columns import Table, profile_tables, table_of, varies
 from .curves import make_curves
 from .fits import fit_html, make_fit
-from .maps import make_maps, surface_maps, sweep_maps
+from .maps import DEPTH, make_maps, surface_maps, sweep_maps
 from .scene import scene_html, scene_of
 from .shared import BadFile, NothingToDraw, fit
 from .sketch import sketch_of
@@ -26,6 +26,8 @@ from .words import number_of, words_of
 FOLDER = Path(__file__).parent
 # numbers of curves on a page, which take four bytes each, and a third more in the text
 MOST_NUMBERS = 240_000
+# what a path is drawn by at first, along x and y
+LOOP = ("tangential_displacement", "tangential_force")
 
 
 class Page:
@@ -181,12 +183,14 @@ def add_maps(page, results, number):
     kept, left = thin_profiles(results)
     # those of a fit are not on a surface
     if not fit.is_fit(results) and (table := profile_tables(kept)) is not None:
-        page.add("<h3>Profiles</h3>")
-        page.add_figure(f"profiles{number}", *make_curves([table], prefix=f"profiles{number} "))
+        is_path = results.model.endswith("_history")
+        chosen = [name if is_path and name in table.about["names"] else None for name in LOOP]
+        page.add(f"<h3>{'Along the path' if is_path else 'Profiles'}</h3>")
+        page.add_figure(f"profiles{number}", *make_curves([table], *chosen, prefix=f"profiles{number} "))
         page.add(f"<p class='left-out'>{escape(left)}</p>" if left else "")
     maps, left = surface_maps(results)
     if maps is not None:
-        page.add("<h3>Maps of the surface</h3>")
+        page.add(f"<h3>{'Maps inside the solid' if DEPTH in (maps.slow.name, maps.fast.name) else 'Maps of the surface'}</h3>")
         page.add_figure(f"surface{number}", *make_maps(maps, f"surface{number} ", is_surface=True))
         page.add(f"<p class='left-out'>{escape(left)}</p>" if left else "")
     kept, left = thin(results, MOST_NUMBERS, max(len(results.fields), 1))

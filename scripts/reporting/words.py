@@ -21,9 +21,9 @@ def number_of(value, unit, among=None):
 
 
 def numbers_of(values, unit):
-    """Some numbers with one unit: all of few, the ends of many."""
+    """Some numbers with one unit: all of few, the least and the largest of many."""
     values = np.ravel(values)
     factor, unit = scale_of(values[np.isfinite(values)], unit)
     if values.size <= 4:
         return f"{', '.join(f'{value * factor:.5g}' for value in values)} {unit}".rstrip()
-    return f"{values[0] * factor:.5g} to {values[-1] * factor:.5g} {unit}".rstrip() + f", {values.size} values"
+    return f"{np.nanmin(values) * factor:.5g} to {np.nanmax(values) * factor:.5g} {unit}".rstrip() + f", {values.size} values"

@@ -21,7 +21,7 @@ REPORT = SOURCE / ".venv_report/bin/python"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 # exit status: all points are answered, or some did not converge
 IN_ORDER = (0, 1)
-PATIENCE = 60_000
+PATIENCE = 300_000
 # a run of two swept variables, of which some points have no equilibrium and none has a doubt
 TWO = SOURCE / "inputs/gm2011_fig5.nml"
 MAP = SOURCE / "inputs/wave_2d_contact.nml"
@@ -39,6 +39,16 @@ NUMBERS_OF_FILE = """
 import h5py, json, sys
 with h5py.File(sys.argv[1]) as file:
     print(json.dumps({name: file[name][()].ravel().tolist() for name in sys.argv[2:]}))
+"""
+# the cell of a notebook
+CELL = """
+import sys
+sys.path.insert(0, sys.argv[1])
+from pathlib import Path
+from plotting.results import Results
+from reporting.notebook import InteractiveFigure
+from reporting.page import page_of
+print(InteractiveFigure(page_of([Results(Path(sys.argv[2]))], has_words=False))._repr_html_())
 """
 
 
@@ -257,6 +267,19 @@ class Browser(unittest.TestCase):
             file = self.numbers(name, "load", "friction_force")
             self.assert_curve(lines["xs"][place], lines["ys"][place], file["load"], file["friction_force"], (1e9, 1e9))
         self.assertEqual(page.locator("svg.sketch").count(), 2)
+
+    def test_notebook(self):
+        """What a notebook shows below a cell draws the same curve."""
+        page = self.report("line", LINE)
+        lines = self.data(page, "curves1 lines")
+        done = subprocess.run([REPORT, "-c", CELL, SOURCE / "scripts", "line.h5"], cwd=self.folder, capture_output=True, text=True, check=True)
+        (self.folder / "cell.html").write_text(f"<!DOCTYPE html><meta charset='utf-8'><body>{done.stdout}", encoding="utf-8")
+        page = self.browser.new_page()
+        self.addCleanup(page.close)
+        page.goto((self.folder / "cell.html").as_uri())
+        frame = page.wait_for_selector("iframe").content_frame()
+        frame.wait_for_function("window.Bokeh && Bokeh.documents.length && Bokeh.documents[0].is_idle", timeout=PATIENCE)
+        self.assertEqual(self.data(frame, "curves1 lines"), lines)
 
 
 if __name__ == "__main__":
