@@ -16,10 +16,13 @@ import re
 import shlex
 import subprocess
 import sys
+import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 
 from PIL import Image, PngImagePlugin
+
+from document_prose import LONGEST_LINE
 
 ROOT = Path(__file__).resolve().parents[1]
 INPUTS, PAGE, FIGURES, WORK = ROOT / "inputs", ROOT / "docs/gallery.md", ROOT / "docs/gallery", ROOT / "build/gallery"
@@ -28,8 +31,11 @@ WIDTH, COLOURS = 760, 64
 MOST_LETTERS = 420
 KEY = "made-from"
 COMMAND = re.compile(r"scripts/((?:make_\w+|import_surface|import_curve)\b[^\n]*)")
+# a space where no line is broken
+KEPT_SPACE = "\0"
 # an input whose results another one fits, and what tells a fit from a run
 RUN_BEFORE = re.compile(r"adfric run inputs/(\w+)\.nml")
+CUT_SHORT = re.compile(r"\b(?:Acta|Appl|Arch|Colloid|Eng|Int|Lett|Lond|Math|Mech|Mater|Phys|Proc|Rev|Sci|Soc|Struct|Trans)$")
 FIT = re.compile(r"^\s*&free\b", re.MULTILINE | re.IGNORECASE)
 
 
@@ -152,8 +158,8 @@ def head_of(name):
         lines.append(line.removeprefix("!").strip())
     text = " ".join(lines)
     shown = text.partition("scripts/")[0]
-    # an initial of a name ends no sentence
-    ends = [match.end() for match in re.finditer(r"(?<=[a-z0-9)\]*])\.(?=\s|$)", shown)]
+    # an initial of a name, or a word of a source that is cut short, ends no sentence
+    ends = [match.end() for match in re.finditer(r"(?<=[a-z0-9)\]*])\.(?=\s|$)", shown) if not CUT_SHORT.search(shown[:match.start()])]
     short = [end for end in ends if end <= MOST_LETTERS]
     return shown[:max(short, default=min(ends))]
 
@@ -250,15 +256,21 @@ def page():
         lines += [f"## {area}", ""]
         for entry in entries:
             links = ", ".join(f"[`{name}.nml`](../inputs/{name}.nml)" for name in entry.inputs)
-            lines += [f"### {title_of(entry.name)}", "", f"{links}: {plain(head_of(entry.name))}", "",
+            lines += [f"### {title_of(entry.name)}", "", *wrapped(f"{links}: {plain(head_of(entry.name))}"), "",
                       f"![{title_of(entry.name)}](gallery/{entry.name}.png)", ""]
             commands = [f"scripts/{command}" for command in commands_of(entry)]
             commands += [f"build/release/adfric run inputs/{before}.nml" for name in entry.inputs for before in RUN_BEFORE.findall(text_of(name))]
             commands += [f"scripts/run inputs/{name}.nml" for name in entry.inputs]
             if len(entry.inputs) > 1:
                 commands.append(" ".join(["scripts/plot", *(output_of(name) for name in entry.inputs), entry.options]).strip())
-            lines += [*(f"    {command}" for command in commands), ""]
+            lines += ["```sh", *commands, "```", ""]
     return "\n".join(lines)
+
+
+def wrapped(text):
+    """The lines of a paragraph, none of which begins as an item of a list does."""
+    marked = re.sub(r" (?=(?:[-+*#>|=]|\d+[.)])(?: |$))", KEPT_SPACE, text)
+    return [line.replace(KEPT_SPACE, " ") for line in textwrap.wrap(marked, LONGEST_LINE, break_long_words=False, break_on_hyphens=False)]
 
 
 def plain(text):

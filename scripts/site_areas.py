@@ -20,6 +20,7 @@ AREAS = {
         "Tutorial: a force map": "docs/guide/force_map.md",
         "Measured surfaces and force curves": "docs/guide/import.md",
         "Fits of measured data": "docs/guide/fit.md",
+        "A page for a colleague": "docs/guide/report.md",
         "A scan on a cluster": "docs/guide/a_scan_on_a_cluster.md",
         "Big scans": "docs/guide/clusters.md",
         "What it cannot do": "docs/guide/limits.md",

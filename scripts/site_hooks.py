@@ -9,6 +9,8 @@ from pathlib import Path
 from markdown.extensions import Extension
 from markdown.inlinepatterns import AsteriskProcessor
 
+# Pages that a program of the project writes.
+WRITTEN = ("docs/gallery.md", "docs/reference/variables.md", "docs/guide/tutorial.md")
 sys.path.insert(0, str(Path(__file__).parent))
 
 from site_formulas import FormulaExtension  # noqa: E402
@@ -32,6 +34,21 @@ def on_config(config):
     """Called by MkDocs before it reads the documents."""
     config.markdown_extensions.extend([EmphasisExtension(), FormulaExtension()])
     return config
+
+
+def on_page_content(html, page, files, **_):
+    """Called by MkDocs for the words of each page: at their end stands the notebook of the page, if it has one."""
+    file = files.get_file_from_path(page.file.src_uri.removesuffix(".md") + ".ipynb")
+    if file is None:
+        return html
+    return f'{html}\n<p class="notebook"><a href="{Path(file.src_uri).name}" download>This page as a notebook</a></p>'
+
+
+def on_page_context(context, page, **_):
+    """Called by MkDocs for each page before it is written: what a program writes has no link to where it is edited."""
+    if page.file.src_uri in WRITTEN:
+        page.edit_url = None
+    return context
 
 
 def on_post_page(output, **_):

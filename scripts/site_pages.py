@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Build the site: python scripts/site_pages.py [--without-figures] FOLDER.
+"""Build the site: python scripts/site_pages.py [--without-figures] [--version NAME] FOLDER.
 
-A figure that has not been drawn ends it, or is a grey point with --without-figures.
+A figure that has not been drawn ends it, or is a grey point with --without-figures. A version stands in FOLDER/NAME, beside others. Where
+the project has an address (ADFRIC_ADDRESS), each page that somebody writes has a link to where it is edited.
 
 The documents keep their places, so that their links hold in the site as they do in the repository. MkDocs makes pages of them; FORD
 makes those of the Fortran modules that other programs use, and stands below fortran/.
 """
 
+import argparse
+import os
 import re
 import shutil
 import struct
@@ -20,7 +23,9 @@ import mkdocs
 import yaml
 
 from document_links import documents_of, faults_of, is_drawn, is_inside, links_of
+from notebooks import write_notebooks
 from site_areas import AREAS, missing_in_areas
+from site_versions import BadVersion, add_version, check_name, versions_in
 
 ROOT = Path(__file__).resolve().parents[1]
 # The modules that a program of somebody else uses.
@@ -33,6 +38,7 @@ STYLE = """
 .md-typeset img { max-width: 100%; background: white; }
 #gallery-filter { width: 24em; max-width: 70%; padding: 0.4em 0.7em; border: 1px solid; border-radius: 0.2em; color: inherit; }
 #gallery-count { margin-left: 1em; font-size: 0.8em; }
+.md-typeset .notebook { margin-top: 2em; font-size: 0.9em; }
 .md-typeset .formula { margin: 1em 0; overflow-x: auto; }
 .md-typeset math { font-size: 1.1em; font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "STIX Math", STIXMath, "DejaVu Math TeX Gyre", math; }
 """
@@ -45,7 +51,8 @@ PALETTE = [
 ]
 THEME = {"name": "material", "font": False, "palette": PALETTE, "icon": {"logo": "material/ruler"},
          "features": ["navigation.tabs", "navigation.sections", "navigation.top", "navigation.footer", "search.suggest", "search.highlight",
-                      "content.code.copy", "toc.follow"]}
+                      "content.code.copy", "content.action.edit", "toc.follow"]}
+ADDRESS = re.compile(r"https?://[\w.:-]+/[\w./~-]+")
 
 
 def grey_point():
@@ -124,7 +131,17 @@ def keep_inside(folder):
         path.write_text(re.sub(r'\s+integrity="[^"]*" crossorigin="\w+"', "", text))
 
 
-def write_pages(pages, folder, work):
+def edit_links(address):
+    """Where the pages of a project at this address are edited; nothing without one. The address itself is not told to the theme: it would
+    ask a server about the project whenever a page is read."""
+    if not address:
+        return {}
+    if not ADDRESS.fullmatch(address):
+        sys.exit(f"site: ADFRIC_ADDRESS: given '{address}', allowed: an address as https://HOST/OWNER/PROJECT")
+    return {"edit_uri_template": address.rstrip("/") + "/edit/main/{path}"}
+
+
+def write_pages(pages, folder, work, version=None):
     """Write the pages of the documents, below the areas; what is not there yet is left out."""
     nav = [{area: [{title: file} for title, file in files.items() if (pages / file).exists()]} for area, files in AREAS.items()]
     (pages / "style.css").write_text(STYLE)
@@ -136,6 +153,7 @@ def write_pages(pages, folder, work):
         "plugins": ["search"], "hooks": [str(ROOT / "scripts/site_hooks.py")], "extra_css": ["style.css"], "extra_javascript": ["gallery.js"],
         "markdown_extensions": [{"codehilite": {"guess_lang": False, "css_class": "highlight"}}, {"toc": {"permalink": False}}],
         "validation": {"omitted_files": "warn", "absolute_links": "warn", "unrecognized_links": "warn", "anchors": "warn"},
+        **({"extra": {"version": {"provider": "mike"}}} if version else {}), **edit_links(os.environ.get("ADFRIC_ADDRESS", "")),
     }, sort_keys=False))
     run("mkdocs", "build", "--strict", "--quiet", "--clean", "--config-file", str(settings))
 
@@ -147,18 +165,40 @@ def run(module, *arguments):
         sys.exit(f"{result.stdout}site: {module} failed")
 
 
-def main(folder, has_figures):
-    """Build the site in a folder."""
+def main(folder, has_figures, version=None):
+    """Build the site in a folder, or one version of it beside others."""
+    if version:
+        check_name(version)
+        versions_in(folder)
+    target = folder / version if version else folder
     if faults := faults_of(ROOT) + missing_in_areas(ROOT):
         sys.exit("\n".join(f"site: {fault}" for fault in faults))
     with tempfile.TemporaryDirectory() as name:
         work = Path(name)
         pages = work / "pages"
         copy_documents(pages, has_figures)
+        write_notebooks(pages / "docs/guide")
+        shutil.copy(ROOT / "docs/guide/tutorial.ipynb", pages / "docs/guide")
         write_fortran(pages / "fortran", work)
-        write_pages(pages, folder, work)
-    print(folder / "index.html")
+        write_pages(pages, target, work, version)
+    if version:
+        add_version(folder, version)
+    print(target / "index.html")
+
+
+def read_command_line(arguments):
+    """What scripts/site asks for."""
+    parser = argparse.ArgumentParser(prog="scripts/site_pages.py")
+    parser.add_argument("--without-figures", action="store_true")
+    parser.add_argument("--version", metavar="NAME")
+    parser.add_argument("folder", metavar="FOLDER", type=Path)
+    return parser.parse_args(arguments)
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[-1]).resolve(), sys.argv[1] != "--without-figures")
+    given = read_command_line(sys.argv[1:])
+    try:
+        main(given.folder.resolve(), not given.without_figures, given.version)
+    except BadVersion as problem:
+        print(f"site: {problem}", file=sys.stderr)
+        sys.exit(2)

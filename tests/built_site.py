@@ -26,19 +26,28 @@ import re
 import shutil
 import subprocess
 import tempfile
+import threading
 import unittest
 from collections import Counter
 from copy import copy
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from urllib.parse import unquote
 
 from bs4 import BeautifulSoup
 from markdown_it import MarkdownIt
 
 from document_links import documents_of, is_inside
+from notebooks import PAGES
 from site_areas import AREAS
 from site_formulas import DISPLAY, INLINE, FormulaError, mathml_of
-from site_pages import PUBLIC_MODULES, source_of
+from site_hooks import WRITTEN
+from site_pages import PUBLIC_MODULES, edit_links, source_of
+from site_versions import BadVersion, add_version, order_of, versions_in
 
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+# Where a project may stand.
+ADDRESS = "https://example.org/somebody/adfric"
 # Parts of a page that have a meaning of their own; paragraphs of lists are no such part.
 PARTS = ("h1", "h2", "h3", "h4", "ul", "ol", "li", "table", "tr", "th", "td", "pre", "code", "em", "strong", "a", "img")
 
@@ -63,6 +72,13 @@ def with_words(text):
         return (found[1] if found.re is DISPLAY else "") + word
 
     return "".join(part if number % 2 else re.sub(INLINE, put, DISPLAY.sub(put, part)) for number, part in enumerate(parts)), formulas
+
+
+class QuietHandler(SimpleHTTPRequestHandler):
+    """A server that says nothing."""
+
+    def log_message(self, *_):
+        """Say nothing."""
 
 
 class Formulas(unittest.TestCase):
@@ -91,8 +107,14 @@ class Site(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name, "site")
-        result = subprocess.run([PYTHON, ROOT / "scripts/site_pages.py", "--without-figures", cls.folder], capture_output=True, text=True)
+        cls.versions = Path(folder.name, "site")
+        cls.folder = cls.versions / "1.10.0"
+        # an older version and one that is gone
+        (cls.versions / "1.9.2").mkdir(parents=True)
+        old = [{"version": name, "title": name, "aliases": []} for name in ("0.1", "1.9.2")]
+        (cls.versions / "versions.json").write_text(json.dumps(old))
+        result = subprocess.run([PYTHON, ROOT / "scripts/site_pages.py", "--without-figures", "--version", "1.10.0", cls.versions], capture_output=True,
+                                text=True, env={**os.environ, "ADFRIC_ADDRESS": ADDRESS})
         if result.returncode or result.stderr or result.stdout != f"{cls.folder}/index.html\n":
             raise AssertionError(f"status {result.returncode}\n{result.stdout}{result.stderr}")
         cls.pages = {path: BeautifulSoup(path.read_text(), "html.parser") for path in sorted(cls.folder.rglob("*.html"))}
@@ -106,7 +128,7 @@ class Site(unittest.TestCase):
                 text, formulas = with_words(without_metadata(path.read_text()))
                 expected = BeautifulSoup(reader.render(text), "html.parser")
                 found = copy(self.pages[self.folder / page_of(file)].find("article"))
-                for part in found.find_all("nav"):
+                for part in [*found.find_all("nav"), *found.find_all(class_=("md-content__button", "notebook"))]:
                     part.decompose()
                 words = "".join(expected.get_text().split())
                 for word, formula in formulas.items():
@@ -163,6 +185,55 @@ class Site(unittest.TestCase):
         tabs = [" ".join(tab.get_text().split()) for tab in page.find(class_="md-tabs").find_all("a")]
         self.assertEqual(list(AREAS), tabs)
 
+    def test_edit_links(self):
+        """Each page that somebody writes leads to where it is edited, if the project has an address, and no other page does."""
+        for path in documents_of(ROOT):
+            file = path.relative_to(ROOT).as_posix()
+            links = [link["href"] for link in self.pages[self.folder / page_of(file)].find_all("a", class_="md-content__button")]
+            self.assertEqual([] if file in WRITTEN else [f"{ADDRESS}/edit/main/{file}"], links, file)
+        self.assertEqual({}, edit_links(""))
+        for address in ("example.org", "javascript:alert(1)", "https://example.org/a b"):
+            with self.assertRaises(SystemExit) as found:
+                edit_links(address)
+            self.assertIn("ADFRIC_ADDRESS", found.exception.code)
+
+    def test_notebooks(self):
+        """Pages that are notebooks, too, offer them, and these are files of the site."""
+        found = {path.stem: link["href"] for path, page in self.pages.items() for part in page.find_all(class_="notebook") for link in part.find_all("a")}
+        self.assertEqual({name: f"{name}.ipynb" for name in (*PAGES, "tutorial")}, found)
+        for name in found:
+            cells = json.loads((self.folder / f"docs/guide/{name}.ipynb").read_text())["cells"]
+            self.assertGreater(sum(cell["cell_type"] == "code" for cell in cells), 2, name)
+
+    def test_versions(self):
+        """The versions that are there are listed, the newest first, and the first page leads to it."""
+        self.assertEqual(["1.10.0", "1.9.2"], [entry["version"] for entry in versions_in(self.versions)])
+        self.assertIn('url=1.10.0/index.html"', (self.versions / "index.html").read_text())
+        self.assertEqual(["2.0", "1.10.0", "1.9.2", "1.9", "development"], sorted(("1.9", "development", "1.9.2", "2.0", "1.10.0"), key=order_of))
+        with tempfile.TemporaryDirectory() as name:
+            for bad in ("../x", "", "versions.json", "a b"):
+                with self.assertRaises(BadVersion, msg=bad):
+                    add_version(name, bad)
+            Path(name, "versions.json").write_text('{"a": 1}')
+            with self.assertRaisesRegex(BadVersion, "not a list of versions"):
+                add_version(name, "1.0")
+
+    @unittest.skipUnless(BROWSER, "there is no Chromium")
+    def test_selector(self):
+        """A browser shows the selector of versions on a page, once there is a server."""
+        server = ThreadingHTTPServer(("127.0.0.1", 0), partial(QuietHandler, directory=self.versions))
+        thread = threading.Thread(target=server.serve_forever, daemon=True)
+        thread.start()
+        self.addCleanup(thread.join)
+        self.addCleanup(server.server_close)
+        self.addCleanup(server.shutdown)
+        done = subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", "--virtual-time-budget=20000",
+                               f"--user-data-dir={self.versions.parent}/browser", f"http://127.0.0.1:{server.server_port}/1.10.0/docs/guide/install.html"],
+                              capture_output=True, text=True, timeout=120, check=True)
+        page = BeautifulSoup(done.stdout, "html.parser")
+        self.assertEqual("1.10.0", page.find(class_="md-version__current").get_text().strip())
+        self.assertEqual(["1.10.0", "1.9.2"], [link.get_text().strip() for link in page.find_all(class_="md-version__link")])
+
     def test_dark(self):
         """Each page of the documents can be dark."""
         for path in documents_of(ROOT):
@@ -179,14 +250,12 @@ class Site(unittest.TestCase):
         worker = json.loads(self.pages[self.folder / "index.html"].find("script", id="__config").string)["search"]
         self.assertTrue((self.folder / worker).is_file(), worker)
 
+    @unittest.skipUnless(BROWSER, "there is no Chromium")
     def test_gallery(self):
         """The filter of the gallery leaves the figures that have its words, as a browser shows them."""
-        browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-        if not browser:
-            self.skipTest("there is no Chromium")
         shown, everything = {}, len(self.pages[self.folder / "docs/gallery.html"].find("article").find_all("h3"))
         for words in ("", "johnson+fig.+5", "no-such-word"):
-            done = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", f"--user-data-dir={self.folder.parent}/browser",
+            done = subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", f"--user-data-dir={self.folder.parent}/browser",
                                    f"file://{self.folder}/docs/gallery.html?filter={words}"], capture_output=True, text=True, timeout=120, check=True)
             page = BeautifulSoup(done.stdout, "html.parser")
             shown[words] = [part.get_text() for part in page.find("article").find_all("h3") if not part.has_attr("hidden")]

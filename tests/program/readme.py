@@ -23,7 +23,7 @@ PAGES = ("README.md", "docs/guide/install.md", "docs/guide/first_run.md")
 # what the blocks are in
 LANGUAGES = {"sh", "fortran", "python", "cmake", "text"}
 # commands that are looked up, not run, by their first words
-NAMED = ("scripts/run", "scripts/test", "scripts/install", "scripts/setup", "scripts/slurm_array.sh", "cmake", "gfortran", "cc", "mpirun",
+NAMED = ("scripts/run", "scripts/report", "scripts/test", "scripts/install", "scripts/setup", "scripts/slurm_array.sh", "cmake", "gfortran", "cc", "mpirun",
          "python3 -m venv", "adfric-python/bin/pip")
 # a small sweep in the place of the big one, in 16 parts
 BIG = "&job model = 'sphere' /\n&sphere radius = 1e-6, contact_modulus = 1e9, work_of_adhesion = 0 /\n" \
