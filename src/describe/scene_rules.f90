@@ -20,7 +20,8 @@ module adfric_describe_scene_rules
    !> Solvers that several rules have in common.
    character(*), parameter :: in_elastic = 'hertz,wave_1d', &
       & slips = 'hertz,indenter,wave_1d,wave_2d_elastic,surface_elastic', with_depth = 'rigid_punch,line_load,strip_load', &
-      & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter'
+      & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter', &
+      & sums = 'wave_1d,wavy_sliding,surface_sliding'
 
    !> Variables. A group stands for all its variables that no rule before it names.
    character(*), parameter :: variable_rules(*) = [character(120) :: &
@@ -230,7 +231,19 @@ module adfric_describe_scene_rules
       & 'wave_2d_elastic,surface_elastic poisson_defect - !tangential', &
       & 'line_load,strip_load stress_yy stress_zz', &
       & 'line_load,strip_load stress_xy stress_xz', &
-      & 'line_load displacement_y displacement_z']
+      & 'line_load displacement_y displacement_z', &
+      & 'wave_1d hysteretic_friction_stress - !relaxing', &
+      & sums//' hysteretic_friction_stress - !shear', &
+      & sums//' interfacial_friction_stress - !shear', &
+      & 'wave_1d interfacial_share - !relaxing', &
+      & 'wavy_sliding hysteretic_friction_force - !shear', &
+      & 'wavy_sliding hysteretic_friction_force hysteretic_friction_stress', &
+      & 'wavy_sliding interfacial_friction_force - !shear', &
+      & 'wavy_sliding interfacial_friction_force interfacial_friction_stress', &
+      & sums//' interfacial_share - !shear', &
+      & sums//' velocity_slope - !shear', &
+      & 'surface_sliding velocity_slope -', &
+      & sums//' velocity_slope - !slides']
 
    !> Profiles.
    character(*), parameter :: profile_rules(*) = [character(120) :: &
@@ -302,9 +315,11 @@ module adfric_describe_scene_rules
 
    !> Solvers that know a speed and no velocity. Behind each stand its results and profiles, in its language, that are vectors along
    !> the motion or across it: those of a scene take the sign of the velocity.
-   character(*), parameter :: of_speed(*) = [character(120) :: &
-      & 'wavy_sliding friction_force friction_coefficient contact_shift shear_stress', &
-      & 'surface_sliding friction_stress friction_coefficient lateral_stress full_contact_friction contact_shift']
+   character(*), parameter :: of_speed(*) = [character(200) :: &
+      & 'wavy_sliding friction_force friction_coefficient contact_shift shear_stress hysteretic_friction_force '// &
+      & 'interfacial_friction_force', &
+      & 'surface_sliding friction_stress friction_coefficient lateral_stress full_contact_friction contact_shift '// &
+      & 'hysteretic_friction_stress interfacial_friction_stress shear_stress']
    !> Those among them whose profiles run along the motion, whatever its direction.
    character(*), parameter :: along_motion = 'wavy_sliding'
 

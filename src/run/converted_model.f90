@@ -33,7 +33,7 @@ module adfric_run_converted_model
 
    !> Results of a period that a scene counts over the nominal area.
    character(*), parameter :: of_period = 'load friction_force contact_area adhesion_area dissipation edge_loss pull_off_load '// &
-      & 'friction_sample_error'
+      & 'friction_sample_error hysteretic_friction_force interfacial_friction_force'
 
    !> The solver with the values of a scene.
    type, extends(wrapped_model_t) :: converted_model_t
