@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A shear stress given over the velocity: a cubic between neighbours in log v and log tau that goes no further up or down than its
-!> samples (M. Steffen, Astron. Astrophys. 239 (1990) 443).
+!> samples, by Steffen's slopes.
 module adfric_interface_strength_table
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts

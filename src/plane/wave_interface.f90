@@ -3,13 +3,12 @@
 !> one the shear alone.
 module adfric_plane_wave_interface
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: half_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_unset, only: is_set
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, n_interface_rows
    use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
-   use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
+   use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
    use adfric_plane_elastic_wave_point, only: get_elastic_wave_profiles
    use adfric_plane_sliding_wave_point, only: slide_point_t
    use adfric_plane_sliding_wave_units, only: new_wave_slide, wave_slide_state_t, wave_slide_t
@@ -20,9 +19,6 @@ module adfric_plane_wave_interface
    implicit none (type, external)
    private
    public :: interface_of, add_slide_interface, add_elastic_interface, wave_tractions
-
-   !> Panels on which a law of the pressure is integrated over the contact, and the nodes of all.
-   integer, parameter :: n_panels = 4, n_nodes = n_panels*size(gauss_nodes)
 
 contains
 
@@ -85,7 +81,7 @@ contains
       !> The shear, and its change by ln v in this contact.
       real(dp), intent(out) :: shear, slope
       logical, intent(out) :: is_valid
-      real(dp) :: x(n_nodes), pressure(n_nodes)
+      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes)
       integer :: i
 
       if (.not. law%depends_on_pressure() .or. .not. state%contact_fraction > 0) then
@@ -93,63 +89,13 @@ contains
             & state%mean_pressure, shear, slope, is_valid)
          return
       end if
-      x = nodes(state%contact_shift, state%contact_fraction*values(in%period)/2)
-      do i = 1, n_nodes
+      x = contact_nodes(state%contact_shift, state%contact_fraction*values(in%period)/2)
+      do i = 1, n_contact_nodes
          pressure(i) = slide%pressure_at(state, x(i))
       end do
-      call integrate(values, law, state%contact_fraction, pressure, shear, slope, is_valid)
+      call integrate_shear(law, abs(values(in%velocity)), values(in%temperature), state%contact_fraction/2, pressure, shear, &
+         & slope, is_valid)
    end subroutine get_slide_shear
-
-   !> Nodes on a contact, dense at its edges, where the pressure goes with a root.
-   pure function nodes(middle, half_width) result(x)
-      !> Middle and half-width of the contact [m].
-      real(dp), intent(in) :: middle, half_width
-      real(dp) :: x(n_nodes)
-      integer :: k
-
-      do k = 1, n_panels
-         x((k - 1)*size(gauss_nodes) + 1:k*size(gauss_nodes)) = middle + half_width*sin(angles(k))
-      end do
-   end function nodes
-
-   !> The nodes of a panel as angles from -pi/2 to pi/2, of which the sines are the positions.
-   pure function angles(panel)
-      integer, intent(in) :: panel
-      real(dp) :: angles(size(gauss_nodes))
-
-      angles = half_pi*(2*panel - 1 + gauss_nodes - n_panels)/n_panels
-   end function angles
-
-   !> Shear over nominal area of a law of the pressure.
-   pure subroutine integrate(values, law, contact_fraction, pressure, shear, slope, is_valid)
-      real(dp), intent(in) :: values(:)
-      type(friction_law_t), intent(in) :: law
-      real(dp), intent(in) :: contact_fraction
-      !> Pressure at the nodes [Pa]; shape `(n_nodes)`.
-      real(dp), intent(in) :: pressure(:)
-      !> The shear [Pa], and its change by ln v.
-      real(dp), intent(out) :: shear, slope
-      logical, intent(out) :: is_valid
-      real(dp) :: stress, slope_of_stress, weight
-      integer :: i, k, n
-
-      shear = 0
-      slope = 0
-      n = 0
-      do k = 1, n_panels
-         associate (cosines => cos(angles(k)))
-            do i = 1, size(gauss_nodes)
-               n = n + 1
-               call law%get_stress(abs(values(in%velocity)), pressure(n), values(in%temperature), stress, slope_of_stress, is_valid)
-               if (.not. is_valid) return
-               ! half of the contact is the integral of the cosine from 0 to pi/2
-               weight = contact_fraction/2*half_pi/n_panels*gauss_weights(i)*cosines(i)
-               shear = shear + weight*stress
-               slope = slope + weight*stress*slope_of_stress
-            end do
-         end associate
-      end do
-   end subroutine integrate
 
    !> Friction of a wave on an elastic half-plane by a law of the velocity.
    pure subroutine add_elastic_interface(values, given, tension, results, is_valid)
@@ -164,15 +110,15 @@ contains
       type(friction_law_t) :: law
       type(time_temperature_t) :: none
       type(sliding_friction_t) :: friction
-      real(dp) :: x(n_nodes), pressure(n_nodes), gap(n_nodes)
+      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), gap(n_contact_nodes)
 
       call get_friction_law(interface_of(values), given, none, law)
       friction%direction = sign(1.0_dp, values(in%velocity))
       if (law%depends_on_pressure() .and. results(out%contact_fraction) > 0) then
-         x = nodes(0.0_dp, results(out%contact_width)/2)
+         x = contact_nodes(0.0_dp, results(out%contact_width)/2)
          call get_elastic_wave_profiles(values, results, x, pressure, gap)
-         call integrate(values, law, results(out%contact_fraction), pressure, friction%interfacial, friction%interfacial_slope, &
-            & is_valid)
+         call integrate_shear(law, abs(values(in%velocity)), values(in%temperature), results(out%contact_fraction)/2, pressure, &
+            & friction%interfacial, friction%interfacial_slope, is_valid)
       else
          call get_shear_of_area(law, abs(values(in%velocity)), values(in%temperature), results(out%contact_fraction), &
             & results(out%mean_pressure) + tension, friction%interfacial, friction%interfacial_slope, is_valid)
