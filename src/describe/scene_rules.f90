@@ -290,6 +290,8 @@ module adfric_describe_scene_rules
       & 'adhesion%theory_tolerance largest error of the theory that auto may choose', &
       & 'operating%approach approach of the body from first touch of the undisturbed surface', &
       & 'operating%penetration penetration of the crests below the mean of the deformed surface', &
+      & 'friction%shear_strength tau0 of the shear stress in contact; in reduced units: in the scale of lambda', &
+      & 'friction%law law of the shear stress in contact, shear_strength if not given; peeling: it sticks and peels (JKR)', &
       & 'sphere%friction_force force that keeps the body sliding', &
       & 'operating%load load pressing the bodies together; of a line per length, of a period in foundations']
 
