@@ -241,9 +241,9 @@ module adfric_describe_scene_rules
       & 'wavy_sliding hysteretic_friction_force hysteretic_friction_stress', &
       & 'wavy_sliding interfacial_friction_force interfacial_friction_stress', &
       & sums//' interfacial_share - !shear', &
-      & sums//' velocity_slope - !shear', &
+      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !shear', &
       & 'surface_sliding velocity_slope -', &
-      & sums//' velocity_slope - !slides']
+      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves']
 
    !> Profiles.
    character(*), parameter :: profile_rules(*) = [character(120) :: &

@@ -2,6 +2,7 @@
 !> Friction of `wavy_sliding` with a law of the interface, as a sum with what the columns lose. A shear stress does not move a column,
 !> so that the contact is that of frictionless faces.
 module adfric_foundation_interface
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
@@ -109,13 +110,14 @@ contains
       if (.not. is_valid) return
       friction%neighbours = not_a_number()
       do k = 1, size(log_steps)
+         if (.not. ieee_is_finite(others(out%friction_force, k))) cycle
          call get_shear(others(:, k), shear, unused, is_solved)
          friction%neighbours(k) = others(out%friction_force, k) + shear
       end do
       call friction%get_results(values(in%velocity), results(out%friction_force), &
          & results(out%hysteretic_friction_force:out%velocity_slope))
       ! a load that is as good as 0 has no coefficient
-      if (abs(results(out%friction_coefficient)) <= huge(1.0_dp)) results(out%friction_coefficient) = results(out%friction_force) &
+      if (ieee_is_finite(results(out%friction_coefficient))) results(out%friction_coefficient) = results(out%friction_force) &
          & /results(out%load)
 
    contains

@@ -128,6 +128,7 @@ contains
       r(sliding_output%regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
       r(sliding_output%smooth_fraction) = smooth_fraction_row()
       r(sliding_output%hysteretic_friction_stress:sliding_output%velocity_slope) = total_friction_results('stress', 'Pa')
+      r([sliding_output%interfacial_friction_stress, sliding_output%interfacial_share])%is_counted = .true.
    end function get_sliding_results
 
 end module adfric_periodic_sliding_variables
