@@ -73,7 +73,7 @@ contains
       real(dp), intent(in) :: temperature
       !> tau [Pa], >= 0.
       real(dp), intent(out) :: stress
-      !> d ln tau/d ln v [-]; at v = 0 that of small v.
+      !> d ln tau/d ln v [-]; 0 at v = 0.
       real(dp), intent(out) :: slope
       !> Does the law hold there? Not where the shift does not, beyond the table, and in activated laws above v0.
       logical, intent(out) :: is_valid

@@ -11,7 +11,7 @@ module adfric_interface_friction_law_rows
       & law_table
    use adfric_interface_shear_strength_rows, only: n_shear_rows
    use adfric_interface_strength_table, only: new_strength_table
-   use adfric_solid_shift_rows, only: n_shift_rows, set_shift_rows, time_temperature_of
+   use adfric_solid_shift_rows, only: set_shift_rows, time_temperature_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_rows, only: above_zero, any_number, choice, columns_row, number, positive
    use adfric_describe_table, only: variable_t
