@@ -6,7 +6,7 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 
 import numpy as np
 
-from . import adhesion, fit, halfspace, history, rubber, samples, sliding, sphere
+from . import adhesion, fit, halfspace, history, rubber, samples, sliding, sphere, split
 from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
@@ -58,6 +58,8 @@ def choose_figure(results):
         raise NothingToDraw(f"{results.path}: one point without profiles of the pressure: nothing to draw")
     if along in samples.AXES:
         return lambda found: samples.draw_samples(found, choose_results(found)[0])
+    if split.has_parts(results):
+        return split.draw_split
     return FIGURES.get((results.model, along), draw_sweep)
 
 

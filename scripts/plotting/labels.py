@@ -32,6 +32,7 @@ SYMBOLS = {
     "friction_stress_without_adhesion": "T_0",
     "height": "h",
     "interaction": r"\alpha",
+    "interfacial_share": r"T_i/T",
     "lambda": r"\lambda",
     "major_half_width": "a",
     "load": "P",
@@ -72,6 +73,7 @@ SYMBOLS = {
     "tangential_traction": "q_0",
     "temperature": "T",
     "velocity": "V",
+    "velocity_slope": r"\mathrm{d} \ln T/\mathrm{d} \ln V",
     "work_of_adhesion": "w",
 }
 NAMES = {"area_left": "friction area", "contact_half_width": "half-width",

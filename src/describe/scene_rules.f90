@@ -20,7 +20,8 @@ module adfric_describe_scene_rules
    !> Solvers that several rules have in common.
    character(*), parameter :: in_elastic = 'hertz,wave_1d', &
       & slips = 'hertz,indenter,wave_1d,wave_2d_elastic,surface_elastic', with_depth = 'rigid_punch,line_load,strip_load', &
-      & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter'
+      & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter', &
+      & sums = 'hertz,wave_1d,wavy_sliding,surface_sliding'
 
    !> Variables. A group stands for all its variables that no rule before it names.
    character(*), parameter :: variable_rules(*) = [character(120) :: &
@@ -234,7 +235,19 @@ module adfric_describe_scene_rules
       & 'wave_2d_elastic,surface_elastic poisson_defect - !tangential', &
       & 'line_load,strip_load stress_yy stress_zz', &
       & 'line_load,strip_load stress_xy stress_xz', &
-      & 'line_load displacement_y displacement_z']
+      & 'line_load displacement_y displacement_z', &
+      & 'wave_1d hysteretic_friction_stress - !relaxing', &
+      & 'hertz,wavy_sliding hysteretic_friction_force - !shear', &
+      & 'hertz,wavy_sliding interfacial_friction_force - !shear', &
+      & 'wave_1d,surface_sliding hysteretic_friction_stress - !shear', &
+      & 'wave_1d,surface_sliding interfacial_friction_stress - !shear', &
+      & 'wave_1d interfacial_share - !relaxing', &
+      & 'wavy_sliding hysteretic_friction_force hysteretic_friction_stress', &
+      & 'wavy_sliding interfacial_friction_force interfacial_friction_stress', &
+      & sums//' interfacial_share - !shear', &
+      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !shear', &
+      & 'surface_sliding velocity_slope -', &
+      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves']
 
    !> Profiles.
    character(*), parameter :: profile_rules(*) = [character(120) :: &
@@ -281,6 +294,8 @@ module adfric_describe_scene_rules
       & 'adhesion%theory_tolerance largest error of the theory that auto may choose', &
       & 'operating%approach approach of the body from first touch of the undisturbed surface', &
       & 'operating%penetration penetration of the crests below the mean of the deformed surface', &
+      & 'friction%shear_strength tau0 of the shear stress in contact; in reduced units: in the scale of lambda', &
+      & 'friction%law law of the shear stress in contact, shear_strength if not given; peeling: it sticks and peels (JKR)', &
       & 'sphere%friction_force force that keeps the body sliding', &
       & 'operating%load load pressing the bodies together; of a line per length, of a period in foundations']
 
@@ -306,10 +321,11 @@ module adfric_describe_scene_rules
 
    !> Solvers that know a speed and no velocity. Behind each stand its results and profiles, in its language, that are vectors along
    !> the motion or across it: those of a scene take the sign of the velocity.
-   character(*), parameter :: of_speed(*) = [character(160) :: &
-      & 'wavy_sliding friction_force friction_coefficient contact_shift shear_stress', &
+   character(*), parameter :: of_speed(*) = [character(220) :: &
+      & 'wavy_sliding friction_force friction_coefficient contact_shift shear_stress hysteretic_friction_force '// &
+      & 'interfacial_friction_force', &
       & 'surface_sliding friction_stress friction_coefficient lateral_stress full_contact_friction contact_shift '// &
-      & 'friction_stress_without_adhesion']
+      & 'hysteretic_friction_stress interfacial_friction_stress friction_stress_without_adhesion shear_stress']
    !> Those among them whose profiles run along the motion, whatever its direction.
    character(*), parameter :: along_motion = 'wavy_sliding'
 

@@ -40,6 +40,8 @@ module adfric_describe_scene_solvers
       & 'wave_1d half_space shear,adhesion+shear press,slide wave_1d exact', &
       & 'wave_1d half_space coulomb press,tangential wave_1d exact', &
       & 'wave_1d relaxing none press,slide wave_1d exact', &
+      & 'cylinder relaxing shear press,slide hertz exact', &
+      & 'wave_1d relaxing shear press,slide wave_1d exact', &
       & 'wave_2d half_space none,adhesion press wave_2d_elastic numerical', &
       & 'wave_2d half_space shear,adhesion+shear press,slide wave_2d_elastic numerical', &
       & 'wave_2d half_space coulomb press,tangential wave_2d_elastic numerical', &
@@ -49,6 +51,8 @@ module adfric_describe_scene_solvers
       & 'wave_1d,wave_2d,profile,heights relaxing,layer none press,slide surface_sliding numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer adhesion press,slide surface_sliding numerical', &
       & 'wave_1d,wave_product,cosines,profile,heights foundation none,adhesion press,slide wavy_sliding exact', &
+      & 'wave_1d,wave_2d,profile,heights relaxing,layer shear,adhesion+shear press,slide surface_sliding numerical', &
+      & 'wave_1d,wave_product,cosines,profile,heights foundation shear,adhesion+shear press,slide wavy_sliding exact', &
       & 'line half_space none press,tangential line_load exact', &
       & 'strip half_space none press strip_load exact', &
       & 'point half_space none press,tangential point_load exact']

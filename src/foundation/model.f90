@@ -2,11 +2,16 @@
 !> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011).
 module adfric_foundation_model
    use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_interface_friction_law_rows, only: given_law_t, has_interface, take_law_attribute, take_law_table
+   use adfric_interface_shear_strength_rows, only: n_shear_rows
+   use adfric_interface_total_friction, only: log_steps
    use adfric_describe_derived, only: derived_t
    use adfric_describe_model, only: model_t
    use adfric_describe_rows, only: count_row, set_coordinate
+   use adfric_describe_status, only: status_not_converged, status_solved
    use adfric_describe_table, only: result_t, profile_axis_t, take_units
    use adfric_numerics_found_once, only: found_once_t
    use adfric_foundation_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
@@ -16,6 +21,8 @@ module adfric_foundation_model
    use adfric_foundation_stepped_check, only: check_stepped_values
    use adfric_foundation_stepped_description, only: describe_stepped, doubt_stepped, derive_stepped
    use adfric_foundation_stepped_points, only: solve_stepped_block, solve_stepped_profiles, row_indices, column_indices
+   use adfric_foundation_interface, only: add_column_interface, add_column_tractions, check_column_interface, interface_of, &
+      & without_temperature
    use adfric_foundation_profiles, only: get_profiles
    use adfric_foundation_strip_description, only: derive_strips, doubt_strips
    use adfric_foundation_strip_points, only: solve_strip_block
@@ -36,6 +43,8 @@ module adfric_foundation_model
       type(found_once_t), pointer :: pull_offs => null()
       !> Lists and datasets of the input.
       type(given_surface_t) :: given
+      !> What is given of the law of the interface beside numbers.
+      type(given_law_t) :: given_law
    contains
       procedure :: take_dataset
       procedure :: take_attribute
@@ -85,11 +94,15 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (is_stepped(values)) then
-         call check_stepped_values(self%variables, values, self%given, is_swept, problems)
-      else
-         call check_wavy_values(self%variables, values, is_swept, problems)
-      end if
+      associate (of_solid => without_temperature(values, self%given))
+         if (is_stepped(values)) then
+            call check_stepped_values(self%variables, of_solid, self%given, is_swept, problems)
+         else
+            call check_wavy_values(self%variables, of_solid, is_swept, problems)
+         end if
+      end associate
+      if (has_interface(interface_of(values)) .and. problems%count() == 0) call check_column_interface(self%variables, values, &
+         & self%given, self%given_law, problems)
    end subroutine check_values
 
    !> The table of results, whose units are those of a 2-D or of a 3-D wave.
@@ -145,6 +158,7 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call take_given(self%given, self%variables, index, values, problems)
+      call take_law_table(self%given_law, index - in%friction(n_shear_rows), values)
       ! a map takes long, and its points are given to threads one by one
       if (index == in%heights .and. size(values) > large_map) self%largest_block = 1
    end subroutine take_dataset
@@ -161,6 +175,10 @@ contains
       !> Receives what is wrong with it.
       type(problems_t), intent(inout) :: problems
 
+      if (any(index == in%friction)) then
+         call take_law_attribute(self%given_law, self%variables(index), index - in%friction(n_shear_rows), name, value, problems)
+         return
+      end if
       select case (name)
       case ('dx')
          self%given%dx = value
@@ -243,7 +261,7 @@ contains
       deallocate (self%pull_offs)
    end subroutine release
 
-   !> Solve neighbouring points.
+   !> Solve neighbouring points, with the friction of the interface if there is one.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       !> The model, whose pull-off loads are looked up, and completed, if it is prepared.
       class(wavy_model_t), intent(in) :: self
@@ -256,6 +274,40 @@ contains
       !> How each point was solved, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
       !> Receives the number of strips solved for all points of the block, and of those among them in closed form.
+      real(dp), intent(out) :: counts(:)
+      real(dp) :: others(size(results, 1), size(log_steps), size(results, 2)), moved(size(values, 1), size(values, 2))
+      real(dp) :: unused_errors(size(status)), unused_counts(size(counts))
+      integer :: unused_status(size(status)), i, k
+      logical :: is_valid
+
+      call solve_contacts(self, values, results, error_estimate, status, counts)
+      if (size(status) == 0) return
+      if (.not. has_interface(interface_of(values(:, 1)))) return
+      others = not_a_number()
+      do k = 1, size(log_steps)
+         ! what is stepped takes long, and two velocities will do
+         if (is_stepped(values(:, 1)) .and. any(k == [1, 4])) cycle
+         moved = values
+         moved(in%velocity, :) = moved(in%velocity, :)*exp(log_steps(k))
+         moved(in%pull_off, :) = 0
+         call solve_contacts(self, moved, others(:, k, :), unused_errors, unused_status, unused_counts)
+      end do
+      do i = 1, size(status)
+         if (status(i) /= status_solved) cycle
+         call add_column_interface(values(:, i), self%given, self%given_law, others(:, :, i), results(:, i), is_valid)
+         if (is_valid) cycle
+         status(i) = status_not_converged
+         results(:, i) = not_a_number()
+         error_estimate(i) = not_a_number()
+      end do
+   end subroutine solve_block
+
+   !> Solve neighbouring points as if the faces were frictionless.
+   subroutine solve_contacts(self, values, results, error_estimate, status, counts)
+      type(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
+      integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
       integer :: n
 
@@ -270,7 +322,7 @@ contains
          end if
       end if
       call solve_strip_block(self%pull_offs, values, results, error_estimate, status, counts)
-   end subroutine solve_block
+   end subroutine solve_contacts
 
    !> Profiles of one solved point.
    subroutine solve_profiles(self, values, results, profiles)
@@ -287,10 +339,12 @@ contains
       call self%get_profile_axes(values, axes)
       if (is_stepped(values)) then
          call solve_stepped_profiles(self%given, values, axes(2)%coordinates, profiles)
-         return
+      else
+         call resolve_case(values, point)
+         call get_profiles(point, results(out%penetration), axes(2)%coordinates, axes(1)%coordinates, profiles)
       end if
-      call resolve_case(values, point)
-      call get_profiles(point, results(out%penetration), axes(2)%coordinates, axes(1)%coordinates, profiles)
+      if (has_interface(interface_of(values))) call add_column_tractions(values, self%given, self%given_law, &
+         & results(out%contact_area) > 0, profiles)
    end subroutine solve_profiles
 
    !> Quantities that follow from the values of a point, for `adfric check` and the results file.

@@ -4,6 +4,9 @@ module adfric_foundation_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_interface_adhesion_rows, only: set_stress_rows, branch_row
+   use adfric_interface_friction_law_rows, only: n_interface_rows, set_law_rows
+   use adfric_interface_shear_strength_rows, only: n_shear_rows, set_shear_rows
+   use adfric_interface_total_friction, only: total_friction_results
    use adfric_solid_given_spectrum, only: set_arm_rows
    use adfric_solid_prony, only: most_arms
    use adfric_solid_shift_rows, only: set_shift_rows
@@ -25,7 +28,7 @@ module adfric_foundation_variables
          & terms_per_decade = 0, time_factor = 0, shift = 0, reference_temperature = 0, wlf_c1 = 0, wlf_c2 = 0, &
          & activation_energy = 0, stress = 0, surface_energy = 0, range = 0, edge = 0, branch = 0, velocity = 0, &
          & temperature = 0, load = 0, mean_pressure = 0, penetration = 0, relative_tolerance = 0, strips = 0, pull_off = 0, &
-         & profiles = 0, n_x = 0, n_y = 0
+         & profiles = 0, n_x = 0, n_y = 0, friction(n_interface_rows) = 0
    end type foundation_input_t
    type(foundation_input_t), parameter, public :: foundation_input = transfer(counting, foundation_input_t())
    integer, parameter :: n_variables = storage_size(foundation_input)/storage_size(1)
@@ -36,7 +39,8 @@ module adfric_foundation_variables
       integer :: load = 0, penetration = 0, friction_force = 0, friction_coefficient = 0, contact_area = 0, &
          & adhesion_area = 0, contact_width = 0, contact_shift = 0, regime = 0, dissipation = 0, edge_loss = 0, &
          & energy_imbalance = 0, pull_off_load = 0, pull_off_penetration = 0, contact_count = 0, adhesion_count = 0, &
-         & snap_count = 0, saturated_share = 0, friction_sample_error = 0
+         & snap_count = 0, saturated_share = 0, friction_sample_error = 0, hysteretic_friction_force = 0, &
+         & interfacial_friction_force = 0, interfacial_share = 0, velocity_slope = 0
    end type foundation_output_t
    type(foundation_output_t), parameter, public :: foundation_output = transfer(counting, foundation_output_t())
    integer, parameter, public :: n_wavy_results = storage_size(foundation_output)/storage_size(1)
@@ -134,6 +138,9 @@ contains
       v(foundation_input%n_y) = whole_number(group='output', name='n_y', meaning='samples of a profile across it (wave_3d)', &
          & default=101, &
          & lower=2, upper=10000000)
+
+      call set_shear_rows(v(foundation_input%friction(1):foundation_input%friction(n_shear_rows)))
+      call set_law_rows(v(foundation_input%friction(n_shear_rows + 1):foundation_input%friction(n_interface_rows)))
    end function get_wavy_variables
 
    !> The table of results.
@@ -188,6 +195,7 @@ contains
          & long_name='share of strips in contact everywhere')
       r(foundation_output%friction_sample_error) = result_row(name='friction_sample_error', unit=force, &
          & long_name='standard error of the friction force from the scatter of the strips')
+      r(foundation_output%hysteretic_friction_force:foundation_output%velocity_slope) = total_friction_results('force', force)
    end function get_wavy_results
 
    !> The table of profiles.

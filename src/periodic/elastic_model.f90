@@ -10,8 +10,9 @@ module adfric_periodic_elastic_model
       & has_poisson_ratio, n_two_bodies, set_modulus_rows
    use adfric_interface_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
       & resolve_coulomb, set_coulomb_rows
-   use adfric_interface_shear_strength_rows, only: check_shear, get_friction_of_area, has_shear, n_shear_rows, &
-      & p_shear_stress, set_shear_rows, shear_profiles, shear_stress
+   use adfric_interface_friction_law_rows, only: given_law_t, take_law_attribute, take_law_table
+   use adfric_interface_shear_strength_rows, only: has_shear, n_shear_rows, p_shear_stress, set_shear_rows, &
+      & shear_profiles
    use adfric_describe_derived, only: derived_t, add_derived
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_rows, only: positive
@@ -21,6 +22,8 @@ module adfric_periodic_elastic_model
       & least_cells, regime_of, zone_length
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_area, only: relative_error_of
+   use adfric_periodic_elastic_interface, only: check_elastic_friction, has_law, n_friction_rows, n_motion_rows, &
+      & set_motion_rows, store_friction, tractions_of_friction
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_slip, only: periodic_slip_t
@@ -36,7 +39,12 @@ module adfric_periodic_elastic_model
    type, abstract, extends(periodic_model_t) :: elastic_model_t
       !> Pull-offs that the points of a run share; null unless the model is prepared.
       type(found_once_t), pointer :: pull_offs => null()
+      !> Table of a law of friction.
+      type(given_law_t) :: given_law
    contains
+      procedure :: take_dataset
+      procedure :: take_attribute
+      procedure, non_overridable :: take_law => take_dataset
       procedure :: prepare
       procedure :: release
       procedure(height_of_i), deferred :: height_of
@@ -83,14 +91,63 @@ contains
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), solid(:n_two_bodies))
       call set_adhesion_rows(solid(n_two_bodies + 1:n_two_bodies + n_adhesion_rows))
       call set_coulomb_rows(solid(n_two_bodies + n_adhesion_rows + 1:n_two_bodies + n_adhesion_rows + n_coulomb_rows))
-      call set_shear_rows(solid(n_elastic_solid - n_shear_rows:n_elastic_solid - 1))
-      solid(n_elastic_solid) = pull_off_row()
+      associate (pull_off => n_elastic_solid - n_motion_rows)
+         call set_shear_rows(solid(pull_off - n_shear_rows:pull_off - 1))
+         solid(pull_off) = pull_off_row()
+         call set_motion_rows(solid(pull_off + 1:))
+      end associate
       call self%set_tables(name, summary, surface, solid, .true.)
       deallocate (self%results)
       allocate (self%results, source=get_elastic_results())
       deallocate (self%profiles)
       allocate (self%profiles, source=shear_profiles())
    end subroutine set_elastic_tables
+
+   !> Index of the switch of the pull-off.
+   pure integer function pull_off_index(self)
+      class(elastic_model_t), intent(in) :: self
+
+      pull_off_index = self%last_of_solid - n_motion_rows
+   end function pull_off_index
+
+   !> Values of the rows of the interface and its motion.
+   pure function friction_values(self, values) result(friction)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp) :: friction(n_friction_rows)
+
+      friction = values(pull_off_index(self) - n_shear_rows:self%last_of_solid)
+   end function friction_values
+
+   !> See `model_t`: the table of a law of friction. A model that has other datasets calls it, too.
+   subroutine take_dataset(self, index, values, problems)
+      class(elastic_model_t), intent(inout) :: self
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
+      !> Its values; shape `(n, n_columns)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the values; nothing here.
+      type(problems_t), intent(inout) :: problems
+
+      call take_law_table(self%given_law, index - pull_off_index(self), values)
+      associate (unused => problems)
+      end associate
+   end subroutine take_dataset
+
+   !> See `model_t`: the temperature of the table.
+   subroutine take_attribute(self, index, name, value, problems)
+      class(elastic_model_t), intent(inout) :: self
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+      !> Its value in SI units.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call take_law_attribute(self%given_law, self%variables(index), index - pull_off_index(self), name, value, problems)
+   end subroutine take_attribute
 
    !> Make space for the pull-offs that points share.
    subroutine prepare(self)
@@ -124,7 +181,7 @@ contains
          if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
             if (values(prescribed + in%mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
-            if (wants_pull_off(values(self%last_of_solid))) &
+            if (wants_pull_off(values(pull_off_index(self)))) &
                & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
          end if
       end associate
@@ -144,12 +201,13 @@ contains
       type(problems_t), intent(inout) :: problems
       logical :: is_adhesive
 
-      associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1, &
+      associate (first => pull_off_index(self) - n_shear_rows, last => pull_off_index(self) - 1, &
          & adhesion => values(self%first_of_solid + n_two_bodies:self%first_of_solid + n_two_bodies + n_adhesion_rows - 1))
          is_adhesive = has_adhesion(adhesion)
-         call check_shear(self%variables(first:last), values(first:last), merge(adhesion(1), 0.0_dp, is_adhesive), problems)
+         call check_elastic_friction(self%variables(first:self%last_of_solid), friction_values(self, values), self%given_law, &
+            & merge(adhesion(1), 0.0_dp, is_adhesive), problems)
          call check_coulomb(self%variables(first - n_coulomb_rows:first - 1), values(first - n_coulomb_rows:first - 1), &
-            & is_adhesive, has_shear(values(first:last)), problems)
+            & is_adhesive, has_shear(values(first:last)) .or. has_law(friction_values(self, values)), problems)
       end associate
    end subroutine check_friction
 
@@ -159,7 +217,7 @@ contains
       real(dp), intent(in) :: values(:)
       real(dp) :: friction(n_coulomb_rows)
 
-      associate (last => self%last_of_solid - n_shear_rows - 1)
+      associate (last => pull_off_index(self) - n_shear_rows - 1)
          friction = values(last - n_coulomb_rows + 1:last)
       end associate
    end function coulomb_values
@@ -239,7 +297,7 @@ contains
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
       goal%adhesion = adhesion_in_units(law, modulus)
-      goal%wants_pull_off = wants_pull_off(values(self%last_of_solid))
+      goal%wants_pull_off = wants_pull_off(values(pull_off_index(self)))
       goal%pull_offs => self%pull_offs
    end subroutine set_interface
 
@@ -264,7 +322,7 @@ contains
       !> Estimated relative error of the area of contact [-]; above 1 where the cells do not see the edge of adhesion.
       real(dp), intent(out) :: error_estimate
       type(adhesion_law_t) :: law
-      real(dp) :: unused
+      logical :: is_valid
 
       law = self%adhesion_of(values)
       error_estimate = relative_error_of(solution%area)
@@ -274,12 +332,9 @@ contains
          results(out%adhesion_fraction) = adhesion_fraction_of(solution)
          results(out%regime) = regime_of(solution)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
-         associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
-            call get_friction_of_area(values(first:last), results(out%contact_fraction), results(out%mean_pressure), &
-               & law%stress*results(out%adhesion_fraction), results(out%friction_stress), results(out%friction_coefficient))
-            call get_friction_of_area(values(first:last), results(out%smooth_fraction), results(out%mean_pressure), &
-               & law%stress*results(out%adhesion_fraction), results(out%smooth_friction), unused)
-         end associate
+         call store_friction(friction_values(self, values), self%given_law, law%stress*results(out%adhesion_fraction), &
+            & modulus*solution%pressure, results, is_valid)
+         if (.not. is_valid) error_estimate = huge(error_estimate)
          if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)
          if (.not. law%stress > 0) return
          results(out%cells_per_zone) = cells_per_zone(law, surface)
@@ -319,8 +374,9 @@ contains
       real(dp), intent(in) :: values(:)
 
       count_profiles = p_shear_stress - 1
-      if (has_shear(values(self%last_of_solid - n_shear_rows:self%last_of_solid - 1)) &
-         & .or. has_coulomb(coulomb_values(self, values))) count_profiles = p_shear_stress
+      if (has_shear(values(pull_off_index(self) - n_shear_rows:pull_off_index(self) - 1)) &
+         & .or. has_law(friction_values(self, values)) .or. has_coulomb(coulomb_values(self, values))) &
+         & count_profiles = p_shear_stress
    end function count_profiles
 
    !> See `pointwise_model_t`: the maps of pressure and gap, and with friction that of the shear stress.
@@ -338,8 +394,8 @@ contains
       call self%fill_contact_maps(values, results, state, axes, profiles)
       if (size(profiles, 3) < p_shear_stress .or. has_coulomb(coulomb_values(self, values))) return
       do j = 1, size(profiles, 2)
-         profiles(:, j, p_shear_stress) = shear_stress(values(self%last_of_solid - n_shear_rows:self%last_of_solid - 1), &
-            & profiles(:, j, 1), .not. profiles(:, j, 2) > 0)
+         profiles(:, j, p_shear_stress) = tractions_of_friction(friction_values(self, values), self%given_law, profiles(:, j, 1), &
+            & .not. profiles(:, j, 2) > 0)
       end do
    end subroutine fill_profiles
 

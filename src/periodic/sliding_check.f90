@@ -5,12 +5,14 @@ module adfric_periodic_sliding_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion
+   use adfric_interface_friction_law_rows, only: given_law_t
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
    use adfric_describe_check, only: require, refuse_given, refuse_swept
    use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_sliding_case, only: is_direction, speed_of
+   use adfric_periodic_sliding_interface, only: check_surface_interface, without_temperature
    use adfric_periodic_sliding_variables, only: base_frictionless, cells_of, kind_heights, kind_wave_2d, s_adhesion, s_base, &
       & s_last_adhesion, s_poisson_ratio, s_thickness, s_velocity, in => sliding_input
    use adfric_periodic_variables, only: prescribed => periodic_input
@@ -72,7 +74,7 @@ contains
    end subroutine check_sliding_surface
 
    !> Add to `problems` what is wrong with material, layer and velocity.
-   subroutine check_sliding_solid(rows, values, length, spectrum, is_swept, problems)
+   subroutine check_sliding_solid(rows, values, length, spectrum, given_law, is_swept, problems)
       !> Rows of the solid; their names stand in the messages.
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_solid_rows)`.
@@ -80,19 +82,24 @@ contains
       !> Period along x [m], or unset.
       real(dp), intent(in) :: length
       type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given_law
       !> Is the variable swept? Shape `(n_solid_rows)`.
       logical, intent(in) :: is_swept(:)
       type(problems_t), intent(inout) :: problems
       integer :: before
 
       before = problems%count()
-      call check_spectrum(rows(:n_spectrum_rows), values(:n_spectrum_rows), spectrum, is_swept(:n_spectrum_rows), problems)
+      associate (of_solid => without_temperature(values, spectrum), needs => merge(.false., is_swept, &
+         & abs(without_temperature(values, spectrum) - values) > 0))
+         call check_spectrum(rows(:n_spectrum_rows), of_solid(:n_spectrum_rows), spectrum, needs(:n_spectrum_rows), problems)
+      end associate
       call require(rows, values, [s_velocity], problems)
       call check_adhesion(rows(s_adhesion:s_last_adhesion), values(s_adhesion:s_last_adhesion), problems)
       if (problems%count() == before) then
          if (.not. speed_of(values, spectrum) <= fastest) call problems%add(rows(s_velocity)%group, rows(s_velocity)%name, &
             & 'times the factor of the relaxation times is too large')
       end if
+      if (problems%count() == before) call check_surface_interface(rows, values, spectrum, given_law, problems)
       call check_layer(rows, values, length, is_swept, problems)
    end subroutine check_sliding_solid
 

@@ -1,35 +1,36 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `surface_sliding`: a rigid periodic surface, a wave or given heights, that slides steadily over a viscoelastic half-space
-!> or layer, with adhesion or without, and without friction at the surfaces.
+!> or layer, with adhesion or without.
 !>
 !> The frame moves with the body, in which all is steady. Friction is the pressure on the slopes, and pays for the energy that is lost
 !> in the solid (`adfric_periodic_friction`).
 module adfric_periodic_sliding_model
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_interface_friction_law_rows, only: given_law_t, take_law_attribute, take_law_table
+   use adfric_interface_shear_strength_rows, only: n_shear_rows, p_shear_stress, shear_profiles
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_order_margin, only: order_margin_of
-   use adfric_solid_prony, only: prony_t
-   use adfric_solid_spectrum_rows, only: get_spectrum, take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
-      & derive_spectrum, n_spectrum_rows
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, resolve_adhesion
-   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, resolve_adhesion
+   use adfric_solid_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, n_spectrum_rows
+   use adfric_describe_derived, only: derived_t
    use adfric_describe_doubt, only: doubt_slope_too_steep
-   use adfric_describe_table, only: variable_t
-   use adfric_periodic_adhesion_cells, only: are_sizes_possible, cells_per_zone, doubt_zone, zone_length
+   use adfric_describe_pointwise, only: point_state_t
+   use adfric_describe_table, only: profile_axis_t, variable_t
+   use adfric_periodic_adhesion_cells, only: are_sizes_possible, doubt_zone
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
-   use adfric_periodic_sliding_case, only: set_sliding_solid, frequencies_of
+   use adfric_periodic_sliding_case, only: set_sliding_solid
    use adfric_periodic_sliding_check, only: check_pull, check_sliding_surface, check_sliding_solid
+   use adfric_periodic_sliding_description, only: derive_surface, doubt_surface, slope_of_surface
+   use adfric_periodic_sliding_interface, only: add_surface_interface, has_surface_interface, set_shear_map
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
-      & kind_wave_2d, n_solid_rows, n_surface_rows, s_adhesion, s_last_adhesion, s_velocity, set_solid_rows, &
-      & set_surface_rows, in => sliding_input, out => sliding_output
+      & kind_wave_2d, n_solid_rows, n_surface_rows, s_adhesion, s_friction, s_last_adhesion, set_solid_rows, set_surface_rows, &
+      & in => sliding_input, out => sliding_output
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
@@ -46,6 +47,8 @@ module adfric_periodic_sliding_model
       type(given_heights_t) :: heights
       !> Lists and master curve of the input.
       type(given_spectrum_t) :: spectrum
+      !> Table of the law of the interface.
+      type(given_law_t) :: given_law
    contains
       procedure :: take_dataset
       procedure :: take_attribute
@@ -65,6 +68,8 @@ module adfric_periodic_sliding_model
       procedure :: measure
       procedure, private :: adhesion_of
       procedure, private :: height_of
+      procedure :: count_profiles
+      procedure :: fill_profiles
    end type sliding_model_t
 
 contains
@@ -81,6 +86,7 @@ contains
          & summary='a rigid rough surface or wave that slides over a viscoelastic half-space or layer: friction, area and pressure')
       self%references = 'S. C. Hunter, J. Appl. Mech. 28 (1961) 611; B. N. J. Persson, J. Chem. Phys. 115 (2001) 3840'
       self%results = get_sliding_results()
+      self%profiles = shear_profiles()
    end subroutine new_sliding_model
 
    !> See `model_t`.
@@ -97,6 +103,7 @@ contains
          call self%heights%take(self%variables(index), values, problems)
       else
          call take_spectrum(self%spectrum, index - self%first_of_solid + 1, values)
+         call take_law_table(self%given_law, law_row(self, index), values)
       end if
    end subroutine take_dataset
 
@@ -114,7 +121,17 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call take_spectrum_attribute(self%spectrum, self%variables(index), index - self%first_of_solid + 1, name, value, problems)
+      call take_law_attribute(self%given_law, self%variables(index), law_row(self, index), name, value, problems)
    end subroutine take_attribute
+
+   !> Index among the rows of the law.
+   pure integer function law_row(self, index)
+      class(sliding_model_t), intent(in) :: self
+      !> Index in `variables`.
+      integer, intent(in) :: index
+
+      law_row = index - (self%first_of_solid + s_friction + n_shear_rows - 2)
+   end function law_row
 
    !> See `periodic_model_t`.
    subroutine check_surface(self, values, is_swept, problems)
@@ -144,7 +161,8 @@ contains
 
       associate (first => self%first_of_solid, last => self%last_of_solid)
          call check_sliding_solid(self%variables(first:last), values(first:last), &
-            & values(merge(in%length_x, in%period, is_set(values(in%length_x)))), self%spectrum, is_swept(first:last), problems)
+            & values(merge(in%length_x, in%period, is_set(values(in%length_x)))), self%spectrum, self%given_law, &
+            & is_swept(first:last), problems)
       end associate
       call check_pull(self%variables, values, self%before_prescribed, self%adhesion_of(values), problems)
       if (problems%count() > 0) return
@@ -328,6 +346,7 @@ contains
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the friction [-]; where there is none, that of the area.
       real(dp), intent(out) :: error_estimate
+      logical :: is_valid
 
       error_estimate = 0
       select type (solid => surface%solid)
@@ -335,9 +354,40 @@ contains
          call set_sliding_results(values, self%adhesion_of(values), surface, solid, solution, results, error_estimate)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
       end select
-      associate (unused => self)
-      end associate
+      call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, &
+         & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, results, is_valid)
+      ! so large an error is that of a point which is not solved
+      if (.not. is_valid) error_estimate = huge(error_estimate)
    end subroutine finish_point
+
+   !> See `model_t`: the shear stress belongs to friction of the interface.
+   pure integer function count_profiles(self, values)
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = merge(p_shear_stress, p_shear_stress - 1, &
+         & has_surface_interface(values(self%first_of_solid:self%last_of_solid)))
+   end function count_profiles
+
+   !> See `pointwise_model_t`: the maps of pressure and gap, and with friction of the interface that of its shear stress.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, not used here; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> What `solve_point` has left.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the maps.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+
+      call self%fill_contact_maps(values, results, state, axes, profiles)
+      if (size(profiles, 3) == p_shear_stress) call set_shear_map(values(self%first_of_solid:self%last_of_solid), self%spectrum, &
+         & self%given_law, profiles(:, :, 1), .not. profiles(:, :, 2) > 0, profiles(:, :, p_shear_stress))
+   end subroutine fill_profiles
 
    !> See `periodic_model_t`: moduli and shift factor, the frequencies of the surface, and the cells of a wave.
    function derive_solid(self, values, surface) result(derived)
@@ -347,31 +397,9 @@ contains
       !> The surface, not used here.
       type(periodic_surface_t), intent(in) :: surface
       type(derived_t), allocatable :: derived(:)
-      character(*), parameter :: sources = 'direction velocity period cells length_x length_y heights'
-      type(adhesion_law_t) :: law
-      type(prony_t) :: prony
-      real(dp) :: frequencies(2)
 
-      allocate (derived(0))
-      call derive_spectrum(derived, values(self%first_of_solid:self%first_of_solid + n_spectrum_rows - 1), self%spectrum)
-      frequencies = frequencies_of(velocity_of(self, values), values(in%direction), nint(values(in%kind)) == kind_heights, &
-         & surface)
-      call add_derived(derived, 'lowest_frequency', 'rad/s', 'lowest angular frequency that the surface excites', &
-         & frequencies(1), sources)
-      call add_derived(derived, 'highest_frequency', 'rad/s', 'highest angular frequency that the surface excites', &
-         & frequencies(2), sources)
-      if (nint(values(in%kind)) /= kind_heights) call add_derived(derived, 'cells', '-', 'cells along a period of a wave', &
-         & real(cells_of(values), dp), 'cells')
-      law = self%adhesion_of(values)
-      if (.not. law%stress > 0) return
-      call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
-      call add_derived(derived, 'zone_length', 'm', 'length of a short zone of adhesion on the relaxed solid, pi E0 h0/(4 p0)', &
-         & zone_length(law, surface%solid%modulus))
-      call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
-         & cells_per_zone(law, surface))
-      call get_spectrum(values(self%first_of_solid:self%first_of_solid + n_spectrum_rows - 1), self%spectrum, prony)
-      call add_derived(derived, 'order_margin', '-', 'where >= 0, the branches bound all states on a half-plane', &
-         & order_margin_of(prony))
+      call derive_surface(derived, values, values(self%first_of_solid:self%last_of_solid), self%spectrum, surface, &
+         & self%adhesion_of(values))
    end function derive_solid
 
    !> See `model_t`: the arms, and what is not estimated.
@@ -394,22 +422,10 @@ contains
       type(periodic_surface_t) :: surface
 
       call self%get_cells(values, surface)
-      text = ''
-      if (velocity_of(self, values) > 0) text = doubt_spectrum(values(self%first_of_solid:self%first_of_solid + n_spectrum_rows &
-         & - 1), self%spectrum, frequencies_of(velocity_of(self, values), values(in%direction), &
-         & nint(values(in%kind)) == kind_heights, surface))
-      if (nint(values(in%kind)) == kind_heights) text = text//self%heights%doubt()
       call self%set_solid(values, surface)
-      text = text//doubt_zone(self%adhesion_of(values), surface)
+      text = doubt_surface(values, values(self%first_of_solid:self%last_of_solid), self%spectrum, self%heights, surface)// &
+         & doubt_zone(self%adhesion_of(values), surface)
    end function describe_doubts
-
-   !> Sliding velocity [m/s].
-   pure real(dp) function velocity_of(self, values) result(velocity)
-      class(sliding_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-
-      velocity = values(self%first_of_solid + s_velocity - 1)
-   end function velocity_of
 
    !> See `model_t`: the steepest slope of waves, the mean one of heights.
    subroutine measure(self, values, results, measures)
@@ -421,12 +437,7 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      if (nint(values(in%kind)) == kind_heights) then
-         measures(doubt_slope_too_steep) = self%heights%slope(values(in%heights:in%rms_height))
-      else
-         measures(doubt_slope_too_steep) = two_pi*values(in%amplitude)/values(in%period)
-         if (nint(values(in%kind)) == kind_wave_2d) measures(doubt_slope_too_steep) = sqrt(2.0_dp)*measures(doubt_slope_too_steep)
-      end if
+      measures(doubt_slope_too_steep) = slope_of_surface(values, self%heights)
       associate (unused => results)
       end associate
    end subroutine measure

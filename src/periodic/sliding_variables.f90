@@ -4,6 +4,9 @@ module adfric_periodic_sliding_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_base_unset, only: unset
+   use adfric_interface_friction_law_rows, only: n_interface_rows, set_law_rows
+   use adfric_interface_shear_strength_rows, only: n_shear_rows, set_shear_rows
+   use adfric_interface_total_friction, only: total_friction_results
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
    use adfric_describe_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
    use adfric_describe_table, only: variable_t, result_t
@@ -26,11 +29,14 @@ module adfric_periodic_sliding_variables
    !> Kinds of surfaces, in the order of the choice.
    integer, parameter, public :: kind_wave_1d = 1, kind_wave_2d = 2, kind_heights = 3
 
-   !> Indices among the rows of the solid: those of the spectrum, the last of which is the temperature, then those of the layer.
+   !> Indices among the rows of the solid: those of the spectrum, the last of which is the temperature, then those of the layer, the
+   !> velocity, and the first one of the interface.
    integer, parameter, public :: s_thickness = n_spectrum_rows + 1, s_base = n_spectrum_rows + 2, &
-      & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4
-   !> Indices of the first and last row of adhesion, and number of all.
-   integer, parameter, public :: s_adhesion = s_velocity + 1, s_last_adhesion = s_velocity + n_adhesion_rows
+      & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4, &
+      & s_temperature = n_spectrum_rows, s_friction = n_spectrum_rows + 5
+   !> Indices of the last row of the interface, of the first and last one of adhesion, and number of all.
+   integer, parameter, public :: s_last_friction = s_friction + n_interface_rows - 1, s_adhesion = s_last_friction + 1, &
+      & s_last_adhesion = s_last_friction + n_adhesion_rows
    integer, parameter, public :: n_solid_rows = s_last_adhesion
    !> Bases of the layer, in the order of the choice.
    integer, parameter, public :: base_frictionless = 1, base_bonded = 2
@@ -40,6 +46,7 @@ module adfric_periodic_sliding_variables
       !> Indices of the rows.
       integer :: friction_stress = 0, friction_coefficient = 0, lateral_stress = 0, full_contact_friction = 0, &
          & contact_shift = 0, dissipation = 0, energy_imbalance = 0, regime = 0, smooth_fraction = 0, &
+         & hysteretic_friction_stress = 0, interfacial_friction_stress = 0, interfacial_share = 0, velocity_slope = 0, &
          & adhesion_fraction = 0, cells_per_zone = 0, friction_without_adhesion = 0, order_margin = 0
    end type sliding_output_t
    type(sliding_output_t), parameter, public :: sliding_output = transfer(counting(n_periodic_results + 1:), sliding_output_t())
@@ -71,7 +78,7 @@ contains
       v(sliding_input%cells)%default = unset
    end subroutine set_surface_rows
 
-   !> Rows of the material, the layer and the velocity.
+   !> Rows of the material, the layer, the velocity and the interface.
    subroutine set_solid_rows(v)
       !> Receives the rows; shape `(n_solid_rows)`.
       type(variable_t), intent(inout) :: v(:)
@@ -85,6 +92,8 @@ contains
          & meaning='Poisson''s ratio nu of a bonded layer, where &material does not have it')
       v(s_poisson_ratio)%has_bare_name = .false.
       v(s_velocity) = number(group='operating', name='velocity', unit='m/s', meaning='sliding velocity', lower=0.0_dp)
+      call set_shear_rows(v(s_friction:s_friction + n_shear_rows - 1))
+      call set_law_rows(v(s_friction + n_shear_rows:s_last_friction))
       call set_adhesion_rows(v(s_adhesion:s_last_adhesion))
    end subroutine set_solid_rows
 
@@ -122,6 +131,8 @@ contains
       r(sliding_output%regime) = result_row(name='regime', unit='-', long_name='regime', &
          & flag_meanings='no_contact partial full adhesion_without_contact adhesion_zones saturated_adhesion')
       r(sliding_output%smooth_fraction) = smooth_fraction_row()
+      r(sliding_output%hysteretic_friction_stress:sliding_output%velocity_slope) = total_friction_results('stress', 'Pa')
+      r([sliding_output%interfacial_friction_stress, sliding_output%interfacial_share])%is_counted = .true.
       r(sliding_output%adhesion_fraction) = result_row(name='adhesion_fraction', unit='-', &
          & long_name='share of the area in adhesion without contact')
       r(sliding_output%adhesion_fraction)%is_counted = .true.

@@ -64,7 +64,11 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%given%take(self%variables(index), values, problems)
+      if (self%variables(index)%own_name() == 'heights') then
+         call self%given%take(self%variables(index), values, problems)
+      else
+         call self%take_law(index, values, problems)
+      end if
    end subroutine take_dataset
 
    !> See `periodic_model_t`.

@@ -7,6 +7,8 @@ module adfric_periodic_variables
    use adfric_interface_adhesion_rows, only: n_adhesion_rows
    use adfric_solid_contact_modulus, only: n_two_bodies
    use adfric_interface_coulomb_rows, only: n_coulomb_rows, slip_results
+   use adfric_interface_friction_law_rows, only: n_law_rows
+   use adfric_interface_total_friction, only: n_total_results, total_friction_results
    use adfric_interface_shear_strength_rows, only: n_shear_rows
    use adfric_describe_rows, only: number, switch, result_row, any_number
    use adfric_describe_table, only: variable_t, result_t
@@ -23,7 +25,7 @@ module adfric_periodic_variables
    integer, parameter, public :: n_prescribed = storage_size(periodic_input)/storage_size(1)
    !> Number of the rows that the models on an elastic half-space share.
    integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_coulomb_rows &
-      & + n_shear_rows + 1
+      & + n_shear_rows + 1 + n_law_rows + 2
    integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_prescribed
 
    !> Results in the order of their rows; a component is the index of its row.
@@ -33,7 +35,8 @@ module adfric_periodic_variables
          & mean_gap = 0, full_contact_pressure = 0, contact_violation = 0, regime = 0, adhesion_fraction = 0, &
          & elastic_energy = 0, adhesion_energy = 0, pull_off_pressure = 0, cells_per_zone = 0, friction_stress = 0, &
          & friction_coefficient = 0, friction_force = 0, stick_fraction = 0, tangential_displacement = 0, &
-         & tangential_stiffness = 0, cycle_energy = 0, poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0
+         & tangential_stiffness = 0, cycle_energy = 0, poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0, &
+         & velocity_slope = 0
    end type periodic_output_t
    type(periodic_output_t), parameter, public :: periodic_output = transfer(counting, periodic_output_t())
    integer, parameter, public :: n_periodic_results = periodic_output%contact_violation
@@ -99,7 +102,7 @@ contains
       r(periodic_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
          & long_name='length pi E* h0/(4 p0) of a short zone of adhesion over that of a cell')
       r(periodic_output%friction_stress) = result_row(name='friction_stress', unit='Pa', &
-         & long_name='friction force over nominal area, of a shear strength')
+         & long_name='friction force over nominal area, of a shear strength, with the sign of the velocity if there is one')
       r(periodic_output%friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
          & long_name='friction stress over mean pressure, where that presses')
       r(periodic_output%friction_force) = result_row(name='friction_force', unit='N', &
@@ -113,7 +116,16 @@ contains
       r(periodic_output%smooth_friction) = result_row(name='smooth_friction_stress', unit='Pa', &
          & long_name='friction stress of a shear strength on the area that varies smoothly')
       r(periodic_output%smooth_friction)%has_bends = .true.
+      r(periodic_output%velocity_slope:) = last_of_rows(total_friction_results('stress', 'Pa'))
    end function get_elastic_results
+
+   !> Of the results of friction as a sum the last one, the slope over the velocity.
+   function last_of_rows(rows) result(last)
+      type(result_t), intent(in) :: rows(:)
+      type(result_t) :: last(1)
+
+      last = rows(n_total_results:)
+   end function last_of_rows
 
    !> The row of the area by chords.
    type(result_t) function smooth_fraction_row() result(row)

@@ -3,7 +3,9 @@
 module adfric_plane_hertz_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
+   use adfric_interface_friction_law_check, only: check_interface
+   use adfric_interface_friction_law_rows, only: given_law_t, has_interface, needs_temperature
    use adfric_plane_hertz_ellipse, only: find_curvatures
    use adfric_plane_hertz_variables, only: kind_line, kind_elliptical, in => hertz_input
    use adfric_plane_hertz_slip, only: check_slip, refuse_slip
@@ -11,7 +13,8 @@ module adfric_plane_hertz_check
    use adfric_plane_sliding_cylinder_point, only: is_possible_cylinder
    use adfric_solid_contact_modulus, only: check_contact_modulus
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_spectrum_rows, only: has_spectrum
+   use adfric_solid_spectrum_rows, only: has_spectrum, solid_shift_of
+   use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_check, only: require, require_one
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
@@ -21,17 +24,18 @@ module adfric_plane_hertz_check
 contains
 
    !> Add to `problems` what is missing or impossible.
-   subroutine check_hertz(variables, values, given, problems)
+   subroutine check_hertz(variables, values, given, given_law, problems)
       type(variable_t), intent(in) :: variables(:)
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: given
+      type(given_law_t), intent(in) :: given_law
       type(problems_t), intent(inout) :: problems
       integer :: before
 
       before = problems%count()
       call require(variables, values, [in%kind], problems)
       if (is_sliding(values)) then
-         call check_material(variables, values, given, problems)
+         call check_material(variables, values, given, given_law, problems)
          call refuse_slip(variables, values, problems)
       else
          call check_solid(variables, values, problems)
@@ -56,20 +60,28 @@ contains
       type(variable_t), intent(in) :: variables(:)
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
+      integer :: k
 
       call check_contact_modulus(variables(in%contact_modulus:in%second_poisson_ratio), &
          & values(in%contact_modulus:in%second_poisson_ratio), problems, .true.)
       call refuse_sliding(variables(in%material(1):in%velocity), values(in%material(1):in%velocity), problems)
+      k = findloc(is_set(values(in%friction)), .true., 1)
+      if (k > 0) call problems%add('friction', variables(in%friction(k))%name, &
+         & 'has no meaning without &material; over elastic bodies it is for waves, surfaces and round contacts')
    end subroutine check_solid
 
    !> Add to `problems` what is wrong with a viscoelastic material.
-   subroutine check_material(variables, values, given, problems)
+   subroutine check_material(variables, values, given, given_law, problems)
       type(variable_t), intent(in) :: variables(:)
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: given
+      type(given_law_t), intent(in) :: given_law
       type(problems_t), intent(inout) :: problems
-      integer :: k
+      type(time_temperature_t) :: of_solid
+      real(dp) :: others(size(values))
+      integer :: k, before
 
+      before = problems%count()
       if (is_set(values(in%kind))) then
          if (nint(values(in%kind)) /= kind_line) call problems%add('contact', 'kind', &
             & 'is not ''line''; over &material only a cylinder slides')
@@ -77,7 +89,14 @@ contains
       k = findloc(is_set(values(in%contact_modulus:in%second_poisson_ratio)), .true., 1)
       if (k > 0) call problems%add('solid', variables(in%contact_modulus - 1 + k)%name, &
          & 'stands beside &material, over which a rigid cylinder slides; give &solid for elastic solids, or &material')
-      call check_sliding(variables(in%material(1):in%velocity), values(in%material(1):in%velocity), given, problems)
+      of_solid = solid_shift_of(values(in%material(1):in%temperature), given)
+      others = values
+      ! a solid without shift has no use for the temperature of the interface
+      if (needs_temperature(values(in%friction)) .and. of_solid%law == shift_none) others(in%temperature) = unset
+      call check_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), given, problems)
+      if (problems%count() == before .and. has_interface(values(in%friction))) call check_interface(variables(in%friction), &
+         & values(in%friction), given_law, of_solid, variables([in%temperature, in%velocity]), &
+         & values([in%temperature, in%velocity]), 0.0_dp, problems)
    end subroutine check_material
 
    !> Add to `problems` radii that do not go with the kind of contact, or make none.

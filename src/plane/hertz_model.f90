@@ -7,6 +7,10 @@ module adfric_plane_hertz_model
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_interface_friction_law_rows, only: has_interface
+   use adfric_interface_shear_strength_rows, only: n_shear_rows
+   use adfric_interface_total_friction, only: doubt_coupling
+   use adfric_plane_cylinder_interface, only: add_cylinder_interface, set_cylinder_tractions
    use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
    use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
@@ -20,7 +24,7 @@ module adfric_plane_hertz_model
       & get_cylinder_frequency
    use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
    use adfric_solid_contact_modulus, only: contact_modulus_of, derive_contact_modulus
-   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
+   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum, poisson_ratio_of
    use adfric_describe_doubt, only: doubt_contact_too_wide
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_derived, only: derived_t
@@ -70,6 +74,7 @@ contains
          & summary='smooth bodies in contact along a line, a circle or an ellipse; a cylinder sliding on a viscoelastic solid', &
          & variables=get_hertz_variables(), results=get_hertz_results(), profiles=slip_profiles(), axes='y x', is_depth=.false.)
       self%first_material = in%material(1)
+      self%first_law = in%friction(n_shear_rows + 1)
       self%references = self%references//'; S. C. Hunter, J. Appl. Mech. 28, 611 (1961); ' &
          & //'R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)'
    end subroutine new_hertz_model
@@ -123,7 +128,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call check_hertz(self%variables, values, self%given, problems)
+      call check_hertz(self%variables, values, self%given, self%given_law, problems)
    end subroutine check_case
 
    !> See `model_t`.
@@ -164,6 +169,7 @@ contains
       if (.not. is_sliding(values)) return
       call get_cylinder_frequency(values, self%given, frequency)
       text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
+      if (has_interface(values(in%friction))) text = text//doubt_coupling(poisson_ratio_of(values(in%material(1):in%temperature)))
    end function describe_doubts
 
    !> E* [Pa].
@@ -188,6 +194,7 @@ contains
       integer, intent(out) :: status
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
+      logical :: is_valid
 
       status = status_not_converged
       error_estimate = 0
@@ -198,6 +205,10 @@ contains
       select type (state)
       type is (cylinder_point_t)
          call solve_cylinder(values, self%given, state, results, error_estimate, status)
+         if (status == status_solved .and. has_interface(values(in%friction))) then
+            call add_cylinder_interface(values, self%given, self%given_law, state, results, is_valid)
+            if (.not. is_valid) status = status_not_converged
+         end if
       type is (hertz_state_t)
          if (nint(values(in%kind)) == kind_line) then
             call solve_line(values, state, results, error_estimate, status)
@@ -306,7 +317,7 @@ contains
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      count_profiles = merge(p_shear_stress, p_shear_stress - 1, has_slip(values))
+      count_profiles = merge(p_shear_stress, p_shear_stress - 1, has_slip(values) .or. has_interface(values(in%friction)))
       associate (unused => self)
       end associate
    end function count_profiles
@@ -330,6 +341,8 @@ contains
       type is (cylinder_point_t)
          do j = 1, size(axes(1)%coordinates)
             call get_cylinder_profiles(state, axes(2)%coordinates, profiles(:, j, 1), profiles(:, j, 2))
+            if (size(profiles, 3) == p_shear_stress) call set_cylinder_tractions(values, self%given, self%given_law, &
+               & profiles(:, j, 1), profiles(:, j, p_shear_stress))
          end do
       type is (hertz_state_t)
          associate (s => state%ellipse, y => axes(1)%coordinates, x => axes(2)%coordinates)
@@ -347,7 +360,7 @@ contains
             end do
          end associate
       end select
-      associate (unused => self, unused_results => results)
+      associate (unused_results => results)
       end associate
    end subroutine fill_profiles
 

@@ -3,6 +3,9 @@
 module adfric_plane_hertz_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
+   use adfric_interface_friction_law_rows, only: n_interface_rows, set_law_rows
+   use adfric_interface_shear_strength_rows, only: n_shear_rows, set_shear_rows
+   use adfric_interface_total_friction, only: total_friction_results
    use adfric_solid_contact_modulus, only: set_modulus_rows
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
    use adfric_describe_rows, only: choice, number, positive, result_row
@@ -17,7 +20,7 @@ module adfric_plane_hertz_variables
       integer :: kind = 0, radius = 0, radius_1x = 0, radius_1y = 0, radius_2x = 0, radius_2y = 0, angle = 0, &
          & contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, second_young_modulus = 0, second_poisson_ratio = 0, &
          & material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, load = 0, approach = 0, tangential_force = 0, &
-         & tangential_axis = 0, coefficient = 0
+         & tangential_axis = 0, coefficient = 0, friction(n_interface_rows) = 0
    end type hertz_input_t
    type(hertz_input_t), parameter, public :: hertz_input = transfer(counting, hertz_input_t())
    !> Indices of the words of `kind`.
@@ -30,7 +33,8 @@ module adfric_plane_hertz_variables
       integer :: load = 0, approach = 0, half_width = 0, minor = 0, peak_pressure = 0, mean_pressure = 0, contact_area = 0, &
          & direction = 0, shear = 0, shear_depth = 0, violation = 0, friction_force = 0, friction_coefficient = 0, &
          & contact_shift = 0, dissipation = 0, energy_imbalance = 0, stick_fraction = 0, tangential_displacement = 0, &
-         & tangential_stiffness = 0, cycle_energy = 0
+         & tangential_stiffness = 0, cycle_energy = 0, hysteretic_friction_force = 0, interfacial_friction_force = 0, &
+         & interfacial_share = 0, velocity_slope = 0
    end type hertz_output_t
    type(hertz_output_t), parameter, public :: hertz_output = transfer(counting, hertz_output_t())
    !> Number of results.
@@ -42,7 +46,7 @@ contains
    function get_hertz_variables() result(v)
       type(variable_t), allocatable :: v(:)
 
-      allocate (v(hertz_input%coefficient))
+      allocate (v(storage_size(hertz_input)/storage_size(1)))
       v(hertz_input%kind) = choice(group='contact', name='kind', &
          & meaning='parallel cylinders, spheres, or any smooth bodies; over a material: line', choices='line circular elliptical')
       v(hertz_input%radius) = positive(group='contact', name='radius', unit='m', meaning='R of line and circle, 1/R = 1/R1 + 1/R2')
@@ -72,6 +76,8 @@ contains
          & meaning='axis of the ellipse along which T acts; major if not given', choices='major minor')
       v(hertz_input%coefficient) = positive(group='friction', name='coefficient', unit='-', &
          & meaning='mu of Coulomb''s friction between elastic bodies')
+      call set_shear_rows(v(hertz_input%friction(1):hertz_input%friction(n_shear_rows)))
+      call set_law_rows(v(hertz_input%friction(n_shear_rows + 1):hertz_input%friction(n_interface_rows)))
    end function get_hertz_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -124,6 +130,7 @@ contains
          & long_name='slope of the tangential force over its displacement, while it grows')
       r(hertz_output%cycle_energy) = result_row(name='cycle_energy', unit=energy, &
          & long_name='energy that friction takes in a cycle between T and -T')
+      r(hertz_output%hysteretic_friction_force:hertz_output%velocity_slope) = total_friction_results('force', 'N/m')
    end function get_hertz_results
 
    !> The results of sliding.

@@ -3,17 +3,22 @@
 module adfric_plane_wave_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_plane_adhesive_wave_point, only: is_possible_adhesion
    use adfric_plane_sliding_check, only: check_sliding, refuse_sliding
    use adfric_plane_sliding_wave_point, only: is_possible_slide
+   use adfric_plane_wave_interface, only: interface_of
    use adfric_plane_wave_variables, only: in => wave_input
    use adfric_interface_adhesion_rows, only: check_adhesion, has_adhesion
    use adfric_solid_contact_modulus, only: check_contact_modulus
    use adfric_interface_coulomb_rows, only: check_coulomb, has_coulomb, n_coulomb_rows, needs_poisson_ratio
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_interface_shear_strength_rows, only: check_shear, has_shear
-   use adfric_solid_spectrum_rows, only: has_spectrum
+   use adfric_interface_shear_strength_rows, only: n_shear_rows
+   use adfric_interface_friction_law_check, only: check_interface
+   use adfric_interface_friction_law_rows, only: given_law_t, has_interface, has_law_of_speed, i_pressure_volume, &
+      & n_interface_rows, needs_temperature
+   use adfric_solid_spectrum_rows, only: has_spectrum, solid_shift_of
+   use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_check, only: require, require_one
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
@@ -37,19 +42,20 @@ contains
    end function is_adhesive
 
    !> Add to `problems` what is missing or impossible.
-   subroutine check_wave(variables, values, given, problems)
+   subroutine check_wave(variables, values, given, given_law, problems)
       type(variable_t), intent(in) :: variables(:)
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: given
+      type(given_law_t), intent(in) :: given_law
       type(problems_t), intent(inout) :: problems
       integer :: before
 
       before = problems%count()
       call require(variables, values, [in%period, in%amplitude], problems)
       if (is_sliding(values)) then
-         call check_material(variables, values, given, problems)
+         call check_material(variables, values, given, given_law, problems)
       else
-         call check_solid(variables, values, problems)
+         call check_solid(variables, values, given_law, problems)
       end if
       call require_one(variables, values, [in%mean_pressure, in%penetration], .true., problems)
       if (problems%count() > before) return
@@ -64,44 +70,77 @@ contains
          & 'is too small or too large for the period and the relaxation times')
    end subroutine check_wave
 
-   !> Add to `problems` what is wrong with an elastic solid, over which no velocity counts.
-   subroutine check_solid(variables, values, problems)
+   !> Add to `problems` what is wrong with an elastic solid, over which a velocity counts for a law of the interface alone.
+   subroutine check_solid(variables, values, given_law, problems)
       type(variable_t), intent(in) :: variables(:)
       real(dp), intent(in) :: values(:)
+      type(given_law_t), intent(in) :: given_law
       type(problems_t), intent(inout) :: problems
-      real(dp) :: friction(n_coulomb_rows)
+      type(time_temperature_t) :: none
+      real(dp) :: coulomb(n_coulomb_rows), friction(n_interface_rows), others(size(values))
 
-      friction = values(in%tangential_stress:in%coefficient)
+      coulomb = values(in%tangential_stress:in%coefficient)
+      friction = interface_of(values)
       call check_contact_modulus(variables(in%contact_modulus:in%second_poisson_ratio), &
-         & values(in%contact_modulus:in%second_poisson_ratio), problems, has_coulomb(friction))
-      if (needs_poisson_ratio(friction, .true.) .and. is_set(values(in%contact_modulus)) &
+         & values(in%contact_modulus:in%second_poisson_ratio), problems, has_coulomb(coulomb))
+      if (needs_poisson_ratio(coulomb, .true.) .and. is_set(values(in%contact_modulus)) &
          & .and. .not. is_set(values(in%poisson_ratio))) call problems%add('solid', 'poisson_ratio', &
          & 'is missing [-]; the displacement along y needs it')
-      call check_coulomb(variables(in%tangential_stress:in%coefficient), friction, &
-         & has_adhesion(values(in%adhesion:in%turning_pressure)), has_shear(values(in%shear_strength:in%pressure_factor)), problems)
+      call check_coulomb(variables(in%tangential_stress:in%coefficient), coulomb, &
+         & has_adhesion(values(in%adhesion:in%turning_pressure)), has_interface(friction), problems)
       call check_adhesion(variables(in%adhesion:in%turning_pressure), values(in%adhesion:in%turning_pressure), problems)
-      call check_shear(variables(in%shear_strength:in%pressure_factor), values(in%shear_strength:in%pressure_factor), &
-         & merge(values(in%adhesion), 0.0_dp, is_adhesive(values)), problems)
-      call refuse_sliding(variables(in%material(1):in%velocity), values(in%material(1):in%velocity), problems)
+      call check_friction(variables, values, given_law, none, merge(values(in%adhesion), 0.0_dp, is_adhesive(values)), problems)
+      if (is_adhesive(values) .and. is_set(friction(i_pressure_volume))) call problems%add('friction', &
+         & variables(in%law(i_pressure_volume - n_shear_rows))%name, 'stands beside &adhesion; over the tension at its edges the ' &
+         & //'law is not integrated')
+      others = values
+      if (has_law_of_speed(friction)) others(in%velocity) = unset
+      if (needs_temperature(friction)) others(in%temperature) = unset
+      call refuse_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), problems)
    end subroutine check_solid
 
+   !> Add to `problems` what is wrong with the friction of the interface.
+   subroutine check_friction(variables, values, given_law, of_solid, tension, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      type(given_law_t), intent(in) :: given_law
+      !> The solid's own shift.
+      type(time_temperature_t), intent(in) :: of_solid
+      !> Largest tension in contact [Pa].
+      real(dp), intent(in) :: tension
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. has_interface(interface_of(values))) return
+      call check_interface([variables(in%shear_strength:in%pressure_factor), variables(in%law)], interface_of(values), given_law, &
+         & of_solid, variables([in%temperature, in%velocity]), values([in%temperature, in%velocity]), tension, problems)
+   end subroutine check_friction
+
    !> Add to `problems` what is wrong with a viscoelastic material.
-   subroutine check_material(variables, values, given, problems)
+   subroutine check_material(variables, values, given, given_law, problems)
       type(variable_t), intent(in) :: variables(:)
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: given
+      type(given_law_t), intent(in) :: given_law
       type(problems_t), intent(inout) :: problems
-      integer :: k
+      type(time_temperature_t) :: of_solid
+      real(dp) :: others(size(values))
+      integer :: k, before
 
+      before = problems%count()
       do k = in%contact_modulus, in%second_poisson_ratio
          if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
             & 'stands beside &material; give &solid for an elastic solid, &material for a viscoelastic one')
       end do
-      call check_sliding(variables(in%material(1):in%velocity), values(in%material(1):in%velocity), given, problems)
-      do k = in%shear_strength, in%coefficient
+      of_solid = solid_shift_of(values(in%material(1):in%temperature), given)
+      others = values
+      ! a solid without shift has no use for the temperature of the interface
+      if (needs_temperature(interface_of(values)) .and. of_solid%law == shift_none) others(in%temperature) = unset
+      call check_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), given, problems)
+      do k = in%tangential_stress, in%coefficient
          if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
-            & 'stands beside &material; the friction of a viscoelastic solid is that of its losses')
+            & 'stands beside &material; what slides over a viscoelastic solid has no partial slip')
       end do
+      if (problems%count() == before) call check_friction(variables, values, given_law, of_solid, 0.0_dp, problems)
       do k = in%adhesion, in%turning_pressure
          if (k == in%branch .or. .not. is_set(values(k))) cycle
          call problems%add(variables(k)%group, variables(k)%name, &

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `wave_1d`: a sinusoidal wave on an elastic half-plane (Westergaard), with or without adhesion, or sliding over a
-!> viscoelastic one.
+!> viscoelastic one, with a law of the interface.
 module adfric_plane_wave_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
@@ -11,12 +11,15 @@ module adfric_plane_wave_model
    use adfric_plane_sliding_wave_point, only: slide_point_t, solve_slide, get_slide_profiles
    use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
    use adfric_plane_wave_check, only: check_wave, is_adhesive, is_sliding
+   use adfric_plane_wave_interface, only: add_elastic_interface, add_slide_interface, interface_of, wave_tractions
    use adfric_plane_wave_slip_point, only: add_slip, slip_tractions
    use adfric_plane_wave_variables, only: get_wave_variables, get_wave_results, in => wave_input, out => wave_output
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_interface_coulomb_rows, only: has_coulomb
+   use adfric_interface_friction_law_rows, only: has_interface, has_law_of_speed
    use adfric_interface_shear_strength_rows, only: get_friction_of_area, has_shear, p_shear_stress, shear_profiles, shear_stress
-   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
+   use adfric_interface_total_friction, only: doubt_coupling
+   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum, poisson_ratio_of
    use adfric_describe_derived, only: derived_t
    use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_pointwise, only: point_state_t
@@ -50,6 +53,7 @@ contains
          & //'over a viscoelastic one, up to full contact', &
          & variables=get_wave_variables(), results=get_wave_results(), profiles=shear_profiles(), axes='x', is_depth=.false.)
       self%first_material = in%material(1)
+      self%first_law = in%law(1)
       self%references = self%references//'; Int. J. Solids Struct. 32 (1995); N. Menga, C. Putignano, G. Carbone, G. P. Demelio, ' &
          & //'Proc. R. Soc. A 470 (2014)'
    end subroutine new_wave_model
@@ -62,7 +66,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call check_wave(self%variables, values, self%given, problems)
+      call check_wave(self%variables, values, self%given, self%given_law, problems)
    end subroutine check_case
 
    !> See `model_t`.
@@ -104,6 +108,8 @@ contains
       if (.not. is_sliding(values)) return
       frequency = two_pi*abs(values(in%velocity))/values(in%period)
       text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
+      if (has_interface(interface_of(values))) text = text &
+         & //doubt_coupling(poisson_ratio_of(values(in%material(1):in%temperature)))
    end function describe_doubts
 
    !> See `model_t`: the steepest slope of the wave.
@@ -136,7 +142,7 @@ contains
       integer, intent(out) :: status
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
-      logical :: is_sustained
+      logical :: is_sustained, is_valid
 
       if (is_sliding(values)) then
          if (.not. allocated(state)) allocate (slide_point_t :: state)
@@ -145,6 +151,10 @@ contains
          select type (state)
          type is (slide_point_t)
             call solve_slide(values, self%given, state, results, error_estimate, status)
+            if (status == status_solved .and. has_interface(interface_of(values))) then
+               call add_slide_interface(values, self%given, self%given_law, state, results, is_valid)
+               if (.not. is_valid) status = status_not_converged
+            end if
          end select
       else if (is_adhesive(values)) then
          if (.not. allocated(state)) allocate (adhesive_point_t :: state)
@@ -157,7 +167,7 @@ contains
       else
          call solve_elastic_wave(values, results, error_estimate, status)
       end if
-      if (status == status_solved .and. .not. is_sliding(values)) call store_friction(values, results)
+      if (status == status_solved .and. .not. is_sliding(values)) call store_friction(self, values, results, status)
       if (status == status_solved .and. has_coulomb(values(in%tangential_stress:in%coefficient))) then
          call add_slip(values, results, is_sustained)
          if (.not. is_sustained) status = status_no_equilibrium
@@ -167,17 +177,29 @@ contains
       end associate
    end subroutine solve_point
 
-   !> Friction of a shear strength.
-   pure subroutine store_friction(values, results)
+   !> Friction of the interface with an elastic half-plane.
+   pure subroutine store_friction(self, values, results, status)
+      type(wave_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       !> In: results of a solved point. Out: with friction; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> In: solved. Out: not converged where a law of the velocity does not hold.
+      integer, intent(inout) :: status
       real(dp) :: tension
+      logical :: is_valid
 
       tension = 0
       if (is_adhesive(values)) tension = values(in%adhesion)*results(out%adhesion_fraction)
+      if (has_law_of_speed(interface_of(values))) then
+         call add_elastic_interface(values, self%given_law, tension, results, is_valid)
+         if (.not. is_valid) status = status_not_converged
+         return
+      end if
       call get_friction_of_area(values(in%shear_strength:in%pressure_factor), results(out%contact_fraction), &
          & results(out%mean_pressure), tension, results(out%friction_stress), results(out%friction_coefficient))
+      if (.not. has_shear(values(in%shear_strength:in%pressure_factor))) return
+      results([out%interfacial_friction_stress, out%velocity_slope]) = [results(out%friction_stress), 0.0_dp]
+      if (results(out%friction_stress) > 0) results(out%interfacial_share) = 1
    end subroutine store_friction
 
    !> See `model_t`: the shear stress belongs to friction.
@@ -187,7 +209,7 @@ contains
       real(dp), intent(in) :: values(:)
 
       count_profiles = p_shear_stress - 1
-      if (has_shear(values(in%shear_strength:in%pressure_factor)) .or. has_coulomb(values(in%tangential_stress:in%coefficient))) &
+      if (has_interface(interface_of(values)) .or. has_coulomb(values(in%tangential_stress:in%coefficient))) &
          & count_profiles = p_shear_stress
       associate (unused => self)
       end associate
@@ -211,12 +233,13 @@ contains
       if (size(profiles, 3) < p_shear_stress) return
       if (has_coulomb(values(in%tangential_stress:in%coefficient))) then
          profiles(:, 1, p_shear_stress) = slip_tractions(values, results, axes(1)%coordinates)
+      else if (is_sliding(values) .or. has_law_of_speed(interface_of(values))) then
+         profiles(:, 1, p_shear_stress) = wave_tractions(values, self%given, self%given_law, profiles(:, 1, 1), &
+            & results(out%contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
       else
          profiles(:, 1, p_shear_stress) = shear_stress(values(in%shear_strength:in%pressure_factor), profiles(:, 1, 1), &
             & results(out%contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
       end if
-      associate (unused => self)
-      end associate
    end subroutine fill_profiles
 
    !> Pressure and gap.

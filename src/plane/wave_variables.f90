@@ -5,8 +5,10 @@ module adfric_plane_wave_variables
    use adfric_base_counting, only: counting
    use adfric_interface_adhesion_rows, only: set_adhesion_rows, n_adhesion_rows
    use adfric_solid_contact_modulus, only: set_modulus_rows
-   use adfric_interface_coulomb_rows, only: n_coulomb_rows, n_slip_results, set_coulomb_rows, slip_results
+   use adfric_interface_coulomb_rows, only: set_coulomb_rows, slip_results
+   use adfric_interface_friction_law_rows, only: set_law_rows, n_law_rows
    use adfric_interface_shear_strength_rows, only: set_shear_rows, n_shear_rows
+   use adfric_interface_total_friction, only: total_friction_results
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
    use adfric_describe_rows, only: positive, number, result_row
    use adfric_describe_table, only: variable_t, result_t
@@ -21,7 +23,7 @@ module adfric_plane_wave_variables
          & second_young_modulus = 0, second_poisson_ratio = 0, adhesion = 0, surface_energy = 0, adhesion_range = 0, &
          & branch = 0, turning_pressure = 0, material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, &
          & mean_pressure = 0, penetration = 0, shear_strength = 0, pressure_factor = 0, tangential_stress = 0, &
-         & tangential_axis = 0, coefficient = 0
+         & tangential_axis = 0, coefficient = 0, law(n_law_rows) = 0
    end type wave_input_t
    type(wave_input_t), parameter, public :: wave_input = transfer(counting, wave_input_t())
    !> Results in the order of their rows; a component is the index of its row.
@@ -32,11 +34,12 @@ module adfric_plane_wave_variables
          & friction_coefficient = 0, contact_shift = 0, dissipation = 0, energy_imbalance = 0, adhesion_fraction = 0, &
          & elastic_energy = 0, adhesion_energy = 0, pull_off_pressure = 0, pull_off_penetration = 0, &
          & jump_off_penetration = 0, hysteresis_loss = 0, stick_fraction = 0, tangential_displacement = 0, &
-         & tangential_stiffness = 0, cycle_energy = 0
+         & tangential_stiffness = 0, cycle_energy = 0, hysteretic_friction_stress = 0, interfacial_friction_stress = 0, &
+         & interfacial_share = 0, velocity_slope = 0
    end type wave_output_t
    type(wave_output_t), parameter, public :: wave_output = transfer(counting, wave_output_t())
    !> Number of results.
-   integer, parameter :: n_results = wave_output%hysteresis_loss + n_slip_results
+   integer, parameter :: n_results = storage_size(wave_output)/storage_size(1)
    !> Indices in the meanings of `regime`, from 0.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
       & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
@@ -47,7 +50,7 @@ contains
    function get_wave_variables() result(v)
       type(variable_t), allocatable :: v(:)
 
-      allocate (v(wave_input%coefficient))
+      allocate (v(storage_size(wave_input)/storage_size(1)))
       v(wave_input%period) = positive(group='surface', name='period', unit='m', meaning='wavelength l')
       v(wave_input%amplitude) = positive(group='surface', name='amplitude', unit='m', &
          & meaning='D of the wave z = D (1 - cos 2 pi x/l)')
@@ -66,6 +69,7 @@ contains
          & meaning='approach of the mean planes since first touch, instead')
       call set_shear_rows(v(wave_input%shear_strength:wave_input%pressure_factor))
       call set_coulomb_rows(v(wave_input%tangential_stress:wave_input%coefficient))
+      call set_law_rows(v(wave_input%law(1):wave_input%law(n_law_rows)))
    end function get_wave_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -99,7 +103,7 @@ contains
       r(wave_output%violation) = result_row(name='contact_violation', unit='-', &
          & long_name='largest violation of g >= 0, p >= 0, g p = 0, with adhesion of p >= -p0 and of its range')
       r(wave_output%friction_stress) = result_row(name='friction_stress', unit='Pa', &
-         & long_name='friction force over nominal area: of losses, with the sign of the velocity, or of a shear strength')
+         & long_name='friction force over nominal area, of losses and of the interface, with the sign of the velocity')
       r(wave_output%friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
          & long_name='friction stress over mean pressure', is_main=.true.)
       r(wave_output%contact_shift) = result_row(name='contact_shift', unit='m', &
@@ -123,6 +127,7 @@ contains
       r(wave_output%hysteresis_loss) = result_row(name='hysteresis_loss', unit='J/m^2', &
          & long_name='energy lost over nominal area by approach and parting at given penetrations')
       r(wave_output%stick_fraction:wave_output%cycle_energy) = slip_results()
+      r(wave_output%hysteretic_friction_stress:wave_output%velocity_slope) = total_friction_results('stress', 'Pa')
    end function get_wave_results
 
 end module adfric_plane_wave_variables

@@ -22,7 +22,7 @@ module adfric_run_conversion
    integer, parameter :: follows_nothing = 0, follows_work = 1, follows_stress = 2
    !> Results of columns that a solver counts for a period, and a scene over the nominal area.
    character(*), parameter :: of_period = 'load friction_force contact_area adhesion_area dissipation edge_loss pull_off_load '// &
-      & 'friction_sample_error'
+      & 'friction_sample_error hysteretic_friction_force interfacial_friction_force'
 
 contains
 

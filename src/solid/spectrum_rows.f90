@@ -25,7 +25,7 @@ module adfric_solid_spectrum_rows
    implicit none (type, external)
    private
    public :: set_spectrum_rows, take_spectrum, take_spectrum_attribute, has_spectrum, check_spectrum, get_spectrum
-   public :: is_same_spectrum, shift_factor_of, poisson_ratio_of, describe_spectrum, doubt_spectrum, derive_spectrum
+   public :: is_same_spectrum, shift_factor_of, solid_shift_of, poisson_ratio_of, describe_spectrum, doubt_spectrum, derive_spectrum
    public :: n_spectrum_rows, spectrum_names
 
    !> Indices among the rows; the last one stands in the group of the operating conditions.
@@ -260,6 +260,16 @@ contains
       if (is_set(values(temperature))) call law%get_shift_factor(values(temperature), factor, is_valid)
       if (is_set(values(time_factor))) factor = factor*values(time_factor)
    end function shift_factor_of
+
+   !> The law by which temperature shifts all relaxation times; that of none where there is no shift.
+   pure type(time_temperature_t) function solid_shift_of(values, given)
+      !> Values of the rows; shape `(n_spectrum_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      class(given_spectrum_t), intent(in) :: given
+
+      solid_shift_of = time_temperature_of(values(shift:shift + n_shift_rows - 1), given%master_temperature)
+   end function solid_shift_of
 
    !> Poisson's ratio [-], or unset where it is not given.
    pure real(dp) function poisson_ratio_of(values)

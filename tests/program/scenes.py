@@ -33,7 +33,7 @@ SURFACES = {
     "cosines": "period = 1e-4, amplitudes = 1e-6, 3e-7, phases = 0.0, 1.0", "profile": "heights = 'z.h5:/profile', length_x = 1e-4",
     "heights": "heights = 'z.h5:/map', length_x = 1e-4, length_y = 1e-4"}
 # Results that take the sign of the velocity.
-VECTORS = ("friction_stress", "friction_force", "friction_coefficient", "contact_shift", "lateral_friction_stress", "full_contact_friction_stress")
+VECTORS = ("hysteretic_friction_stress", "interfacial_friction_stress", "friction_stress", "friction_force", "friction_coefficient", "contact_shift", "lateral_friction_stress", "full_contact_friction_stress")
 PERIODIC = ("wave_1d", "wave_2d", "wave_product", "cosines", "profile", "heights")
 ELASTIC = "&solid young_modulus = 7.5e6, poisson_ratio = 0.5 /\n"
 RELAXING = "&solid modulus = 1e7, moduli = 9e7, relaxation_times = 1e-3{more} /\n"
@@ -438,6 +438,50 @@ class Scenes(Runs):
             there_and_back, _ = self.run_scene(scene.replace("velocity = ", "direction = 3.14159265, velocity = -"))
             for name, values in forward.items():
                 np.testing.assert_array_equal(there_and_back[name], -values if name in VECTORS else values, err_msg=f"{surface}, {column}: {name}")
+
+    def test_interface(self):
+        """With a law of the interface the losses are those of before to the last bit, and the friction is the sum, in both directions."""
+        law = "&friction law = 'log_gaussian', peak_shear_strength = 3e4, peak_velocity = 0.01, log_width_factor = 0.1, pressure_factor = 0.05 /\n"
+        for surface, column in (("wave_1d", 7), ("wave_2d", 7), ("profile", 7), ("heights", 7), ("cylinder", 7), ("wave_1d", 8), ("profile", 8),
+                                ("wave_1d", 9), ("wave_product", 9), ("cosines", 9), ("profile", 9), ("heights", 9), ("wave_1d", 10), ("heights", 10)):
+            with self.subTest(surface=surface, column=column):
+                scene = scene_of(surface, column)
+                kind = "force" if surface == "cylinder" else "stress"
+                without, _ = self.run_scene(scene)
+                self.assertFalse([name for name in without if "interfacial" in name or "hysteretic" in name or name == "velocity_slope"])
+                both, _ = self.run_scene(scene + law)
+                self.assertEqual(without[f"friction_{kind}"], both[f"hysteretic_friction_{kind}"])
+                for name in without.keys() - {f"friction_{kind}", "friction_coefficient"}:
+                    np.testing.assert_array_equal(without[name], both[name], err_msg=name)
+                # at the velocity of the peak; a wave in contact of the cells, the tension of adhesion about it
+                area, load = (2*both["contact_half_width"], 1e-3) if kind == "force" else (both["contact_fraction"], 5e4)
+                load += 1e3*both.get("adhesion_fraction", 0.0)
+                np.testing.assert_allclose(both[f"interfacial_friction_{kind}"], 3e4*area + 0.05*load, rtol=1e-12)
+                np.testing.assert_allclose(both[f"friction_{kind}"], both[f"hysteretic_friction_{kind}"] + both[f"interfacial_friction_{kind}"], rtol=1e-14)
+                np.testing.assert_allclose(both["interfacial_share"], both[f"interfacial_friction_{kind}"]/both[f"friction_{kind}"], rtol=1e-14)
+                back, _ = self.run_scene(scene.replace("velocity = ", "velocity = -") + law)
+                self.assertEqual(both.keys(), back.keys())
+                self.assertEqual(both[f"interfacial_friction_{kind}"] > 0, back[f"interfacial_friction_{kind}"] < 0)
+                self.assertLess(back[f"friction_{kind}"], 0)
+                self.assertGreater(back["interfacial_share"], 0)
+
+    def test_table_of_velocities(self):
+        """A table of the shear stress is read from a group, with its temperature; a velocity beyond it is refused."""
+        with h5py.File(self.folder/"law.h5", "w") as file:
+            group = file.create_group("dry")
+            for name, values, unit in (("velocity", [1e-4, 1e-2, 1.0], "m/s"), ("shear_strength", [1e4, 4e4, 2e4], "Pa")):
+                group[name] = np.array(values)
+                group[name].attrs["units"] = unit
+            group.attrs["reference_temperature"] = 300.0
+        scene = scene_of("wave_1d", 7).replace("velocity = 0.01", "velocity = 0.01, temperature = 300.0") + (
+            "&friction law = 'table', velocity_table = 'law.h5:/dry', shift = 'arrhenius', activation_energy = 25e3 /\n")
+        found, _ = self.run_scene(scene)
+        np.testing.assert_allclose(found["interfacial_friction_stress"], 4e4*found["contact_fraction"], rtol=1e-12)
+        # 40 K colder the factor is 4.7
+        self.write(scene.replace("300.0", "260.0").replace("velocity = 0.01", "velocity = 0.5"))
+        _, errors = self.run_program("run", "--quiet", "--force", "run.nml", status=2)
+        self.assertIn("&operating velocity: times the factor of the shift lies beyond velocity_table", errors)
+        self.assertEqual(1, len(errors.splitlines()))
 
     def test_mirrored_heights(self):
         """A surface that slides back is its mirror image that slides forth, with profiles that are mirrored in x."""

@@ -1,0 +1,88 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What `adfric check` says of a case of `surface_sliding`: derived quantities, doubts, and the slope of its surface.
+module adfric_periodic_sliding_description
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_order_margin, only: order_margin_of
+   use adfric_solid_prony, only: prony_t
+   use adfric_solid_spectrum_rows, only: derive_spectrum, doubt_spectrum, get_spectrum, n_spectrum_rows
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names
+   use adfric_describe_derived, only: add_derived, derived_t
+   use adfric_periodic_adhesion_cells, only: cells_per_zone, zone_length
+   use adfric_periodic_given_heights, only: given_heights_t
+   use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_sliding_case, only: frequencies_of
+   use adfric_periodic_sliding_interface, only: doubt_surface_coupling
+   use adfric_periodic_sliding_variables, only: cells_of, kind_heights, kind_wave_2d, s_velocity, in => sliding_input
+   implicit none (type, external)
+   private
+   public :: derive_surface, doubt_surface, slope_of_surface
+
+contains
+
+   !> Moduli and shift factor, the frequencies of the surface, the cells of a wave, and lengths of adhesion.
+   subroutine derive_surface(derived, values, of_solid, spectrum, surface, law)
+      !> Receives the quantities.
+      type(derived_t), allocatable, intent(out) :: derived(:)
+      !> Values of all variables, and those of the rows of the solid.
+      real(dp), intent(in) :: values(:), of_solid(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(periodic_surface_t), intent(in) :: surface
+      !> The adhesion, without a stress where there is none.
+      type(adhesion_law_t), intent(in) :: law
+      type(prony_t) :: prony
+      character(*), parameter :: sources = 'direction velocity period cells length_x length_y heights'
+      real(dp) :: frequencies(2)
+
+      allocate (derived(0))
+      call derive_spectrum(derived, of_solid(:n_spectrum_rows), spectrum)
+      frequencies = frequencies_of(of_solid(s_velocity), values(in%direction), nint(values(in%kind)) == kind_heights, surface)
+      call add_derived(derived, 'lowest_frequency', 'rad/s', 'lowest angular frequency that the surface excites', &
+         & frequencies(1), sources)
+      call add_derived(derived, 'highest_frequency', 'rad/s', 'highest angular frequency that the surface excites', &
+         & frequencies(2), sources)
+      if (nint(values(in%kind)) /= kind_heights) call add_derived(derived, 'cells', '-', 'cells along a period of a wave', &
+         & real(cells_of(values), dp), 'cells')
+      if (.not. law%stress > 0) return
+      call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
+      call add_derived(derived, 'zone_length', 'm', 'length of a short zone of adhesion on the relaxed solid, pi E0 h0/(4 p0)', &
+         & zone_length(law, surface%solid%modulus))
+      call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
+         & cells_per_zone(law, surface))
+      call get_spectrum(of_solid(:n_spectrum_rows), spectrum, prony)
+      call add_derived(derived, 'order_margin', '-', 'where >= 0, the branches bound all states on a half-plane', &
+         & order_margin_of(prony))
+   end subroutine derive_surface
+
+   !> Edges that do not meet, a solid that loses nothing, frequencies beyond the master curve, and a coupling that is left out.
+   function doubt_surface(values, of_solid, spectrum, heights, surface) result(text)
+      !> Values of all variables, and those of the rows of the solid.
+      real(dp), intent(in) :: values(:), of_solid(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_heights_t), intent(in) :: heights
+      type(periodic_surface_t), intent(in) :: surface
+      character(:), allocatable :: text
+
+      text = ''
+      if (of_solid(s_velocity) > 0) text = doubt_spectrum(of_solid(:n_spectrum_rows), spectrum, &
+         & frequencies_of(of_solid(s_velocity), values(in%direction), nint(values(in%kind)) == kind_heights, surface))
+      if (nint(values(in%kind)) == kind_heights) text = text//heights%doubt()
+      text = text//doubt_surface_coupling(of_solid, surface%period(1))
+   end function doubt_surface
+
+   !> The steepest slope of waves, the mean one of heights [-].
+   real(dp) function slope_of_surface(values, heights) result(slope)
+      !> Values of all variables.
+      real(dp), intent(in) :: values(:)
+      type(given_heights_t), intent(in) :: heights
+
+      if (nint(values(in%kind)) == kind_heights) then
+         slope = heights%slope(values(in%heights:in%rms_height))
+      else
+         slope = two_pi*values(in%amplitude)/values(in%period)
+         if (nint(values(in%kind)) == kind_wave_2d) slope = sqrt(2.0_dp)*slope
+      end if
+   end function slope_of_surface
+
+end module adfric_periodic_sliding_description

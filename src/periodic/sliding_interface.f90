@@ -1,0 +1,230 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Friction of `surface_sliding` with a law of the interface, as a sum with what the solid loses. The contact is that of frictionless
+!> faces: exact on a half-space of Poisson's ratio 1/2.
+module adfric_periodic_sliding_interface
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
+   use adfric_interface_adhesion_rows, only: has_adhesion
+   use adfric_interface_friction_law, only: friction_law_t
+   use adfric_interface_friction_law_check, only: check_interface
+   use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_interface, n_interface_rows, needs_temperature
+   use adfric_interface_total_friction, only: coupling_of, doubt_coupling, get_shear_of_area, &
+      & interface_tractions, sliding_friction_t
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_spectrum_rows, only: n_spectrum_rows, poisson_ratio_of, solid_shift_of
+   use adfric_solid_time_temperature, only: shift_none, time_temperature_t
+   use adfric_describe_table, only: variable_t
+   use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_friction, s_last_adhesion, s_poisson_ratio, &
+      & s_temperature, s_thickness, s_velocity, out => sliding_output
+   use adfric_periodic_variables, only: periodic_output
+   implicit none (type, external)
+   private
+   public :: has_surface_interface, without_temperature, check_surface_interface, add_surface_interface, set_shear_map
+   public :: doubt_surface_coupling
+
+   !> Above this product of wave number and thickness a layer couples as a half-space does.
+   real(dp), parameter :: deep = 40.0_dp
+
+contains
+
+   !> The values of the interface.
+   pure function interface_of(values) result(friction)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: friction(n_interface_rows)
+
+      friction = values(s_friction:s_friction + n_interface_rows - 1)
+   end function interface_of
+
+   !> Is there friction of the interface?
+   pure logical function has_surface_interface(values)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      has_surface_interface = has_interface(interface_of(values))
+   end function has_surface_interface
+
+   !> The law of the interface.
+   pure subroutine law_of_surface(values, spectrum, given, law)
+      !> Values of the rows of the solid, which have been checked; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      type(friction_law_t), intent(out) :: law
+
+      call get_friction_law(interface_of(values), given, solid_shift_of(values(:n_spectrum_rows), spectrum), law)
+   end subroutine law_of_surface
+
+   !> Largest tension in contact, that of adhesion [Pa].
+   pure real(dp) function tension_of(values) result(tension)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      tension = 0
+      if (has_adhesion(values(s_adhesion:s_last_adhesion))) tension = values(s_adhesion)
+   end function tension_of
+
+   !> The values without a temperature that is for the interface alone.
+   pure function without_temperature(values, spectrum) result(of_solid)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      real(dp) :: of_solid(size(values))
+      type(time_temperature_t) :: shift
+
+      of_solid = values
+      shift = solid_shift_of(values(:n_spectrum_rows), spectrum)
+      if (shift%law == shift_none .and. needs_temperature(interface_of(values))) of_solid(s_temperature) = unset
+   end function without_temperature
+
+   !> Add to `problems` what is wrong with the friction of the interface.
+   subroutine check_surface_interface(rows, values, spectrum, given, problems)
+      !> Rows of the solid; their names stand in the messages.
+      type(variable_t), intent(in) :: rows(:)
+      !> Values of the rows; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. has_surface_interface(values)) return
+      call check_interface(rows(s_friction:s_friction + n_interface_rows - 1), interface_of(values), given, &
+         & solid_shift_of(values(:n_spectrum_rows), spectrum), rows([s_temperature, s_velocity]), &
+         & values([s_temperature, s_velocity]), tension_of(values), problems)
+   end subroutine check_surface_interface
+
+   !> Add the interface to the friction of a point.
+   pure subroutine add_surface_interface(values, spectrum, given, pressure, is_contact, results, is_valid)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      !> Pressure in the cells, below 0 where adhesion pulls [Pa], and where the faces touch; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+      logical, intent(in) :: is_contact(:, :)
+      !> In: results of the frictionless contact. Out: with both parts of the friction; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Does the law hold at this velocity and temperature?
+      logical, intent(out) :: is_valid
+      type(friction_law_t) :: law
+      type(sliding_friction_t) :: friction
+      real(dp) :: carried
+
+      is_valid = .true.
+      if (.not. has_surface_interface(values)) return
+      call law_of_surface(values, spectrum, given, law)
+      friction%hysteretic = results(out%friction_stress)
+      associate (area => results(periodic_output%contact_fraction))
+         if (law%depends_on_pressure() .and. area > 0) then
+            call get_mean_of_cells(law, values, pressure, is_contact, friction%interfacial, is_valid)
+            friction%interfacial = area*friction%interfacial
+         else
+            carried = results(periodic_output%mean_pressure)
+            if (tension_of(values) > 0) carried = carried + tension_of(values)*results(out%adhesion_fraction)
+            call get_shear_of_area(law, values(s_velocity), values(s_temperature), area, carried, friction%interfacial, &
+               & friction%interfacial_slope, is_valid)
+         end if
+      end associate
+      if (.not. is_valid) return
+      ! the slope of a contact on cells is not known
+      friction%neighbours = not_a_number()
+      call friction%get_results(values(s_velocity), results(out%friction_stress), &
+         & results(out%hysteretic_friction_stress:out%velocity_slope))
+      if (results(periodic_output%mean_pressure) > 0) results(out%friction_coefficient) = results(out%friction_stress) &
+         & /results(periodic_output%mean_pressure)
+   end subroutine add_surface_interface
+
+   !> Mean shear stress of the cells in contact.
+   pure subroutine get_mean_of_cells(law, values, pressure, is_contact, mean, is_valid)
+      type(friction_law_t), intent(in) :: law
+      real(dp), intent(in) :: values(:)
+      !> Pressure in the cells [Pa].
+      real(dp), intent(in) :: pressure(:, :)
+      !> Do the faces touch? Shape of `pressure`.
+      logical, intent(in) :: is_contact(:, :)
+      !> The mean [Pa].
+      real(dp), intent(out) :: mean
+      logical, intent(out) :: is_valid
+      real(dp) :: stress, slope
+      integer :: i, j, n
+
+      mean = 0
+      n = 0
+      is_valid = .true.
+      do j = 1, size(pressure, 2)
+         do i = 1, size(pressure, 1)
+            if (.not. is_contact(i, j)) cycle
+            call law%get_stress(values(s_velocity), pressure(i, j), values(s_temperature), stress, slope, is_valid)
+            if (.not. is_valid) return
+            mean = mean + stress
+            n = n + 1
+         end do
+      end do
+      mean = mean/max(n, 1)
+   end subroutine get_mean_of_cells
+
+   !> Set the map of the shear stress.
+   pure subroutine set_shear_map(values, spectrum, given, pressure, is_contact, shear)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      !> Pressure in the cells [Pa]; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+      !> Do the faces touch? Shape of `pressure`.
+      logical, intent(in) :: is_contact(:, :)
+      !> Receives the shear stress [Pa]; shape `(nx, ny)`.
+      real(dp), intent(out) :: shear(:, :)
+      type(friction_law_t) :: law
+      integer :: j
+
+      call law_of_surface(values, spectrum, given, law)
+      do j = 1, size(pressure, 2)
+         shear(:, j) = interface_tractions(law, values(s_velocity), values(s_temperature), pressure(:, j), is_contact(:, j))
+      end do
+   end subroutine set_shear_map
+
+   !> A line on the shear stress that would move the contact; nothing where it does not.
+   function doubt_surface_coupling(values, period) result(text)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Period of the surface [m].
+      real(dp), intent(in) :: period
+      character(:), allocatable :: text
+      character(250) :: line
+      real(dp) :: poisson_ratio
+
+      text = ''
+      if (.not. has_surface_interface(values)) return
+      poisson_ratio = poisson_ratio_of(values(:n_spectrum_rows))
+      if (is_set(values(s_poisson_ratio))) poisson_ratio = values(s_poisson_ratio)
+      if (.not. is_set(values(s_thickness))) then
+         text = doubt_coupling(poisson_ratio)
+      else if (nint(values(s_base)) == base_bonded) then
+         write (line, '(a, f7.3, a)') 'shear stress moves the contact on a bonded layer: for the longest wave by m =', &
+            & coupling_of_layer(poisson_ratio, two_pi*values(s_thickness)/period), &
+            & ' times the friction coefficient; this coupling is left out'
+         text = trim(line)//new_line('a')
+      else
+         text = 'a layer that slips on its base cannot carry the shear stress there: something else has to keep it in place' &
+            & //new_line('a')
+      end if
+   end function doubt_surface_coupling
+
+   !> kappa(Q) of a wave on a bonded layer, what beta is on a half-space [-].
+   pure real(dp) function coupling_of_layer(poisson_ratio, q) result(kappa)
+      !> Poisson's ratio [-], and Q = k H [-].
+      real(dp), intent(in) :: poisson_ratio, q
+
+      kappa = coupling_of(poisson_ratio)
+      if (q > deep) return
+      associate (c => 3 - 4*poisson_ratio, beta => coupling_of(poisson_ratio))
+         ! cosh 2Q - 1 = 2 sinh^2 Q
+         kappa = (4*c*beta*sinh(q)**2 - 4*(1 - beta)*q**2)/(2*c*sinh(2*q) - 4*q)
+      end associate
+   end function coupling_of_layer
+
+end module adfric_periodic_sliding_interface

@@ -1,0 +1,112 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Friction of a cylinder that slides over a viscoelastic half-plane with a law of the interface: the sum with what the solid loses.
+module adfric_plane_cylinder_interface
+   use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_interface_friction_law, only: friction_law_t
+   use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
+   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
+   use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
+   use adfric_plane_hertz_variables, only: in => hertz_input, out => hertz_output
+   use adfric_plane_sliding_cylinder_point, only: cylinder_point_t
+   use adfric_plane_sliding_cylinder_units, only: cylinder_slide_state_t, cylinder_slide_t, new_cylinder_slide
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_spectrum_rows, only: shift_factor_of, solid_shift_of
+   implicit none (type, external)
+   private
+   public :: add_cylinder_interface, set_cylinder_tractions
+
+contains
+
+   !> The law of the interface.
+   pure subroutine law_of_cylinder(values, spectrum, given, law)
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      type(friction_law_t), intent(out) :: law
+
+      call get_friction_law(values(in%friction), given, solid_shift_of(values(in%material(1):in%temperature), spectrum), law)
+   end subroutine law_of_cylinder
+
+   !> Add the interface to the friction of a sliding cylinder.
+   pure subroutine add_cylinder_interface(values, spectrum, given, point, results, is_valid)
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      !> The point, which has been solved.
+      type(cylinder_point_t), intent(in) :: point
+      !> In: results of the solid. Out: with both parts of the friction; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Does the law hold at this velocity and temperature?
+      logical, intent(out) :: is_valid
+      type(friction_law_t) :: law
+      type(sliding_friction_t) :: friction
+      type(cylinder_slide_t) :: slide
+      type(cylinder_slide_state_t) :: state
+      real(dp) :: shear, unused
+      logical :: is_solved
+      integer :: k
+
+      call law_of_cylinder(values, spectrum, given, law)
+      friction%direction = point%slide%direction
+      friction%hysteretic = friction%direction*point%contact%friction_force
+      call get_shear(values, law, point%slide, point%contact, friction%interfacial, friction%interfacial_slope, is_valid)
+      if (.not. is_valid) return
+      friction%neighbours = not_a_number()
+      do k = 1, size(log_steps)
+         if (.not. abs(values(in%velocity)) > 0) exit
+         call new_cylinder_slide(slide, values(in%radius), point%prony, values(in%velocity)*exp(log_steps(k)) &
+            & *shift_factor_of(values(in%material(1):in%temperature), spectrum), is_solved)
+         if (is_solved) is_solved = slide%suits_load(point%prony, values(in%load))
+         if (.not. is_solved) cycle
+         call slide%solve_load(values(in%load), state, is_solved)
+         if (.not. is_solved) cycle
+         call get_shear(values, law, slide, state, shear, unused, is_solved)
+         friction%neighbours(k) = friction%direction*state%friction_force + shear
+      end do
+      call friction%get_results(values(in%velocity), results(out%friction_force), &
+         & results(out%hysteretic_friction_force:out%velocity_slope))
+      if (values(in%load) > 0) results(out%friction_coefficient) = results(out%friction_force)/values(in%load)
+   end subroutine add_cylinder_interface
+
+   !> Shear of a contact per length.
+   pure subroutine get_shear(values, law, slide, state, shear, slope, is_valid)
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t), intent(in) :: law
+      type(cylinder_slide_t), intent(in) :: slide
+      type(cylinder_slide_state_t), intent(in) :: state
+      !> The shear [N/m], and its change by ln v in this contact.
+      real(dp), intent(out) :: shear, slope
+      logical, intent(out) :: is_valid
+      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes)
+      integer :: i
+
+      if (.not. law%depends_on_pressure() .or. .not. state%half_width > 0) then
+         call get_shear_of_area(law, abs(values(in%velocity)), values(in%temperature), 2*state%half_width, values(in%load), shear, &
+            & slope, is_valid)
+         return
+      end if
+      x = contact_nodes(state%contact_shift, state%half_width)
+      do i = 1, n_contact_nodes
+         pressure(i) = slide%pressure_at(state, x(i))
+      end do
+      call integrate_shear(law, abs(values(in%velocity)), values(in%temperature), state%half_width, pressure, shear, slope, &
+         & is_valid)
+   end subroutine get_shear
+
+   !> Set the shear stress along x.
+   pure subroutine set_cylinder_tractions(values, spectrum, given, pressure, shear)
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      !> Pressure, 0 outside of contact [Pa]; shape `(n_x)`.
+      real(dp), intent(in) :: pressure(:)
+      !> Receives the shear stress [Pa]; shape `(n_x)`.
+      real(dp), intent(out) :: shear(:)
+      type(friction_law_t) :: law
+
+      call law_of_cylinder(values, spectrum, given, law)
+      shear = interface_tractions(law, values(in%velocity), values(in%temperature), pressure, pressure > 0)
+   end subroutine set_cylinder_tractions
+
+end module adfric_plane_cylinder_interface
