@@ -22,7 +22,7 @@ module adfric_round_sphere_shear_slip
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
    use adfric_round_slip_annulus, only: angle_of_force, gamma_of_force, slip_of_angle
-   use adfric_round_sphere_static_friction, only: slip_factor
+   use adfric_round_sphere_path, only: slip_factor
    implicit none (type, external)
    private
    public :: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, find_slip_of_displacement, shear_stress_of
