@@ -34,6 +34,7 @@ module adfric_round_power_shape
       procedure :: get_profile
       procedure :: radius_of_height
       procedure :: get_closed_annulus
+      procedure :: is_paraboloid
    end type power_shape_t
 
 contains
@@ -68,6 +69,13 @@ contains
       self%has_rising_slope = .not. any(exponents < 1)
       if (.not. any(abs(exponents - nint(exponents)) > 0)) self%reach = huge(1.0_dp)
    end subroutine new_power_shape
+
+   !> Is it r^2 alone, whose pressure and gap have closed forms?
+   pure logical function is_paraboloid(self)
+      class(power_shape_t), intent(in) :: self
+
+      is_paraboloid = self%n_terms == 1 .and. self%whole(1) == 2
+   end function is_paraboloid
 
    !> See `shape_t`: u = a.
    pure subroutine evaluate(self, u, is_beyond, spot)

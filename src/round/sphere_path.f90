@@ -11,10 +11,12 @@ module adfric_round_sphere_path
       & steepest, waypoint_t
    use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, control_load, control_approach, control_radius, &
       & branch_stable, find_sphere_contact => find_contact
+   use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
    implicit none (type, external)
    private
-   public :: peeling_friction_t, peeling_path_t, new_sphere_path, sphere_contact_of, is_valid_friction, law_of_sphere, slip_factor
+   public :: peeling_friction_t, peeling_path_t, new_sphere_path, is_valid_friction, law_of_sphere, slip_factor
+   public :: take_contact, sphere_contact_of
 
    !> The law of friction of a sphere.
    type :: peeling_friction_t
@@ -140,8 +142,9 @@ contains
       contact%approach = sphere%approach
       contact%u = sphere%position
       contact%slopes = sphere%slope
-      contact%neck = sphere%radius**2 - sphere%approach
       select type (theory)
+      type is (jkr_t)
+         contact%neck = 2*sqrt(6*theory%ratio*sphere%radius)/3
       type is (maugis_t)
          contact%stress = 2*max(theory%ratio, nothing)*theory%lambda/3
          ! the position is ln(s/a), s^2 = c^2 - a^2; the difference of c and a has lost its digits where lambda is large
