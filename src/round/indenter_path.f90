@@ -65,7 +65,6 @@ contains
    !> See `interaction_path_t`.
    pure subroutine follow(self, slip_energy)
       class(indenter_path_t), intent(inout) :: self
-      !> g > 0.
       real(dp), intent(in) :: slip_energy
 
       call extend_path(self%retreat, adhesion_ratio(slip_energy, self%law%interaction))
@@ -74,7 +73,6 @@ contains
    !> See `interaction_path_t`.
    pure subroutine find_contact(self, ratio, contact)
       class(indenter_path_t), intent(in) :: self
-      !> X.
       real(dp), intent(in) :: ratio
       type(contact_t), intent(out) :: contact
 
@@ -84,9 +82,7 @@ contains
    !> See `interaction_path_t`.
    pure subroutine find_last(self, lost_ratio, ratio, contact, is_converged)
       class(indenter_path_t), intent(inout) :: self
-      !> An X without contact.
       real(dp), intent(in) :: lost_ratio
-      !> Receives X of the last contact.
       real(dp), intent(out) :: ratio
       type(contact_t), intent(out) :: contact
       logical, intent(out) :: is_converged
@@ -97,7 +93,6 @@ contains
    !> See `interaction_path_t`: the largest stable contact.
    pure subroutine find_remaining(self, ratio, contact)
       class(indenter_path_t), intent(in) :: self
-      !> X.
       real(dp), intent(in) :: ratio
       type(contact_t), intent(out) :: contact
       class(curve_t), allocatable :: curve

@@ -178,11 +178,8 @@ contains
    !> See `shrinking_path_t`.
    pure subroutine get_state(self, slip_energy, state, rate)
       class(interaction_path_t), intent(inout) :: self
-      !> g, from 0 to the limit of the path.
       real(dp), intent(in) :: slip_energy
-      !> Receives the state; not found where the contact has been lost.
       type(slip_state_t), intent(out) :: state
-      !> Receives d ln T/d ln g, if it is asked for; enormous and below 0 beyond the last contact.
       real(dp), intent(out), optional :: rate
       type(waypoint_t) :: waypoint
       real(dp) :: others(2)

@@ -156,7 +156,10 @@ contains
          type is (sphere_shape_t)
             if (.not. r < 1) return
          type is (power_shape_t)
-            if (maxval(shape%exponents(:shape%n_terms))*log(max(r, 1.0_dp)) > largest_logarithm) return
+            ! no exponent is above 100
+            if (exponent(r) > 4) then
+               if (maxval(shape%exponents(:shape%n_terms))*log(r) > largest_logarithm) return
+            end if
          end select
          if (is_apart) then
             call shape%get_profile(r, height, slope)

@@ -111,9 +111,7 @@ contains
    pure subroutine get_state(self, piece, position, displacement, force)
       class(pulled_indenter_t), intent(in) :: self
       integer, intent(in) :: piece
-      !> Position in the piece, 0 to 1.
       real(dp), intent(in) :: position
-      !> Receive D and T.
       real(dp), intent(out) :: displacement, force
       type(waypoint_t) :: waypoint
 

@@ -22,6 +22,7 @@ module adfric_round_sphere_model
    use adfric_round_sphere_profiles, only: contact_profile_t, new_profile
    use adfric_round_slip_annulus, only: shear_traction
    use adfric_round_sphere_shear_slip, only: shear_stress_of
+   use adfric_round_variables, only: radius_axis
    use adfric_round_sphere_variables, only: get_sphere_profiles, get_sphere_results, get_sphere_variables, &
       & units_reduced, in => sphere_input, out => sphere_output
    implicit none (type, external)
@@ -141,16 +142,10 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives the axis r.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
-      integer :: n, k
 
-      allocate (axes(1))
-      axes(1)%name = self%profile_axes
-      axes(1)%unit = 'm'
-      if (is_reduced(values)) axes(1)%unit = '-'
-      axes(1)%long_name = 'distance from the axis'
-      n = nint(values(in%n_r))
-      allocate (axes(1)%coordinates(n), source=0.0_dp)
-      if (is_set(values(in%r_max))) axes(1)%coordinates = [(values(in%r_max)*k/(n - 1), k=0, n - 1)]
+      axes = radius_axis(values(in%r_max), values(in%n_r), merge('-', 'm', is_reduced(values)))
+      associate (unused => self)
+      end associate
    end subroutine get_profile_axes
 
    !> See `model_t`: a paraboloid stands for the sphere. Reduced units have no radius of the sphere.

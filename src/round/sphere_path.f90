@@ -96,12 +96,9 @@ contains
    !> A path; its start is not found if there is no contact at rest, or if the law of friction is impossible.
    pure subroutine new_sphere_path(self, theory, friction, control, prescribed, branch)
       type(peeling_path_t), intent(out) :: self
-      !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
       type(peeling_friction_t), intent(in) :: friction
-      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Value of the load, approach or radius that is prescribed, reduced.
       real(dp), intent(in) :: prescribed
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
@@ -164,7 +161,6 @@ contains
    !> See `interaction_path_t`.
    pure subroutine find_contact(self, ratio, contact)
       class(peeling_path_t), intent(in) :: self
-      !> X.
       real(dp), intent(in) :: ratio
       type(contact_t), intent(out) :: contact
 
@@ -191,9 +187,7 @@ contains
    !> See `interaction_path_t`: pull-off, or, where the surfaces part without a jump, the radius 0.
    pure subroutine find_last(self, lost_ratio, ratio, contact, is_converged)
       class(peeling_path_t), intent(inout) :: self
-      !> An X without contact.
       real(dp), intent(in) :: lost_ratio
-      !> Receives X of the last contact.
       real(dp), intent(out) :: ratio
       type(contact_t), intent(out) :: contact
       logical, intent(out) :: is_converged
@@ -214,7 +208,6 @@ contains
    pure subroutine get_last_contact(theory, control, contact)
       !> Theory of adhesion, for the X that its `ratio` holds.
       class(theory_t), intent(in) :: theory
-      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       type(sphere_contact_t), intent(out) :: contact
 
@@ -224,7 +217,6 @@ contains
 
    !> The last contact less what is prescribed.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation, with its theory, control and the value that is prescribed.
       class(last_contact_t), intent(in) :: self
       !> X, the share of adhesion that remains [-], > 0.
       real(dp), intent(in) :: x

@@ -88,7 +88,6 @@ contains
       !> Receives what is found of the point, reduced.
       type(sphere_point_t), intent(out) :: point
       type(friction_state_t) :: state
-      type(peeling_path_t) :: path
       real(dp) :: spring_error
 
       spring_error = 0
@@ -103,8 +102,7 @@ contains
          call take_state(state, point)
          if (state%is_found) spring_error = driven_error(memory%drive%jump, case%stiffness, case%tangential, state%force)
       else if (is_peeling(case)) then
-         call new_path_of(case, memory, path)
-         call find_static_state(path, merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
+         call peel(case, memory, state)
          call take_state(state, point)
       else
          ! with events X changes on the path, and with it what could be proved; nothing is proved of what r < b carries
@@ -159,6 +157,18 @@ contains
 
       friction = peeling_friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
    end function new_friction
+
+   !> The state of static friction that changes the contact.
+   pure subroutine peel(case, memory, state)
+      type(sphere_case_t), intent(in) :: case
+      !> Holds the theory.
+      type(sphere_memory_t), intent(in) :: memory
+      type(friction_state_t), intent(out) :: state
+      type(peeling_path_t) :: path
+
+      call new_path_of(case, memory, path)
+      call find_static_state(path, merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
+   end subroutine peel
 
    !> The path of a case from rest to sliding.
    pure subroutine new_path_of(case, memory, path)
@@ -219,7 +229,6 @@ contains
 
    !> Take the theory of a number into the memory.
    subroutine take_theory(number, lambda, memory)
-      !> One of `theory_...`.
       integer, intent(in) :: number
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
@@ -289,7 +298,6 @@ contains
       type(sphere_memory_t), intent(in) :: memory
       !> What is found of the point, with theory and contact.
       type(sphere_point_t), intent(in) :: point
-      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
 
       if (point%theory == memory%number) then
