@@ -16,8 +16,7 @@ module adfric_round_sphere_point
    use adfric_round_sphere_path, only: law_of_sphere, new_sphere_path, peeling_friction_t, peeling_path_t
    use adfric_round_sphere_peeling, only: friction_state_t, find_static_state, find_driven_sphere, given_force, given_displacement
    use adfric_round_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
-   use adfric_round_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, &
-      & find_slip_of_displacement
+   use adfric_round_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip
    use adfric_round_spring_drive, only: new_spring_drive, spring_drive_t
    use adfric_round_sphere_theory_choice, only: new_theory, theory_choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
    implicit none (type, external)
@@ -43,7 +42,7 @@ module adfric_round_sphere_point
       !> Events of the static phase; NaN where they are not asked for, or do not happen.
       type(peeling_events_t) :: events
       !> Radii and stresses of a contact whose strength grows with pressure.
-      type(sheared_sphere_t) :: sheared
+      type(sheared_sphere_t), allocatable :: sheared
    end type sphere_point_t
 
    !> What one point of a block hands on to the next, to save time.
@@ -319,6 +318,7 @@ contains
       type(sphere_point_t), intent(inout) :: point
       type(sphere_slip_t) :: slip
 
+      allocate (point%sheared)
       call new_sheared_sphere(point%sheared, memory%theory, point%contact, case%strength, case%pressure_factor, &
          & case%edge_fraction, case%poisson)
       associate (sphere => point%sheared)
@@ -341,11 +341,7 @@ contains
             point%status = status_no_equilibrium
             return
          end if
-         if (case%is_displacement_given) then
-            call find_slip_of_displacement(sphere, case%tangential, slip)
-         else
-            call find_slip_of_force(sphere, case%tangential, slip)
-         end if
+         call find_slip(sphere, case%tangential, .not. case%is_displacement_given, slip)
       end associate
       if (.not. slip%is_converged) point%status = status_not_converged
       point%gamma = slip%gamma
