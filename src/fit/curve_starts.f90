@@ -291,7 +291,6 @@ contains
    !> The work of adhesion that is given or known.
    pure real(dp) function work_of(fit, v)
       type(fit_t), intent(in) :: fit
-      !> Values of the free variables.
       real(dp), intent(in) :: v(:)
       integer :: k, i
 

@@ -164,11 +164,8 @@ contains
       class(region_t), intent(inout) :: self
       !> The position, with s.
       real(dp), intent(in) :: q(:)
-      !> Receives the number of rows.
       integer, intent(out) :: n_rows
-      !> Receives the residuals.
       real(dp), intent(inout) :: r(:)
-      !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
       !> Receives the sum of the costs of all rows.
       real(dp), intent(out) :: cost

@@ -92,7 +92,6 @@ contains
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
       type(squares_work_t), intent(inout) :: work
-      !> Number of the variable.
       integer, intent(in) :: free
       !> Minima, the least first; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)

@@ -83,13 +83,9 @@ contains
       class(model_curve_t), intent(inout) :: self
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       logical, intent(in) :: is_exact
-      !> Receives the number of rows.
       integer, intent(out) :: n_rows
-      !> Receives the residuals.
       real(dp), intent(inout) :: r(:)
-      !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
-      !> Has the model a value at all points?
       logical, intent(out) :: is_valid
       type(slopes_t) :: of
       real(dp) :: of_nuisance(size(slopes), n_nuisances), x_zero, x_zero_by(size(slopes))
@@ -135,7 +131,6 @@ contains
       real(dp), intent(in) :: nuisance(:)
       !> Derivatives of the nuisances; shape `(n_free, n_nuisances)`.
       real(dp), intent(in) :: of_nuisance(:, :)
-      !> Receives the residuals.
       real(dp), intent(inout) :: r(:)
       !> Receives the derivatives of the ordinates.
       real(dp), intent(inout) :: j(:, :)
@@ -240,12 +235,9 @@ contains
    !> See `fit_curve_t`: the pull-off load of models that have it among their results.
    subroutine find_event(self, kind, values, nuisance, slopes, value, gradient, is_valid)
       class(model_curve_t), intent(inout) :: self
-      !> One of `event_...`.
       integer, intent(in) :: kind
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
-      !> Receives the load [N].
       real(dp), intent(out) :: value
-      !> Receives its derivatives.
       real(dp), intent(out) :: gradient(:)
       logical, intent(out) :: is_valid
       type(model_curve_t) :: event

@@ -218,7 +218,6 @@ contains
    !> The position after a step, within what is known of where the foot is.
    pure real(dp) function position_after(search, i, step, size_of) result(position)
       type(foot_search_t), intent(in) :: search
-      !> Number of the point.
       integer, intent(in) :: i
       !> The step that is wanted.
       real(dp), intent(in) :: step

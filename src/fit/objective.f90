@@ -192,7 +192,6 @@ contains
    !> Put the values of the free variables to where they belong.
    pure subroutine set_values(self, v)
       class(objective_t), intent(inout) :: self
-      !> Values of the free variables.
       real(dp), intent(in) :: v(:)
       integer :: k
 
@@ -209,11 +208,8 @@ contains
    subroutine evaluate(self, q, n_rows, r, j, cost, is_valid)
       class(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
-      !> Receives the number of rows.
       integer, intent(out) :: n_rows
-      !> Receives the residuals.
       real(dp), intent(inout) :: r(:)
-      !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
       !> Receives the sum of the costs of all rows.
       real(dp), intent(out) :: cost
@@ -258,9 +254,7 @@ contains
       integer, intent(in) :: data_set
       !> First and last row.
       integer, intent(in) :: first, last
-      !> The residuals.
       real(dp), intent(inout) :: r(:)
-      !> Their derivatives.
       real(dp), intent(inout) :: j(:, :)
       !> The cost is added.
       real(dp), intent(inout) :: cost
@@ -295,9 +289,7 @@ contains
       real(dp), intent(in) :: slopes(:)
       !> Number of rows so far; it rises.
       integer, intent(inout) :: n_rows
-      !> The residuals.
       real(dp), intent(inout) :: r(:)
-      !> Their derivatives.
       real(dp), intent(inout) :: j(:, :)
       !> The cost is added.
       real(dp), intent(inout) :: cost
@@ -332,9 +324,7 @@ contains
       real(dp), intent(in) :: q(:)
       !> Number of rows so far; it rises.
       integer, intent(inout) :: n_rows
-      !> The residuals.
       real(dp), intent(inout) :: r(:)
-      !> Their derivatives.
       real(dp), intent(inout) :: j(:, :)
       !> The cost is added.
       real(dp), intent(inout) :: cost

@@ -20,7 +20,6 @@ contains
 
    !> Is a result of the model `sphere` one of these?
    pure logical function is_ordinate(index)
-      !> Index of the result.
       integer, intent(in) :: index
 
       is_ordinate = any(index == [out%load, out%approach, out%contact_radius, out%adhesion_radius, out%friction_radius, &
@@ -30,7 +29,6 @@ contains
 
    !> The unit of an ordinate, and the derivatives of its logarithm by the numbers that are fitted.
    pure subroutine get_unit(index, basis, unit, by_free)
-      !> Index of the result.
       integer, intent(in) :: index
       type(basis_t), intent(in) :: basis
       !> Receives the unit.
@@ -63,7 +61,6 @@ contains
 
    !> The function of the state.
    pure subroutine get_ordinate(index, edge, s, o)
-      !> Index of the result.
       integer, intent(in) :: index
       !> Edge fraction x.
       real(dp), intent(in) :: edge

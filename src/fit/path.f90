@@ -54,7 +54,6 @@ contains
    pure subroutine set_path(path, theory, is_base, lambda, ks, has_apart)
       !> In: the path of a neighbour that helps the search, or a new one. Out: the path.
       type(sphere_path_t), intent(inout) :: path
-      !> One of `theory_...`.
       integer, intent(in) :: theory
       !> Is the base of a spring held, not the load?
       logical, intent(in) :: is_base

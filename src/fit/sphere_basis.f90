@@ -38,7 +38,6 @@ contains
 
    !> The theory that values of the sphere ask for; `auto` means Maugis-Dugdale, which it stands for, or Hertz where nothing adheres.
    pure integer function theory_of(values)
-      !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
 
       theory_of = nint(values(in%theory)) - 2
@@ -51,7 +50,6 @@ contains
    !> The reduced variables, and how they change.
    pure subroutine set_basis(self, values, frees, slopes)
       type(basis_t), intent(inout) :: self
-      !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
       type(free_t), intent(in) :: frees(:)
       real(dp), intent(in) :: slopes(:)
@@ -99,7 +97,6 @@ contains
 
    !> Maugis's parameter.
    pure real(dp) function lambda_of(values, work, stress)
-      !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
       !> Work of adhesion [J/m^2], and the unit of stresses [Pa].
       real(dp), intent(in) :: work, stress
@@ -113,7 +110,6 @@ contains
    !> Let lambda change with R, E* and w where the stress or the range of adhesion is prescribed, and w with E* R without adhesion.
    pure subroutine finish_chain(self, values)
       type(basis_t), intent(inout) :: self
-      !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
       real(dp) :: power
 
@@ -130,7 +126,6 @@ contains
 
    !> Derivative of ln E* by one of the moduli or Poisson's ratios.
    pure real(dp) function modulus_slope(values, index)
-      !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
       integer, intent(in) :: index
       real(dp) :: low(in%contact_modulus:in%second_poisson_ratio), high(in%contact_modulus:in%second_poisson_ratio), h

@@ -134,18 +134,12 @@ contains
 
    !> See `fit_curve_t`.
    subroutine evaluate(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
-      !> The curve, which keeps the indices for its next evaluation.
       class(sphere_curve_t), intent(inout) :: self
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
-      !> Has no meaning here: the derivatives are always exact.
       logical, intent(in) :: is_exact
-      !> Receives the number of rows.
       integer, intent(out) :: n_rows
-      !> Receives the residuals.
       real(dp), intent(inout) :: r(:)
-      !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
-      !> Has the model a value at all points?
       logical, intent(out) :: is_valid
       integer :: i
 
@@ -196,13 +190,10 @@ contains
    !> A point whose abscissa has no error.
    subroutine evaluate_exact(self, i, n_rows, r, j)
       class(sphere_curve_t), intent(inout) :: self
-      !> Number of the point.
       integer, intent(in) :: i
       !> Number of rows so far; a point beyond the fold adds one.
       integer, intent(inout) :: n_rows
-      !> Receives the residuals.
       real(dp), intent(inout) :: r(:)
-      !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
       type(fit_state_t) :: s
       type(ordinate_t) :: o
@@ -267,7 +258,6 @@ contains
    !> Move the last index of a point along the tangent to where it is now, if it is not far.
    subroutine predict(self, i, prescribed)
       class(sphere_curve_t), intent(inout) :: self
-      !> Number of the point.
       integer, intent(in) :: i
       !> What is prescribed now.
       real(dp), intent(in) :: prescribed
@@ -285,13 +275,10 @@ contains
    !> A point whose abscissa has an error.
    subroutine evaluate_latent(self, i, n_rows, r, j)
       class(sphere_curve_t), intent(inout) :: self
-      !> Number of the point.
       integer, intent(in) :: i
       !> Number of rows so far; a point whose foot is the fold adds one.
       integer, intent(inout) :: n_rows
-      !> Receives the residuals.
       real(dp), intent(inout) :: r(:)
-      !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
       type(fit_state_t) :: s
       type(ordinate_t) :: o

@@ -141,7 +141,6 @@ contains
    !> The numbers that are fitted, within their bounds.
    pure subroutine take_numbers(self, v, q)
       type(objective_t), intent(in) :: self
-      !> Values of the free variables.
       real(dp), intent(in) :: v(:)
       !> Receives the numbers.
       real(dp), intent(out) :: q(:)
@@ -286,7 +285,6 @@ contains
 
    !> Lowest and largest load in contact, and the approach of the latter where the base of a spring is prescribed.
    pure subroutine get_extremes(self, fit, lowest, largest, deepest)
-      !> The sum of squares, with the values of the nuisances.
       type(objective_t), intent(in) :: self
       type(fit_t), intent(in) :: fit
       !> Receives the lowest and the largest load.

@@ -17,9 +17,9 @@ module adfric_fit_state
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
-   use adfric_numerics_trigonometry, only: sinc_minus_cos
    use adfric_round_sphere_contact, only: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
-   use adfric_round_sphere_dugdale_curve, only: get_disc_radius
+   use adfric_round_sphere_dugdale_curve, only: curve_angle_t, curve_point_t, get_angle_point, get_disc, &
+      & get_disc_radius
    implicit none (type, external)
    private
    public :: fit_state_t, get_state, add_derivatives
@@ -34,18 +34,14 @@ module adfric_fit_state
       real(dp) :: p = 0, p_t = 0, p_tt = 0, p_l = 0, p_tl = 0
       !> Approach delta and its derivatives.
       real(dp) :: d = 0, d_t = 0, d_tt = 0, d_l = 0, d_tl = 0
-      !> sin th, cos th, f, k, A, den of Maugis-Dugdale.
-      real(dp) :: sine = 0, cosine = 0, f = 0, k = 0, aa = 0, den = 1
+      !> What a state of Maugis-Dugdale is made of.
+      type(curve_angle_t) :: angle
    end type fit_state_t
-
-   !> Below this angle the difference in f loses digits.
-   real(dp), parameter :: narrow = 0.5_dp
 
 contains
 
    !> The state at a position: radii, load, approach, and their derivatives by the position. The rest has no meaning.
    pure subroutine get_state(theory, lambda, t, s)
-      !> One of `theory_...`.
       integer, intent(in) :: theory
       !> Maugis's parameter; without meaning in the other theories.
       real(dp), intent(in) :: lambda
@@ -88,31 +84,23 @@ contains
    pure subroutine get_dugdale(lambda, th, s)
       real(dp), intent(in) :: lambda, th
       type(fit_state_t), intent(inout) :: s
-      real(dp) :: bb, total
+      type(curve_point_t) :: point
 
-      s%sine = sin(th)
-      s%cosine = cos(th)
-      if (th < narrow) then
-         s%f = th*sinc_minus_cos(2*th)
-      else
-         s%f = s%sine*s%cosine - th*(s%cosine - s%sine)*(s%cosine + s%sine)
-      end if
-      s%k = s%sine*(th - s%sine/(1 + s%cosine))
-      s%aa = lambda*s%f/2
-      bb = 4*lambda**2*s%k/3
-      s%den = sqrt(bb*bb + 4*s%aa)
-      s%c = 2/(bb + s%den)
-      s%a = s%c*s%cosine
-      total = s%sine*s%cosine + th
-      s%p = s%a**3 - lambda*s%c**2*total
-      s%d = s%a**2 - 4*lambda*s%c*s%sine/3
-      s%c_t = -2*lambda*th*s%cosine*s%c*(s%sine*s%c + 2*lambda/3)/s%den
-      s%a_t = s%c_t*s%cosine - s%c*s%sine
-      s%p_t = 3*s%a**2*s%a_t - 2*lambda*(s%c*s%c_t*total + s%a**2)
-      s%d_t = 2*s%a*s%a_t - 4*lambda*(s%c_t*s%sine + s%a)/3
+      s%angle = curve_angle_t(th, sin(th), cos(th))
+      associate (angle => s%angle)
+         call get_angle_point(lambda, 1.0_dp, (angle%cosine - angle%sine)*(angle%cosine + angle%sine), angle, point)
+      end associate
+      s%a = point%radius
+      s%a_t = point%radius_slope
+      s%c = point%adhesion_radius
+      s%c_t = point%adhesion_radius_slope
+      s%p = point%load
+      s%p_t = point%load_slope
+      s%d = point%approach
+      s%d_t = point%approach_slope
    end subroutine get_dugdale
 
-   !> Maugis-Dugdale without contact: P = -(pi/2) lambda c^2, delta = c^2/2 - (8/3pi) lambda c - 2/(pi lambda), c = c0 (1 - (t - pi/2)).
+   !> Maugis-Dugdale without contact, c = c0 (1 - (t - pi/2)).
    pure subroutine get_apart(lambda, t, s)
       real(dp), intent(in) :: lambda
       !> The position, between pi/2 and pi/2 + 1.
@@ -125,15 +113,13 @@ contains
       s%a_t = 0
       s%c = first*(1 - (t - half_pi))
       s%c_t = -first
-      s%p = -half_pi*lambda*s%c**2
+      call get_disc(lambda, 1.0_dp, s%c, s%p, s%d)
       s%p_t = -pi*lambda*s%c*s%c_t
-      s%d = s%c**2/2 - 8*lambda*s%c/(3*pi) - 2/(pi*lambda)
       s%d_t = (s%c - 8*lambda/(3*pi))*s%c_t
    end subroutine get_apart
 
    !> Add the derivatives by lambda, and the second ones.
    pure subroutine add_derivatives(theory, lambda, s)
-      !> One of `theory_...`.
       integer, intent(in) :: theory
       !> Maugis's parameter; without meaning in the other theories.
       real(dp), intent(in) :: lambda
@@ -168,34 +154,35 @@ contains
       real(dp), intent(in) :: lambda
       !> In: from `get_dugdale`. Out: with all derivatives.
       type(fit_state_t), intent(inout) :: s
-      real(dp) :: total, aa_t, aa_tt, bb_t, bb_tt, aa_l, aa_tl, bb_l, bb_tl, th
+      real(dp) :: total, aa_t, aa_tt, bb_t, bb_tt, aa_l, aa_tl, bb_l, bb_tl
 
-      th = s%t
-      total = s%sine*s%cosine + th
-      ! f' = 2 th sin 2th, k' = th cos th
-      aa_t = 2*lambda*th*s%sine*s%cosine
-      aa_tt = lambda*(2*s%sine*s%cosine + 2*th*(s%cosine - s%sine)*(s%cosine + s%sine))
-      bb_t = 4*lambda**2*th*s%cosine/3
-      bb_tt = 4*lambda**2*(s%cosine - th*s%sine)/3
-      aa_l = s%f/2
-      aa_tl = aa_t/lambda
-      bb_l = 8*lambda*s%k/3
-      bb_tl = 2*bb_t/lambda
-      s%c_l = -(aa_l*s%c + bb_l)*s%c/s%den
-      s%c_tt = -(aa_tt*s%c**2 + 4*aa_t*s%c*s%c_t + bb_tt*s%c + 2*bb_t*s%c_t + 2*s%aa*s%c_t**2)/s%den
-      s%c_tl = -(aa_tl*s%c**2 + 2*aa_t*s%c*s%c_l + 2*aa_l*s%c*s%c_t + bb_tl*s%c + bb_t*s%c_l + bb_l*s%c_t &
-         & + 2*s%aa*s%c_t*s%c_l)/s%den
-      s%a_l = s%c_l*s%cosine
-      s%a_tt = s%c_tt*s%cosine - 2*s%c_t*s%sine - s%a
-      s%a_tl = s%c_tl*s%cosine - s%c_l*s%sine
-      s%p_l = 3*s%a**2*s%a_l - (s%c**2 + 2*lambda*s%c*s%c_l)*total
-      s%p_tt = 6*s%a*s%a_t**2 + 3*s%a**2*s%a_tt - lambda*(2*(s%c_t**2 + s%c*s%c_tt)*total &
-         & + 8*s%c_t*s%a*s%cosine - 4*s%c*s%sine*s%a)
-      s%p_tl = 6*s%a*s%a_t*s%a_l + 3*s%a**2*s%a_tl - 2*(s%c*s%c_t*total + s%a**2) &
-         & - lambda*(2*(s%c_l*s%c_t + s%c*s%c_tl)*total + 4*s%c_l*s%a*s%cosine)
-      s%d_l = 2*s%a*s%a_l - 4*s%sine*(s%c + lambda*s%c_l)/3
-      s%d_tt = 2*(s%a_t**2 + s%a*s%a_tt) - 4*lambda*(s%c_tt*s%sine + 2*s%c_t*s%cosine - s%c*s%sine)/3
-      s%d_tl = 2*(s%a_l*s%a_t + s%a*s%a_tl) - 4*(s%c_t*s%sine + s%a)/3 - 4*lambda*(s%c_tl*s%sine + s%c_l*s%cosine)/3
+      associate (angle => s%angle, th => s%angle%th, sine => s%angle%sine, cosine => s%angle%cosine)
+         total = sine*cosine + th
+         ! f' = 2 th sin 2th, k' = th cos th
+         aa_t = 2*lambda*th*sine*cosine
+         aa_tt = lambda*(2*sine*cosine + 2*th*(cosine - sine)*(cosine + sine))
+         bb_t = 4*lambda**2*th*cosine/3
+         bb_tt = 4*lambda**2*(cosine - th*sine)/3
+         aa_l = angle%f/2
+         aa_tl = aa_t/lambda
+         bb_l = 8*lambda*angle%k/3
+         bb_tl = 2*bb_t/lambda
+         s%c_l = -(aa_l*s%c + bb_l)*s%c/angle%root
+         s%c_tt = -(aa_tt*s%c**2 + 4*aa_t*s%c*s%c_t + bb_tt*s%c + 2*bb_t*s%c_t + 2*angle%aa*s%c_t**2)/angle%root
+         s%c_tl = -(aa_tl*s%c**2 + 2*aa_t*s%c*s%c_l + 2*aa_l*s%c*s%c_t + bb_tl*s%c + bb_t*s%c_l + bb_l*s%c_t &
+            & + 2*angle%aa*s%c_t*s%c_l)/angle%root
+         s%a_l = s%c_l*cosine
+         s%a_tt = s%c_tt*cosine - 2*s%c_t*sine - s%a
+         s%a_tl = s%c_tl*cosine - s%c_l*sine
+         s%p_l = 3*s%a**2*s%a_l - (s%c**2 + 2*lambda*s%c*s%c_l)*total
+         s%p_tt = 6*s%a*s%a_t**2 + 3*s%a**2*s%a_tt - lambda*(2*(s%c_t**2 + s%c*s%c_tt)*total &
+            & + 8*s%c_t*s%a*cosine - 4*s%c*sine*s%a)
+         s%p_tl = 6*s%a*s%a_t*s%a_l + 3*s%a**2*s%a_tl - 2*(s%c*s%c_t*total + s%a**2) &
+            & - lambda*(2*(s%c_l*s%c_t + s%c*s%c_tl)*total + 4*s%c_l*s%a*cosine)
+         s%d_l = 2*s%a*s%a_l - 4*sine*(s%c + lambda*s%c_l)/3
+         s%d_tt = 2*(s%a_t**2 + s%a*s%a_tt) - 4*lambda*(s%c_tt*sine + 2*s%c_t*cosine - s%c*sine)/3
+         s%d_tl = 2*(s%a_l*s%a_t + s%a*s%a_tl) - 4*(s%c_t*sine + s%a)/3 - 4*lambda*(s%c_tl*sine + s%c_l*cosine)/3
+      end associate
    end subroutine add_dugdale
 
    !> The same without contact. c0 = 2/(B + sqrt(B^2 + 4 A)) with A = pi lambda/4, B = (4/3)(pi/2 - 1) lambda^2.

@@ -132,7 +132,6 @@ contains
       real(dp), intent(in) :: values(:)
       !> W, the reduced work of adhesion.
       real(dp), intent(in) :: work
-      !> One of `theory_...`.
       integer, intent(in) :: theory
       !> Units of stresses [Pa] and heights [m].
       real(dp), intent(in) :: stress_unit, height_unit
@@ -313,7 +312,6 @@ contains
 
    !> Is g at a given radius within the numbers?
    pure logical function has_depth(self)
-      !> The case with its shape and the radius that is given.
       type(indenter_case_t), intent(in) :: self
       real(dp), parameter :: most = largest_unit*log(10.0_dp)
 

@@ -85,10 +85,8 @@ contains
    !> See `shape_t`.
    pure subroutine evaluate(self, u, is_beyond, spot)
       class(corner_shape_t), intent(in) :: self
-      !> v beyond the corner, within it a, or a/sqrt(1 - a^2) on a flat face; >= 0.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
-      !> Receives what the shape is there.
       type(spot_t), intent(out) :: spot
 
       if (is_beyond) then
@@ -153,7 +151,6 @@ contains
    !> See `shape_t`.
    elemental real(dp) function unknown_of(self, radius)
       class(corner_shape_t), intent(in) :: self
-      !> Radius a of contact, >= 0.
       real(dp), intent(in) :: radius
 
       unknown_of = radius
@@ -167,7 +164,6 @@ contains
    !> See `shape_t`: sqrt(a) g' is above sqrt(a) phi, 2 v^(3/2) and v^(3/2).
    pure real(dp) function get_end(self, target)
       class(corner_shape_t), intent(in) :: self
-      !> The number, > 0.
       real(dp), intent(in) :: target
       real(dp), parameter :: margin = 1.0_dp + 1.0e-6_dp
 
@@ -185,7 +181,6 @@ contains
    !> See `shape_t`.
    elemental real(dp) function rise(self, v)
       class(corner_shape_t), intent(in) :: self
-      !> v = sqrt(x^2 - 1), > 0.
       real(dp), intent(in) :: v
       real(dp) :: x
 
@@ -215,7 +210,6 @@ contains
    !> See `shape_t`.
    pure real(dp) function energy(self, u, is_beyond)
       class(corner_shape_t), intent(in) :: self
-      !> v beyond the corner, a within it; >= 0.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
 
@@ -230,9 +224,7 @@ contains
    !> See `shape_t`.
    pure subroutine get_profile(self, r, height, slope)
       class(corner_shape_t), intent(in) :: self
-      !> Distance from the axis, >= 0.
       real(dp), intent(in) :: r
-      !> f and f'.
       real(dp), intent(out) :: height, slope
 
       height = 0
@@ -254,7 +246,6 @@ contains
    !> See `shape_t`.
    pure real(dp) function radius_of_height(self, height)
       class(corner_shape_t), intent(in) :: self
-      !> The height, > 0.
       real(dp), intent(in) :: height
 
       select case (self%kind)
@@ -275,11 +266,8 @@ contains
    pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
       class(corner_shape_t), intent(in) :: self
       type(spot_t), intent(in) :: spot
-      !> Does the contact reach beyond the corner?
       logical, intent(in) :: is_beyond
-      !> s = sqrt(c^2 - a^2), > 0.
       real(dp), intent(in) :: s
-      !> Receive J and I.
       real(dp), intent(out) :: opening, intensity
       logical, intent(out) :: is_closed
       ! J is smaller than its terms by V, and of a punch by V^2

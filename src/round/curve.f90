@@ -200,7 +200,6 @@ contains
       integer, intent(in) :: control
       !> Receives the ranges, from the smallest discs to the largest.
       type(disc_range_t), intent(out) :: discs(most_disc_ranges)
-      !> Receives their number.
       integer, intent(out) :: n
 
       n = 0
@@ -270,7 +269,6 @@ contains
       class(curve_t), intent(in) :: self
       integer, intent(in) :: control
       type(curve_interval_t), intent(out) :: intervals(most_intervals)
-      !> Receives their number.
       integer, intent(out) :: n
       !> Have all folds been found to round-off?
       logical, intent(out) :: is_converged

@@ -54,7 +54,6 @@ contains
    !> See `curve_t`.
    pure subroutine get_state(self, u, is_beyond, state)
       class(dugdale_curve_t), intent(in) :: self
-      !> The unknown, >= 0.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
       type(state_t), intent(out) :: state
@@ -87,12 +86,9 @@ contains
    !> See `curve_t`.
    pure subroutine get_sums(self, u, is_beyond, load, load_slope, approach, approach_slope)
       class(dugdale_curve_t), intent(in) :: self
-      !> The unknown, >= 0.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
-      !> Receive the load and its derivative.
       real(dp), intent(out) :: load, load_slope
-      !> Receive the approach and its derivative.
       real(dp), intent(out) :: approach, approach_slope
       type(state_t) :: state
 
@@ -218,9 +214,7 @@ contains
       class(dugdale_curve_t), intent(in) :: self
       integer, intent(in) :: control
       type(curve_interval_t), intent(out) :: intervals(most_intervals)
-      !> Receives their number, at least 1.
       integer, intent(out) :: n
-      !> Have all folds been found to round-off?
       logical, intent(out) :: is_converged
       type(dugdale_margins_t) :: margins
 
@@ -236,9 +230,7 @@ contains
    pure subroutine find_discs(self, control, discs, n)
       class(dugdale_curve_t), intent(in) :: self
       integer, intent(in) :: control
-      !> Receives the ranges, from the smallest discs to the largest.
       type(disc_range_t), intent(out) :: discs(most_disc_ranges)
-      !> Receives their number.
       integer, intent(out) :: n
       type(state_t) :: touching
       real(dp) :: pull
@@ -255,7 +247,6 @@ contains
    !> See `curve_t`: P = -pi S c^2, delta = f(c) - 4 S c/pi - h.
    pure subroutine get_disc(self, c, state)
       class(dugdale_curve_t), intent(in) :: self
-      !> Radius of the disc, >= 0.
       real(dp), intent(in) :: c
       type(state_t), intent(out) :: state
       real(dp) :: height, slope

@@ -41,7 +41,6 @@ contains
       real(dp), intent(in) :: largest
       !> Receives the ranges, from the smallest discs to the largest.
       type(disc_range_t), intent(out) :: discs(most_disc_ranges)
-      !> Receives their number.
       integer, intent(out) :: n
       type(margin_t) :: margin
 

@@ -61,7 +61,6 @@ contains
       !> Stress and range of adhesion, reduced.
       real(dp), intent(in) :: stress, range
       type(curve_interval_t), intent(out) :: intervals(:)
-      !> Receives their number.
       integer, intent(out) :: n
       logical, intent(out) :: is_converged
       type(stretch_t) :: outer, inner

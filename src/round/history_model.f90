@@ -150,7 +150,6 @@ contains
    !> See `normal_contact_t`.
    pure subroutine under_load(self, given, state, is_converged)
       class(indenter_states_t), intent(in) :: self
-      !> Load, reduced.
       real(dp), intent(in) :: given
       type(normal_state_t), intent(out) :: state
       logical, intent(out) :: is_converged
@@ -161,7 +160,6 @@ contains
    !> See `normal_contact_t`.
    pure subroutine at_approach(self, given, state, is_converged)
       class(indenter_states_t), intent(in) :: self
-      !> Approach, reduced.
       real(dp), intent(in) :: given
       type(normal_state_t), intent(out) :: state
       logical, intent(out) :: is_converged

@@ -9,21 +9,25 @@
 !> s is the slip at the edge, the mean around it. What is prescribed stays: a load, an approach, or that of the base of a spring. g
 !> is the position on the path: as it grows X falls, with it b (`adfric_round_weak_contact`), so the slip core th sin th + cos th -
 !> 1 = g/(K b), K = 4 m tau^2/(pi W), and th grow: each g has one state, and so has each th. T and u may fall again.
+!>
+!> A sphere has more: its radius may be prescribed, and its contact may be the unstable one. Then b may grow with g
+!> (`is_shrinking` is false). Its stresses are those of E* = R = 1, its lengths and forces those of J 2.11.
 module adfric_round_interaction_path
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: pi
-   use adfric_round_annulus, only: get_annulus
+   use adfric_base_constants, only: half_pi, pi
    use adfric_round_contact_state, only: contact_t
-   use adfric_round_curve, only: control_approach, control_load, control_spring, curve_t
-   use adfric_round_dugdale_curve, only: dugdale_curve_t
-   use adfric_round_weak_contact, only: extend_path, find_known, new_weak_path, weak_path_t
-   use adfric_interface_interaction, only: adhesion_ratio, get_adhesion_ratio, largest_slip_energy
+   use adfric_interface_interaction, only: adhesion_ratio, largest_slip_energy
    use adfric_round_shrinking_path, only: shrinking_path_t, slip_state_t
    use adfric_round_slip_annulus, only: angle_of_slip, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: friction_law_t, interaction_path_t, waypoint_t, new_path, get_waypoint, get_known_waypoint, complete_waypoint
-   public :: slip_of, largest_slip_of, get_rates, work_of
+   public :: friction_law_t, interaction_path_t, waypoint_t, begin_path, get_waypoint, get_known_waypoint, complete_waypoint
+   public :: slip_of, slip_at, largest_slip_of, get_rates, gamma_of, steepest
+   public :: end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
+
+   !> How the part of the path ends where the contact changes: it is not known yet, slip is large enough to take no more, the centre
+   !> slips, the contact is lost, or nothing is left of adhesion.
+   integer, parameter :: end_none = 0, end_capped = 1, end_sliding = 2, end_snap_off = 3, end_no_adhesion = 4
 
    !> The law of friction.
    type :: friction_law_t
@@ -44,57 +48,120 @@ module adfric_round_interaction_path
    end type waypoint_t
 
    !> A path.
-   type, extends(shrinking_path_t) :: interaction_path_t
-      !> States of contact as X falls.
-      type(weak_path_t) :: retreat
+   type, abstract, extends(shrinking_path_t) :: interaction_path_t
       !> Law of friction.
       type(friction_law_t) :: law
-      !> At rest.
-      type(waypoint_t) :: start
+      !> Does b fall all the path?
+      logical :: is_shrinking = .true.
+      !> At rest, and where the part of the path ends in which the contact changes.
+      type(waypoint_t) :: start, finish
+      !> How it ends, one of `end_...`.
+      integer :: ending = end_none
    contains
       procedure :: get_state
+      procedure :: follow
+      procedure :: find_remaining
+      procedure :: n_passed
+      procedure(find_contact_i), deferred :: find_contact
+      procedure(find_last_i), deferred :: find_last
+      procedure(radius_rate_i), deferred :: radius_rate
    end type interaction_path_t
+
+   abstract interface
+
+      !> The contact of an X up to which the path has been followed.
+      pure subroutine find_contact_i(self, ratio, contact)
+         import :: interaction_path_t, contact_t, dp
+         implicit none (type, external)
+         class(interaction_path_t), intent(in) :: self
+         !> X.
+         real(dp), intent(in) :: ratio
+         !> Receives the contact, with `is_found`.
+         type(contact_t), intent(out) :: contact
+      end subroutine find_contact_i
+
+      !> The last contact, above an X where it has been lost.
+      pure subroutine find_last_i(self, lost_ratio, ratio, contact, is_converged)
+         import :: interaction_path_t, contact_t, dp
+         implicit none (type, external)
+         class(interaction_path_t), intent(inout) :: self
+         !> An X without contact.
+         real(dp), intent(in) :: lost_ratio
+         !> Receives X of the last contact.
+         real(dp), intent(out) :: ratio
+         type(contact_t), intent(out) :: contact
+         logical, intent(out) :: is_converged
+      end subroutine find_last_i
+
+      !> d ln b/d ln g at a state.
+      pure real(dp) function radius_rate_i(self, waypoint)
+         import :: interaction_path_t, waypoint_t, dp
+         implicit none (type, external)
+         class(interaction_path_t), intent(in) :: self
+         type(waypoint_t), intent(in) :: waypoint
+      end function radius_rate_i
+
+   end interface
 
    !> A slope where b has fallen to nothing, and next to a fold.
    real(dp), parameter :: steepest = 1.0e30_dp
 
 contains
 
-   !> A path from a contact at rest.
-   pure subroutine new_path(self, curve, law, control, given, contact)
-      !> Receives the path; its start is not found without contact.
-      type(interaction_path_t), intent(out) :: self
-      class(curve_t), intent(in) :: curve
+   !> Begin a path from a contact at rest.
+   pure subroutine begin_path(self, law, force_scale, demand, is_weakened, contact)
+      !> Receives the law, what follows from it, and the start, which is not found without contact.
+      class(interaction_path_t), intent(inout) :: self
       type(friction_law_t), intent(in) :: law
-      integer, intent(in) :: control
-      real(dp), intent(in) :: given
+      !> Force of sliding over b^2, and K.
+      real(dp), intent(in) :: force_scale, demand
+      !> Does slip take anything from adhesion?
+      logical, intent(in) :: is_weakened
       type(contact_t), intent(in) :: contact
 
       self%law = law
-      ! without adhesion there is nothing that friction could take
-      self%is_weakened = law%interaction > 0 .and. work_of(curve) > 0
+      self%is_weakened = is_weakened
       self%slip_energy_ratio = law%slip_energy_ratio
       self%limit = largest_slip_energy(law%interaction)
-      self%force_scale = pi*law%strength
+      self%force_scale = force_scale
       self%displacement_scale = 2*law%compliance*law%strength
-      if (work_of(curve) > 0) self%demand = 4*law%compliance*law%strength**2/(pi*work_of(curve))
+      self%demand = demand
       self%start%is_found = contact%is_found .and. contact%spot%radius > 0
       self%start%contact = contact
-      if (.not. self%start%is_found) return
-      call complete_waypoint(self, self%start)
-      call new_weak_path(self%retreat, curve, control, given, contact)
-   end subroutine new_path
+      if (self%start%is_found) call complete_waypoint(self, self%start)
+   end subroutine begin_path
 
-   !> W, the work of adhesion of a curve.
-   pure real(dp) function work_of(curve) result(work)
-      class(curve_t), intent(in) :: curve
+   !> Follow the contact up to a g; contacts that each X has by itself need not be followed.
+   pure subroutine follow(self, slip_energy)
+      class(interaction_path_t), intent(inout) :: self
+      !> g > 0.
+      real(dp), intent(in) :: slip_energy
 
-      work = (curve%tension**2 + curve%outer_pull)/(2*pi)
-      select type (curve)
-      type is (dugdale_curve_t)
-         work = curve%stress*curve%range
-      end select
-   end function work_of
+      associate (unused => self, unused_too => slip_energy)
+      end associate
+   end subroutine follow
+
+   !> The contact that remains at an X where that of the path has been lost; there may be none.
+   pure subroutine find_remaining(self, ratio, contact)
+      class(interaction_path_t), intent(in) :: self
+      !> X.
+      real(dp), intent(in) :: ratio
+      type(contact_t), intent(out) :: contact
+
+      contact%is_found = .false.
+      associate (unused => self, unused_too => ratio)
+      end associate
+   end subroutine find_remaining
+
+   !> How many corners a contact has passed: a of it, and c. A smooth profile has none.
+   pure integer function n_passed(self, contact)
+      class(interaction_path_t), intent(in) :: self
+      type(contact_t), intent(in) :: contact
+
+      n_passed = 0
+      associate (unused => self, unused_too => contact)
+      end associate
+   end function n_passed
 
    !> The state of a slip energy.
    pure subroutine get_waypoint(self, slip_energy, waypoint)
@@ -104,19 +171,15 @@ contains
       !> Receives the state; not found where the contact has been lost.
       type(waypoint_t), intent(out) :: waypoint
 
-      if (self%is_weakened .and. slip_energy > 0) call extend_path(self%retreat, adhesion_ratio(slip_energy, &
-         & self%law%interaction))
+      if (self%is_weakened .and. slip_energy > 0) call self%follow(slip_energy)
       call get_known_waypoint(self, slip_energy, waypoint)
    end subroutine get_waypoint
 
    !> See `shrinking_path_t`.
    pure subroutine get_state(self, slip_energy, state, rate)
       class(interaction_path_t), intent(inout) :: self
-      !> g, from 0 to the limit of the path.
       real(dp), intent(in) :: slip_energy
-      !> Receives the state; not found where the contact has been lost.
       type(slip_state_t), intent(out) :: state
-      !> Receives d ln T/d ln g, if it is asked for; enormous and below 0 beyond the last contact.
       real(dp), intent(out), optional :: rate
       type(waypoint_t) :: waypoint
       real(dp) :: others(2)
@@ -140,7 +203,7 @@ contains
       waypoint%slip_energy = slip_energy
       if (self%is_weakened .and. slip_energy > 0) then
          waypoint%ratio = adhesion_ratio(slip_energy, self%law%interaction)
-         call find_known(self%retreat, waypoint%ratio, waypoint%contact)
+         call self%find_contact(waypoint%ratio, waypoint%contact)
          waypoint%is_found = waypoint%contact%is_found .and. waypoint%contact%spot%radius > 0
       end if
       if (waypoint%is_found) call complete_waypoint(self, waypoint)
@@ -167,8 +230,16 @@ contains
       waypoint%angle = angle_of_slip(waypoint%core)
    end subroutine complete_waypoint
 
+   !> gamma = e/b of a state.
+   pure real(dp) function gamma_of(state) result(gamma)
+      class(slip_state_t), intent(in) :: state
+
+      gamma = 0
+      if (state%angle < half_pi) gamma = cos(state%angle)
+   end function gamma_of
+
    !> s, the mean slip at the edge of an annulus.
-   pure real(dp) function slip_of(law, radius, angle) result(slip)
+   elemental real(dp) function slip_of(law, radius, angle) result(slip)
       type(friction_law_t), intent(in) :: law
       !> b and th.
       real(dp), intent(in) :: radius, angle
@@ -176,16 +247,27 @@ contains
       slip = 4*law%compliance*law%strength*radius*slip_of_angle(angle)/pi
    end function slip_of
 
-   !> The largest slip at the edge: it varies by (4/3 pi) (m - 1) tau b (1 - (e/b)^3) cos 2t around it.
-   pure real(dp) function largest_slip_of(law, radius, angle) result(slip)
+   !> Slip at the edge in a direction t from that of the force: it varies by (4/3 pi) (m - 1) tau b (1 - (e/b)^3) cos 2t.
+   elemental real(dp) function slip_at(law, radius, angle, direction) result(slip)
       type(friction_law_t), intent(in) :: law
       !> b and th.
       real(dp), intent(in) :: radius, angle
-      real(dp) :: share
+      !> t [rad].
+      real(dp), intent(in) :: direction
+      real(dp) :: gamma, share
 
-      share = cos(angle)
-      share = 2*sin(angle/2)**2*(1 + share*(1 + share))/3
-      slip = slip_of(law, radius, angle) + abs(4*(law%compliance - 1)*law%strength*radius*share/pi)
+      gamma = cos(angle)
+      share = 2*sin(angle/2)**2*(1 + gamma*(1 + gamma))/3
+      slip = slip_of(law, radius, angle) - 4*(law%compliance - 1)*law%strength*radius*share*cos(2*direction)/pi
+   end function slip_at
+
+   !> The largest slip at the edge, across the force where m > 1.
+   elemental real(dp) function largest_slip_of(law, radius, angle) result(slip)
+      type(friction_law_t), intent(in) :: law
+      !> b and th.
+      real(dp), intent(in) :: radius, angle
+
+      slip = slip_at(law, radius, angle, merge(half_pi, 0.0_dp, law%compliance > 1))
    end function largest_slip_of
 
    !> d ln T/d ln g and d ln u/d ln g, the slip core's differential being th cos(th) dth.
@@ -195,11 +277,11 @@ contains
       type(waypoint_t), intent(in) :: waypoint
       !> Receive the rates.
       real(dp), intent(out) :: force_rate, displacement_rate
-      !> Receives d ln b/d ln g, at most 0.
+      !> Receives d ln b/d ln g.
       real(dp), intent(out) :: shrinkage
       real(dp) :: turning
 
-      shrinkage = radius_rate(self, waypoint)
+      shrinkage = self%radius_rate(waypoint)
       associate (th => waypoint%angle)
          ! cos(th) dth/d ln g
          turning = 0
@@ -208,84 +290,5 @@ contains
          displacement_rate = shrinkage + turning/sin(th)
       end associate
    end subroutine get_rates
-
-   !> d ln b/d ln g, at most 0.
-   pure real(dp) function radius_rate(self, waypoint) result(rate)
-      class(interaction_path_t), intent(in) :: self
-      type(waypoint_t), intent(in) :: waypoint
-      real(dp) :: ratio, ratio_slope, by_u(2), by_ratio(2), radius_by_u, radius_by_ratio, shares(2), slope
-
-      rate = 0
-      if (.not. self%is_weakened .or. self%retreat%curve%shape%n_pieces == 0) then
-         rate = face_rate(self, waypoint)
-         return
-      end if
-      call get_adhesion_ratio(waypoint%slip_energy, self%law%interaction, ratio, ratio_slope)
-      associate (contact => waypoint%contact, retreat => self%retreat)
-         by_u = contact%slopes
-         radius_by_u = contact%spot%radius_slope
-         radius_by_ratio = 0
-         select type (curve => retreat%curve)
-         type is (dugdale_curve_t)
-            call get_dugdale_slopes(curve, contact, waypoint%ratio, self%law%edge_fraction, by_ratio, radius_by_u, radius_by_ratio)
-         class default
-            by_ratio = -[contact%spot%radius, 0.5_dp]*contact%neck/waypoint%ratio
-            by_ratio(1) = by_ratio(1) - curve%outer_pull
-         end select
-         shares = [1.0_dp, 0.0_dp]
-         if (retreat%control == control_approach) shares = [0.0_dp, 1.0_dp]
-         if (retreat%control == control_spring) shares = [retreat%curve%compliance, 1.0_dp]
-         slope = sum(shares*by_u)
-         rate = steepest
-         if (slope > 0) rate = min(-radius_by_u*sum(shares*by_ratio)/slope + radius_by_ratio, steepest)
-         rate = rate*(ratio_slope*waypoint%slip_energy/waypoint%radius)
-      end associate
-   end function radius_rate
-
-   !> The same of a flat face, from a difference; a contact that is the whole face does not change.
-   pure real(dp) function face_rate(self, waypoint) result(rate)
-      class(interaction_path_t), intent(in) :: self
-      type(waypoint_t), intent(in) :: waypoint
-      real(dp), parameter :: step = 1.0e-6_dp
-      type(interaction_path_t) :: copy
-      type(waypoint_t) :: before
-
-      rate = 0
-      if (.not. self%is_weakened .or. .not. waypoint%contact%spot%radius < 1) return
-      copy = self
-      call get_waypoint(copy, waypoint%slip_energy*(1 - step), before)
-      rate = (waypoint%radius - before%radius)/waypoint%radius/step
-   end function face_rate
-
-   !> Derivatives of load and approach by X at given a, and of b by u along a curve and by X at given a. With S the whole stress, Y = X S,
-   !> h = (2/pi) J + (4 Y/pi) k, k = s th - s^2/(c + a), P = P1 - 2 Y r, r = c^2 th + a s, delta = g - 2 Y s.
-   pure subroutine get_dugdale_slopes(curve, contact, ratio, edge_fraction, by_ratio, radius_by_u, radius_by_ratio)
-      type(dugdale_curve_t), intent(in) :: curve
-      type(contact_t), intent(in) :: contact
-      !> X, and x of b.
-      real(dp), intent(in) :: ratio, edge_fraction
-      !> Receives dP/dX and ddelta/dX at given a.
-      real(dp), intent(out) :: by_ratio(2)
-      !> Receive db/du and db/dX.
-      real(dp), intent(out) :: radius_by_u, radius_by_ratio
-      real(dp) :: s, c, th, opening, intensity, pull, one_less, s_by_ratio, s_by_u, n
-
-      pull = ratio*curve%stress
-      associate (a => contact%spot%radius, spot => contact%spot)
-         s = contact%neck/(2*contact%stress)
-         c = hypot(a, s)
-         th = atan2(s, a)
-         one_less = (s/c)*(s/(c + a))
-         call get_annulus(curve%shape, spot, contact%is_beyond, s, opening, intensity)
-         s_by_ratio = -(4*curve%stress*(s*th - c*one_less)/pi) &
-            & /(2*intensity*s/(pi*c**2) + 4*pull*(th - one_less*s/c)/pi)
-         by_ratio(1) = -2*curve%stress*(c**2*th + a*s) - 4*pull*(s*th + a)*s_by_ratio
-         by_ratio(2) = -2*curve%stress*s - 2*pull*s_by_ratio
-         n = 2*intensity*s/c**2 + 4*pull*(th - one_less*s/c)
-         s_by_u = 2*(spot%depth_slope*th - a/c*intensity/c*spot%radius_slope + 2*pull*a/c*one_less*spot%radius_slope)/n
-         radius_by_u = spot%radius_slope + edge_fraction*((a*spot%radius_slope + s*s_by_u)/c - spot%radius_slope)
-         radius_by_ratio = edge_fraction*s*s_by_ratio/c
-      end associate
-   end subroutine get_dugdale_slopes
 
 end module adfric_round_interaction_path

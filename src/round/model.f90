@@ -18,7 +18,7 @@ module adfric_round_model
    use adfric_round_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
    use adfric_round_profiles, only: pressure_at, gap_at
    use adfric_round_variables, only: get_indenter_profiles, get_indenter_results, get_indenter_variables, &
-      & indenter_unit_of, law_peeling, n_indenter_variables, p_gap, p_pressure, p_shear_stress, state_sliding, &
+      & indenter_unit_of, law_peeling, n_indenter_variables, p_gap, p_pressure, p_shear_stress, radius_axis, state_sliding, &
       & state_static, theory_maugis_dugdale, in => indenter_input, out => indenter_output
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_describe_derived, only: derived_t
@@ -115,15 +115,10 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives the axis r.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
-      integer :: n, k
 
-      allocate (axes(1))
-      axes(1)%name = self%profile_axes
-      axes(1)%unit = 'm'
-      axes(1)%long_name = 'distance from the axis'
-      n = nint(values(in%n_r))
-      allocate (axes(1)%coordinates(n), source=0.0_dp)
-      if (is_set(values(in%r_max))) axes(1)%coordinates = [(values(in%r_max)*k/(n - 1), k=0, n - 1)]
+      axes = radius_axis(values(in%r_max), values(in%n_r), 'm')
+      associate (unused => self)
+      end associate
    end subroutine get_profile_axes
 
    !> See `model_t`.

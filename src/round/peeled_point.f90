@@ -10,10 +10,10 @@ module adfric_round_peeled_point
    use adfric_round_contact, only: branch_stable, find_contact
    use adfric_round_contact_state, only: contact_t
    use adfric_round_survey, only: ends_t, survey_curve, survey_t
-   use adfric_round_interaction_events, only: find_peeling_events, peeling_events_t
-   use adfric_round_interaction_path, only: friction_law_t, get_rates, largest_slip_of, new_path, interaction_path_t, slip_of, &
-      & waypoint_t
-   use adfric_round_interaction_search, only: find_force
+   use adfric_round_interaction_events, only: find_peeling_events, peeling_events_t, results_of_events
+   use adfric_round_interaction_path, only: friction_law_t, gamma_of, get_rates, largest_slip_of, slip_of, waypoint_t
+   use adfric_round_interaction_search, only: find_state
+   use adfric_round_indenter_path, only: indenter_path_t, new_path
    use adfric_round_spring_drive, only: driven_state_t, find_driven_state, new_spring_drive, spring_drive_t
    use adfric_round_variables, only: law_peeling, state_sliding, theory_none, in => indenter_input, out => indenter_output
    use adfric_round_weak_path, only: weaken
@@ -21,7 +21,7 @@ module adfric_round_peeled_point
    use adfric_round_driven_contact, only: driven_error
    use adfric_interface_interaction, only: adhesion_ratio
    use adfric_interface_interaction_rows, only: slip_energy_ratio_of
-   use adfric_round_shrinking_path, only: displacement_of, force_of
+   use adfric_round_shrinking_path, only: displacement_of, first_force, force_of
    use adfric_round_slip_annulus, only: angle_of_force
    implicit none (type, external)
    private
@@ -93,7 +93,7 @@ contains
       real(dp), intent(inout) :: results(:)
       type(survey_t) :: survey
       type(contact_t) :: contact
-      type(interaction_path_t) :: path
+      type(indenter_path_t) :: path
       type(friction_law_t) :: law
 
       if (wants_peeling_events(values)) then
@@ -112,38 +112,17 @@ contains
    !> Add the events of a path, in SI units.
    pure subroutine add_events(case, path, peeled, results)
       type(indenter_case_t), intent(in) :: case
-      type(interaction_path_t), intent(inout) :: path
+      type(indenter_path_t), intent(inout) :: path
       type(peeled_t), intent(inout) :: peeled
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
       if (.not. peeled%has_events) call find_peeling_events(path, case%lateral_stiffness, peeled%events)
       peeled%has_events = .true.
-      associate (events => peeled%events)
-         peeled%is_converged = peeled%is_converged .and. events%is_converged
-         results([out%peak_force, out%sliding_force, out%force_drop, out%snap_off_force]) = case%force_unit() &
-            & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
-         results([out%peak_displacement, out%snap_off_displacement]) = case%height_unit &
-            & *[events%peak_displacement, events%snap_off_displacement]
-         call store_jump(case, events, results)
-      end associate
+      peeled%is_converged = peeled%is_converged .and. peeled%events%is_converged
+      results(out%peak_force:out%period_work) = results_of_events(peeled%events, case%force_unit(), case%height_unit, &
+         & case%stiffness_unit())
    end subroutine add_events
-
-   !> Results of a lateral spring, in SI units.
-   pure subroutine store_jump(case, events, results)
-      type(indenter_case_t), intent(in) :: case
-      type(peeling_events_t), intent(in) :: events
-      !> Receives it; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-
-      associate (jump => events%jump)
-         results(out%critical_lateral_stiffness) = events%critical_stiffness*case%stiffness_unit()
-         results([out%jump_force, out%arrest_force]) = case%force_unit()*[jump%force, jump%arrest_force]
-         results([out%jump_base_displacement, out%jump_displacement, out%jump_period]) = case%height_unit &
-            & *[jump%base_displacement, jump%displacement, jump%period]
-         results([out%jump_energy, out%period_work]) = case%force_unit()*case%height_unit*[jump%energy, jump%work]
-      end associate
-   end subroutine store_jump
 
    !> The contact under a tangential force that takes from adhesion, and the events of its path.
    pure subroutine peel_contact(values, case, contact, peeled, ends, results)
@@ -157,7 +136,7 @@ contains
       type(ends_t), intent(inout) :: ends
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      type(interaction_path_t) :: path
+      type(indenter_path_t) :: path
       type(waypoint_t) :: waypoint
       type(survey_t) :: weak
       real(dp) :: force
@@ -182,7 +161,7 @@ contains
          waypoint = peeled%driven%waypoint
          waypoint%is_found = peeled%driven%is_found
       else
-         call find_force(path, force, waypoint, peeled%is_converged)
+         call find_state(path, first_force, force, waypoint, peeled%is_converged)
       end if
       contact%is_found = waypoint%is_found
       if (.not. waypoint%is_found) return
@@ -198,7 +177,7 @@ contains
    pure subroutine drive_contact(case, path, peeled)
       type(indenter_case_t), intent(in) :: case
       !> The path from rest, which need not have been followed.
-      type(interaction_path_t), intent(in) :: path
+      type(indenter_path_t), intent(in) :: path
       !> Receives the state; its path is found if it is not known.
       type(peeled_t), intent(inout) :: peeled
 
@@ -213,7 +192,7 @@ contains
 
    !> The slope of the force over the displacement, and what round-off of the force does to the radius.
    pure subroutine add_rates(path, waypoint, peeled)
-      type(interaction_path_t), intent(in) :: path
+      type(indenter_path_t), intent(in) :: path
       type(waypoint_t), intent(in) :: waypoint
       type(peeled_t), intent(inout) :: peeled
       real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
@@ -311,8 +290,7 @@ contains
       associate (driven => peeled%driven, waypoint => peeled%driven%waypoint)
          results(out%tangential_force) = values(in%tangential_force)
          results(out%tangential_displacement) = driven%displacement*case%height_unit
-         stick = 0
-         if (waypoint%angle < half_pi) stick = cos(waypoint%angle)
+         stick = gamma_of(waypoint)
          results(out%stick_fraction) = stick**2
          results(out%stick_radius) = stick*results(out%friction_radius)
          if (driven%is_sliding) then

@@ -34,6 +34,7 @@ module adfric_round_power_shape
       procedure :: get_profile
       procedure :: radius_of_height
       procedure :: get_closed_annulus
+      procedure :: is_paraboloid
    end type power_shape_t
 
 contains
@@ -69,14 +70,18 @@ contains
       if (.not. any(abs(exponents - nint(exponents)) > 0)) self%reach = huge(1.0_dp)
    end subroutine new_power_shape
 
+   !> Is it r^2 alone, whose pressure and gap have closed forms?
+   pure logical function is_paraboloid(self)
+      class(power_shape_t), intent(in) :: self
+
+      is_paraboloid = self%n_terms == 1 .and. self%whole(1) == 2
+   end function is_paraboloid
+
    !> See `shape_t`: u = a.
    pure subroutine evaluate(self, u, is_beyond, spot)
       class(power_shape_t), intent(in) :: self
-      !> Radius a of contact, >= 0.
       real(dp), intent(in) :: u
-      !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond
-      !> Receives what the shape is there.
       type(spot_t), intent(out) :: spot
       real(dp) :: term
       integer :: k
@@ -116,7 +121,6 @@ contains
    !> See `shape_t`.
    elemental real(dp) function unknown_of(self, radius)
       class(power_shape_t), intent(in) :: self
-      !> Radius a of contact, >= 0.
       real(dp), intent(in) :: radius
 
       unknown_of = radius
@@ -126,9 +130,7 @@ contains
 
    !> See `shape_t`: where one of the terms n K C a^(n - 1/2) is the number.
    pure real(dp) function get_end(self, target)
-      !> The shape; its exponents are above 1/2.
       class(power_shape_t), intent(in) :: self
-      !> The number, > 0.
       real(dp), intent(in) :: target
       real(dp), parameter :: margin = 1.0_dp + 1.0e-6_dp, negligible = 1.0e-200_dp
       integer :: k
@@ -146,7 +148,6 @@ contains
    !> See `shape_t`.
    elemental real(dp) function rise(self, v)
       class(power_shape_t), intent(in) :: self
-      !> Radius x, > 0.
       real(dp), intent(in) :: v
       integer :: k
 
@@ -168,9 +169,7 @@ contains
    !> See `shape_t`: two terms of g, i and j, give i j (i + j + 2)/((i + 1) (j + 1) (i + j + 1)) a times their values.
    pure real(dp) function energy(self, u, is_beyond)
       class(power_shape_t), intent(in) :: self
-      !> Radius a of contact, >= 0.
       real(dp), intent(in) :: u
-      !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond
       real(dp) :: terms(most_terms)
       integer :: i, j
@@ -193,9 +192,7 @@ contains
    !> See `shape_t`: the terms are those of g over K.
    pure subroutine get_profile(self, r, height, slope)
       class(power_shape_t), intent(in) :: self
-      !> Distance from the axis, >= 0.
       real(dp), intent(in) :: r
-      !> f and f'; the latter is of no meaning at 0.
       real(dp), intent(out) :: height, slope
       real(dp) :: term
       integer :: k
@@ -213,7 +210,6 @@ contains
    !> See `shape_t`: where one of the terms has the height.
    pure real(dp) function radius_of_height(self, height)
       class(power_shape_t), intent(in) :: self
-      !> The height, > 0.
       real(dp), intent(in) :: height
       integer :: k
 
@@ -228,11 +224,8 @@ contains
    pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
       class(power_shape_t), intent(in) :: self
       type(spot_t), intent(in) :: spot
-      !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond
-      !> s = sqrt(c^2 - a^2), > 0.
       real(dp), intent(in) :: s
-      !> Receive J and I.
       real(dp), intent(out) :: opening, intensity
       logical, intent(out) :: is_closed
       integer :: k

@@ -17,6 +17,7 @@ module adfric_round_profiles
    use adfric_round_power_shape, only: power_shape_t
    use adfric_round_shape, only: shape_t
    use adfric_round_sphere_shape, only: sphere_shape_t
+   use adfric_numerics_trigonometry, only: sinc_minus_cos
    use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
@@ -96,6 +97,13 @@ contains
 
       pressure = 0
       associate (a => contact%spot%radius, b => shape%corner)
+         select type (shape)
+         type is (power_shape_t)
+            if (shape%is_paraboloid()) then
+               pressure = 2*shape%factors(1)/pi*sqrt((a - r)*(a + r))
+               return
+            end if
+         end select
          integrand%scale = sqrt(abs(r - b)*(r + b))
          if (.not. integrand%scale > 0) then
             integrand%path = along_decay
@@ -148,16 +156,20 @@ contains
          type is (sphere_shape_t)
             if (.not. r < 1) return
          type is (power_shape_t)
-            if (maxval(shape%exponents(:shape%n_terms))*log(max(r, 1.0_dp)) > largest_logarithm) return
+            ! no exponent is above 100
+            if (exponent(r) > 4) then
+               if (maxval(shape%exponents(:shape%n_terms))*log(r) > largest_logarithm) return
+            end if
          end select
          if (is_apart) then
             call shape%get_profile(r, height, slope)
             gap = height - contact%approach
-            if (contact%stress > 0) gap = gap - disc_gap(contact%stress, contact%adhesion_radius, r)
+            if (contact%stress > 0 .and. contact%adhesion_radius > 0) &
+               & gap = gap - disc_gap(contact%stress, contact%adhesion_radius, r)
          else
             gap = 2/pi*(inner_opening(shape, contact, r) + outer_opening(shape, contact, r))
             if (contact%stress > 0) then
-               gap = gap + zone_gap(contact%stress, a, contact%adhesion_radius, r)
+               gap = gap + zone_gap(contact%stress, a, contact%neck/(2*contact%stress), r)
             else
                gap = gap + 2/pi*contact%neck*atan2(sqrt((r - a)*(r + a)), a)
             end if
@@ -194,6 +206,13 @@ contains
       if (contact%is_beyond) first = contact%spot%beyond
       associate (b => shape%corner, last => integrand%largest)
          if (.not. r > b) return
+         select type (shape)
+         type is (power_shape_t)
+            if (shape%is_paraboloid()) then
+               opening = shape%factors(1)*paraboloid_opening(contact%spot%radius, r)
+               return
+            end if
+         end select
          last = sqrt((r - b)*(r + b))
          allocate (integrand%shape, source=shape)
          if (first < b) then
@@ -206,6 +225,23 @@ contains
          opening = opening + integrate(integrand, 0.0_dp, asinh(sqrt(max(0.0_dp, (last - first)*(last + first)))/first))
       end associate
    end function outer_opening
+
+   !> The same of g = x^2: (r^2/2)(sin beta cos beta - beta cos 2 beta), a = r cos beta.
+   pure real(dp) function paraboloid_opening(a, r) result(opening)
+      !> Radius of contact, and distance from the axis, > a.
+      real(dp), intent(in) :: a, r
+      ! below this angle the difference loses digits
+      real(dp), parameter :: narrow = 0.5_dp
+      real(dp) :: e, beta
+
+      e = sqrt((r - a)*(r + a))
+      beta = atan2(e, a)
+      if (beta < narrow) then
+         opening = r**2*(beta*sinc_minus_cos(2*beta))/2
+      else
+         opening = (a*e + (e - a)*(e + a)*beta)/2
+      end if
+   end function paraboloid_opening
 
    !> See `panel_integrand_t`.
    pure real(dp) function gap_value(self, position)

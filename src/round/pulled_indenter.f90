@@ -8,8 +8,7 @@
 module adfric_round_pulled_indenter
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_round_contact_state, only: contact_t
-   use adfric_round_interaction_path, only: get_known_waypoint, interaction_path_t, waypoint_t
+   use adfric_round_interaction_path, only: end_capped, get_known_waypoint, interaction_path_t, waypoint_t
    use adfric_round_pulled_contact, only: pulled_contact_t, pulled_curve_t, take_curve
    use adfric_round_shrinking_path, only: displacement_of, force_of, turn
    implicit none (type, external)
@@ -24,7 +23,7 @@ module adfric_round_pulled_indenter
    !> The contact.
    type, extends(pulled_contact_t) :: pulled_indenter_t
       !> Its path, known up to its end.
-      type(interaction_path_t) :: path
+      class(interaction_path_t), allocatable :: path
       !> The end of the part where the contact changes.
       type(waypoint_t) :: finish
       !> Does slip take no more from there on?
@@ -40,22 +39,18 @@ module adfric_round_pulled_indenter
 contains
 
    !> Take the path of an indenter.
-   pure subroutine take_indenter_curve(path, finish, is_capped, sliding_force, curve, contact)
+   pure subroutine take_indenter_curve(path, sliding_force, curve, contact)
       !> The path from rest, whose end has been found.
-      type(interaction_path_t), intent(in) :: path
-      !> The end of the part where the contact changes.
-      type(waypoint_t), intent(in) :: finish
-      !> Does slip take no more from there on?
-      logical, intent(in) :: is_capped
+      class(interaction_path_t), intent(in) :: path
       !> Force of sliding; below 0 where contact is lost.
       real(dp), intent(in) :: sliding_force
       type(pulled_curve_t), intent(out) :: curve
       !> Receives the contact that is pulled.
       type(pulled_indenter_t), intent(out) :: contact
 
-      contact%path = path
-      contact%finish = finish
-      contact%is_capped = is_capped
+      allocate (contact%path, source=path)
+      contact%finish = path%finish
+      contact%is_capped = path%ending == end_capped
       contact%slides = sliding_force >= 0
       contact%force_after = max(sliding_force, 0.0_dp)
       if (path%is_weakened) then
@@ -78,7 +73,7 @@ contains
       integer :: corner, k, n
 
       n = 0
-      do corner = passed(self, self%path%start%contact) + 1, passed(self, self%finish%contact)
+      do corner = self%path%n_passed(self%path%start%contact) + 1, self%path%n_passed(self%finish%contact)
          low = self%ends(n)
          high = 1
          do k = 1, most_halvings
@@ -99,19 +94,6 @@ contains
       self%ends(n + 1) = 1
    end subroutine divide
 
-   !> How many corners a contact has passed: a of it, and c.
-   pure integer function passed(self, contact)
-      type(pulled_indenter_t), intent(in) :: self
-      type(contact_t), intent(in) :: contact
-
-      passed = 0
-      associate (shape => self%path%retreat%curve%shape)
-         if (shape%n_pieces == 0 .or. .not. shape%corner > 0 .or. contact%is_beyond) return
-         passed = 1
-         if (.not. contact%adhesion_radius > shape%corner) passed = 2
-      end associate
-   end function passed
-
    !> Has a corner been passed at a position?
    pure logical function is_passed(self, corner, z)
       type(pulled_indenter_t), intent(in) :: self
@@ -122,16 +104,14 @@ contains
       type(waypoint_t) :: waypoint
 
       call get_waypoint_at(self, z, waypoint)
-      is_passed = passed(self, waypoint%contact) >= corner
+      is_passed = self%path%n_passed(waypoint%contact) >= corner
    end function is_passed
 
    !> See `pulled_contact_t`.
    pure subroutine get_state(self, piece, position, displacement, force)
       class(pulled_indenter_t), intent(in) :: self
       integer, intent(in) :: piece
-      !> Position in the piece, 0 to 1.
       real(dp), intent(in) :: position
-      !> Receive D and T.
       real(dp), intent(out) :: displacement, force
       type(waypoint_t) :: waypoint
 

@@ -16,14 +16,13 @@ module adfric_round_shear
    use adfric_round_profiles, only: pressure_at
    use adfric_round_shape, only: shape_t
    use adfric_round_shear_energy, only: energy_of
-   use adfric_round_sheared_contact, only: get_position, new_sheared, sheared_position_t, range_length, resistance_t, &
-      & set_resistance, &
-      & sheared_t, short
+   use adfric_round_sheared_contact, only: displacement_rest, get_position, new_sheared, sheared_position_t, range_length, &
+      & resistance_t, set_resistance, sheared_t, short
    use adfric_round_shear_sums, only: shear_sums_t, sliding_force, stress_in_stick
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: resistance_t, shear_slip_t, find_sliding, find_shear_slip, shear_stress_at
+   public :: resistance_t, shear_slip_t, find_sliding, find_shear_slip, find_position, shear_stress_at
 
    !> Slip under a force.
    type :: shear_slip_t
@@ -37,19 +36,20 @@ module adfric_round_shear
       real(dp) :: energy = 0
    end type shear_slip_t
 
-   !> The logarithm of the force, or of what it lacks to sliding, as a function of the logarithm of the path or of the unknown.
-   type, extends(equation_t) :: force_equation_t
+   !> The logarithm of the force or the displacement, or of what it lacks to sliding, as a function of the logarithm of the path or of
+   !> the unknown.
+   type, extends(equation_t) :: slip_equation_t
       !> The contact.
       type(sheared_t) :: sheared
       !> Number of the range.
       integer :: number = 1
-      !> Is the unknown what remains of the range's, and what the force lacks compared?
-      logical :: is_of_rest = .false.
-      !> The force, or what it lacks.
+      !> Is it the force, or else the displacement? Is the unknown what remains of the range's, and what is lacking compared?
+      logical :: is_of_force = .true., is_of_rest = .false.
+      !> Force or displacement, or what it lacks.
       real(dp) :: target = 1
    contains
-      procedure :: evaluate => evaluate_force
-   end type force_equation_t
+      procedure :: evaluate
+   end type slip_equation_t
 
 contains
 
@@ -84,7 +84,7 @@ contains
       logical, intent(out) :: is_converged
       type(sheared_t) :: sheared
       type(sheared_position_t) :: position
-      real(dp) :: x
+      real(dp) :: x, remaining
       integer :: number
 
       call new_sheared(shape, resistance, contact, sheared)
@@ -101,7 +101,8 @@ contains
          slip%displacement = force/(2*sheared%a)
          return
       end if
-      call find_position(sheared, force, number, x, is_converged)
+      call get_position(sheared, sheared%n, range_length(sheared, sheared%n), position)
+      call find_position(sheared, force, .true., position%force, number, x, remaining, is_converged)
       call get_position(sheared, number, x, position)
       slip%radius = position%e
       slip%ratio = min(position%e/sheared%b, 1.0_dp)
@@ -116,39 +117,45 @@ contains
       end associate
    end subroutine find_shear_slip
 
-   !> Where the force is the given one.
-   pure subroutine find_position(self, force, number, x, is_converged)
+   !> Where the force or the displacement is the given one.
+   pure subroutine find_position(self, value, is_of_force, total, number, x, remaining, is_converged)
       type(sheared_t), intent(in) :: self
-      !> T > 0.
-      real(dp), intent(in) :: force
+      !> T or v, > 0.
+      real(dp), intent(in) :: value
+      !> Is it T?
+      logical, intent(in) :: is_of_force
+      !> That of sliding.
+      real(dp), intent(in) :: total
       !> Receives the number of the range.
       integer, intent(out) :: number
       !> Receives the path in the range.
       real(dp), intent(out) :: x
+      !> Receives what remains of the range, where that has digits of its own; else 0.
+      real(dp), intent(out) :: remaining
       logical, intent(out) :: is_converged
       type(sheared_position_t) :: last, first
-      real(dp) :: total, end_of_range
+      real(dp) :: end_of_range
       logical :: is_found
 
-      call get_position(self, self%n, range_length(self, self%n), last)
-      total = last%force
       is_converged = .true.
+      remaining = 0
       do number = 1, self%n
          end_of_range = range_length(self, number)
          x = end_of_range
          call get_position(self, number, end_of_range, last)
-         if (force > last%force) cycle
-         if (.not. force < last%force) return
+         if (value > size_of(last, is_of_force)) cycle
+         if (.not. value < size_of(last, is_of_force)) return
          if (self%ranges(number)%is_beside) then
-            call find_face_angle(force/(2*self%uniform*self%b**2), end_of_range, 1.0_dp, 0.0_dp, x, is_found)
+            if (is_of_force) call find_face_angle(value/(2*self%uniform*self%b**2), end_of_range, 1.0_dp, 0.0_dp, x, is_found)
+            if (.not. is_of_force) x = asin(value/(2*self%uniform*self%b))
             return
          end if
          call get_position(self, number, 0.0_dp, first)
-         if (.not. force > first%force) then
+         if (.not. value > size_of(first, is_of_force)) then
             x = 0
             return
          end if
-         call find_in_range(self, number, force, total, x, is_converged)
+         call find_in_range(self, number, value, is_of_force, total, x, remaining, is_converged)
          return
       end do
       ! round-off above sliding
@@ -156,48 +163,64 @@ contains
       x = range_length(self, number)
    end subroutine find_position
 
-   !> Where the force is the given one within a range. Up to the middle the logarithm of the path is the unknown, beyond it that of
+   !> Force or displacement of a position.
+   pure real(dp) function size_of(position, is_of_force)
+      type(sheared_position_t), intent(in) :: position
+      logical, intent(in) :: is_of_force
+
+      size_of = merge(position%force, position%displacement, is_of_force)
+   end function size_of
+
+   !> Where the value is the given one within a range. Up to the middle the logarithm of the path is the unknown, beyond it that of
    !> what remains of the range.
-   pure subroutine find_in_range(self, number, force, total, x, is_converged)
+   pure subroutine find_in_range(self, number, value, is_of_force, total, x, remaining, is_converged)
       type(sheared_t), intent(in) :: self
       integer, intent(in) :: number
-      !> T, and that of sliding.
-      real(dp), intent(in) :: force, total
-      real(dp), intent(out) :: x
+      !> T or v.
+      real(dp), intent(in) :: value
+      !> Is it T?
+      logical, intent(in) :: is_of_force
+      !> T or v of sliding.
+      real(dp), intent(in) :: total
+      real(dp), intent(out) :: x, remaining
       logical, intent(out) :: is_converged
       ! logarithm of the smallest part of a range
       real(dp), parameter :: smallest = -200.0_dp
-      type(force_equation_t) :: equation
+      type(slip_equation_t) :: equation
       type(sheared_position_t) :: middle
       real(dp) :: guess, high
 
       high = range_length(self, number)
       call get_position(self, number, high/2, middle)
+      remaining = 0
       equation%sheared = self
       equation%number = number
-      equation%is_of_rest = force > middle%force
+      equation%is_of_force = is_of_force
+      equation%is_of_rest = value > size_of(middle, is_of_force)
       if (equation%is_of_rest) then
-         equation%target = total - force
+         equation%target = total - value
          x = high
          if (number == self%n .and. .not. equation%target > 0) then
             is_converged = .true.
             return
          end if
-         guess = log(high) + min(0.0_dp, log(equation%target/total)/3)
+         guess = log(high) + min(0.0_dp, log(equation%target/total)/merge(3, 2, is_of_force))
          call find_root(equation, log(high) + smallest, log(high/2) + short, .true., guess, is_converged)
-         x = high - exp(guess)
+         remaining = exp(guess)
+         x = high - remaining
       else
-         equation%target = force
-         guess = log(high) + log(force/middle%force)
-         if (self%uniform > 0) guess = min(guess, 2*log(force/(4*self%uniform*self%b*self%b)) + log(high))
+         equation%target = value
+         guess = log(high) + log(value/size_of(middle, is_of_force))
+         if (self%uniform > 0) guess = min(guess, 2*log(value/(4*self%uniform*self%b*merge(self%b, 1.0_dp, is_of_force))) &
+            & + log(high))
          call find_root(equation, log(high) + smallest, log(high/2) + short, .true., guess, is_converged)
          x = exp(guess)
       end if
    end subroutine find_in_range
 
    !> See `equation_t`.
-   pure subroutine evaluate_force(self, x, value, slope)
-      class(force_equation_t), intent(in) :: self
+   pure subroutine evaluate(self, x, value, slope)
+      class(slip_equation_t), intent(in) :: self
       !> Logarithm of the path, or of what remains of the range.
       real(dp), intent(in) :: x
       !> Difference of the logarithms.
@@ -205,21 +228,22 @@ contains
       !> Derivative of the value by x.
       real(dp), intent(out) :: slope
       type(sheared_position_t) :: position
-      real(dp) :: size
+      real(dp) :: length, size
 
-      size = exp(x)
+      length = exp(x)
       if (self%is_of_rest) then
-         call get_position(self%sheared, self%number, max(range_length(self%sheared, self%number) - size, 0.0_dp), position)
-         position%rest = max(position%rest, tiny(size)*max(self%target, 1.0_dp))
-         value = log(position%rest/self%target)
-         slope = size*(2*position%e*position%slope/position%rest)
+         call get_position(self%sheared, self%number, max(range_length(self%sheared, self%number) - length, 0.0_dp), position)
+         size = position%rest
+         if (.not. self%is_of_force) size = displacement_rest(self%sheared, position)
       else
-         call get_position(self%sheared, self%number, size, position)
-         position%force = max(position%force, tiny(size)*max(self%target, 1.0_dp))
-         value = log(position%force/self%target)
-         slope = size*(2*position%e*position%slope/position%force)
+         call get_position(self%sheared, self%number, length, position)
+         size = size_of(position, self%is_of_force)
       end if
-   end subroutine evaluate_force
+      size = max(size, tiny(size)*max(self%target, 1.0_dp))
+      value = log(size/self%target)
+      ! dT = 2 e dv
+      slope = length*(merge(2*position%e, 1.0_dp, self%is_of_force)*position%slope/size)
+   end subroutine evaluate
 
    !> Shear stress at a distance from the axis, reduced.
    pure real(dp) function shear_stress_at(shape, resistance, contact, slip, r) result(stress)

@@ -10,7 +10,7 @@ module adfric_round_sheared_contact
    use adfric_numerics_libm, only: expm1
    implicit none (type, external)
    private
-   public :: resistance_t, sheared_t, sheared_position_t, set_resistance, new_sheared, get_position, range_length
+   public :: resistance_t, sheared_t, sheared_position_t, set_resistance, new_sheared, get_position, displacement_rest, range_length
 
    !> Below this share of u a path along the profile is an integral, not a difference.
    real(dp), parameter, public :: short = 0.1_dp
@@ -61,8 +61,8 @@ module adfric_round_sheared_contact
    type :: sheared_position_t
       !> e and de/dx, x the unknown of the range.
       real(dp) :: e = 0, e_slope = 1
-      !> sqrt(b^2 - e^2), T, v, and what T still lacks to sliding.
-      real(dp) :: t = 0, force = 0, displacement = 0, rest = 0
+      !> sqrt(b^2 - e^2), T, v, what T still lacks to sliding, and g(e).
+      real(dp) :: t = 0, force = 0, displacement = 0, rest = 0, depth = 0
       !> -dv/dx.
       real(dp) :: slope = 0
    end type sheared_position_t
@@ -163,8 +163,21 @@ contains
          position%slope = self%factor*spot%depth_slope + slope*(2*position%e*spot%radius_slope)
          ! what remains below e
          position%rest = sum_rest(self, position%e, square, spot%load)
+         position%depth = spot%depth
       end associate
    end subroutine get_position
+
+   !> What v still lacks to sliding.
+   pure real(dp) function displacement_rest(self, position) result(rest)
+      type(sheared_t), intent(in) :: self
+      !> A position in contact.
+      type(sheared_position_t), intent(in) :: position
+
+      associate (e => position%e)
+         rest = 2*self%uniform*e**2/(self%b + position%t) + self%factor*position%depth
+         if (self%stress > 0) rest = rest + 2*self%factor*self%stress*e**2/(self%c + sqrt(max(self%c**2 - e**2, 0.0_dp)))
+      end associate
+   end function displacement_rest
 
    !> The profile at a path down a range.
    pure subroutine descend(self, range, x, spot, square, depth, load)

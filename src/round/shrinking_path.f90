@@ -18,11 +18,11 @@
 module adfric_round_shrinking_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_round_slip_annulus, only: angle_of_force, force_of_angle, largest_slip_core, slip_of_angle
+   use adfric_round_slip_annulus, only: angle_of_force, angle_of_slip, force_of_angle, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: shrinking_path_t, slip_state_t, demand_up_to, find_first, turn, force_of, displacement_of
-   public :: first_force, first_displacement
+   public :: shrinking_path_t, slip_state_t, demand_up_to, find_first, turn, turn_to, force_of, displacement_of
+   public :: first_force, first_displacement, first_core
 
    !> A state on a path.
    type :: slip_state_t
@@ -66,8 +66,8 @@ module adfric_round_shrinking_path
 
    end interface
 
-   !> What a first state is to have.
-   integer, parameter :: first_force = 1, first_displacement = 2
+   !> What a first state is to have; `first_core` is the root of its slip core.
+   integer, parameter :: first_force = 1, first_displacement = 2, first_core = 3
    !> Smallest step of ln g.
    real(dp), parameter :: least_step = 0.01_dp
    !> A step of ln g that is round-off.
@@ -103,26 +103,36 @@ contains
       displacement = path%displacement_scale*state%radius*sin(state%angle)
    end function displacement_of
 
-   !> Turn a state to a force or a displacement; not found if its contact does not bear it.
+   !> Turn a state to a force, a displacement or a slip core; not found if its contact does not bear it.
    pure subroutine turn_to(path, quantity, value, state)
       class(shrinking_path_t), intent(in) :: path
       !> One of `first_...`.
       integer, intent(in) :: quantity
-      !> T or u, > 0.
+      !> Its value, > 0.
       real(dp), intent(in) :: value
       !> In: a state that is found. Out: with the angle.
       class(slip_state_t), intent(inout) :: state
-      real(dp) :: largest
+      real(dp) :: largest, share
 
-      largest = path%displacement_scale*state%radius
-      if (quantity == first_force) largest = path%force_scale*state%radius**2
+      select case (quantity)
+      case (first_force)
+         largest = path%force_scale*state%radius**2
+      case (first_displacement)
+         largest = path%displacement_scale*state%radius
+      case default
+         largest = sqrt(largest_slip_core)
+      end select
       state%is_found = value <= (1 + round_off/2)*largest
       if (.not. state%is_found) return
-      if (quantity == first_force) then
-         call turn(angle_of_force(min(value/largest, 1.0_dp)), state)
-      else
-         call turn(asin(min(value/largest, 1.0_dp)), state)
-      end if
+      share = min(value/largest, 1.0_dp)
+      select case (quantity)
+      case (first_force)
+         call turn(angle_of_force(share), state)
+      case (first_displacement)
+         call turn(asin(share), state)
+      case default
+         call turn(angle_of_slip(min(value**2, largest_slip_core)), state)
+      end select
    end subroutine turn_to
 
    !> ln of the demand over g at a g.

@@ -197,7 +197,6 @@ contains
       real(dp), intent(in) :: part
       !> Receives the stretches, the first `n` of them.
       type(slip_stretch_t), intent(out) :: path(most_stretches)
-      !> Receives their number.
       integer, intent(out) :: n
       logical, intent(out) :: is_converged
       real(dp) :: remaining, outer, fall

@@ -47,7 +47,6 @@ contains
 
    !> The point that the values describe; they have been checked.
    pure subroutine resolve_case(values, self)
-      !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
       !> Receives the point in reduced variables, with its units.
       type(sphere_case_t), intent(out) :: self
@@ -62,7 +61,6 @@ contains
 
    !> Units, and what adhesion is in them. Without adhesion the units are those of w = E* R.
    pure subroutine resolve_units(values, self)
-      !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
       !> In: with theory and lambda as they are given. Out: with the units, and what follows for theory and lambda.
       type(sphere_case_t), intent(inout) :: self
@@ -79,7 +77,6 @@ contains
 
    !> The work of adhesion; 0 where none is given.
    pure real(dp) function get_work(values) result(work)
-      !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
 
       work = 0
@@ -88,7 +85,6 @@ contains
 
    !> What is prescribed.
    pure subroutine resolve_operation(values, self)
-      !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
       !> In: with its units. Out: with what is prescribed, too.
       type(sphere_case_t), intent(inout) :: self
@@ -108,7 +104,6 @@ contains
 
    !> Does one body alone yield, whose Poisson's ratio is known by its moduli?
    pure logical function has_ratio_of_body(values)
-      !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
 
       has_ratio_of_body = is_set(values(in%body_poisson_ratio)) .and. .not. is_set(values(in%second_young_modulus))
@@ -116,7 +111,6 @@ contains
 
    !> Friction.
    pure subroutine resolve_friction(values, self)
-      !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
       !> In: with its units. Out: with its friction, too.
       type(sphere_case_t), intent(inout) :: self

@@ -25,9 +25,7 @@ contains
    !> See `theory_t`.
    pure subroutine of_radius(self, value, contact)
       class(dmt_t), intent(in) :: self
-      !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
-      !> Receives the contact; what stood there before is not used.
       type(sphere_contact_t), intent(inout) :: contact
 
       if (has_asserts) call assert(value >= 0, 'of_radius: radius >= 0')
@@ -44,11 +42,8 @@ contains
    !> See `theory_t`. There is one branch, to a point contact at pull-off.
    pure subroutine of_load(self, value, branch, contact)
       class(dmt_t), intent(in) :: self
-      !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
-      !> One of `branch_...`; there is no unstable state.
       integer, intent(in) :: branch
-      !> Receives the contact, with `is_found`; what stood there before is not used.
       type(sphere_contact_t), intent(inout) :: contact
 
       contact = sphere_contact_t()
@@ -60,11 +55,8 @@ contains
    !> See `theory_t`.
    pure subroutine of_approach(self, value, branch, contact)
       class(dmt_t), intent(in) :: self
-      !> Approach delta of the contact, reduced; without contact it is negative.
       real(dp), intent(in) :: value
-      !> One of `branch_...`; there is no unstable state.
       integer, intent(in) :: branch
-      !> Receives the contact, with `is_found`; what stood there before is not used.
       type(sphere_contact_t), intent(inout) :: contact
 
       contact = sphere_contact_t()
@@ -76,9 +68,7 @@ contains
    !> See `theory_t`: the point contact, under every control.
    pure subroutine pull_off(self, control, contact)
       class(dmt_t), intent(in) :: self
-      !> One of `control_...`; it has no part in the result.
       integer, intent(in) :: control
-      !> Receives the contact at the end of stability.
       type(sphere_contact_t), intent(out) :: contact
 
       call self%of_radius(0.0_dp, contact)

@@ -16,7 +16,8 @@ module adfric_round_sphere_dugdale_curve
    use adfric_numerics_trigonometry, only: sinc_minus_cos
    implicit none (type, external)
    private
-   public :: curve_point_t, get_curve_point, get_disc_radius, get_disc, guess_position, farthest, largest_radius
+   public :: curve_point_t, curve_angle_t, get_curve_point, get_angle_point, get_disc_radius, get_disc, guess_position
+   public :: farthest, largest_radius
 
    !> Contacts are looked for up to this reduced radius, and up to this position y towards a = 0; real ones are far from both.
    real(dp), parameter :: largest_radius = 1.0e60_dp, farthest = 150.0_dp
@@ -27,9 +28,17 @@ module adfric_round_sphere_dugdale_curve
    type :: curve_point_t
       !> Radii of contact and adhesion, load, approach.
       real(dp) :: radius = 0, adhesion_radius = 0, load = 0, approach = 0
-      !> Derivatives of these four by the position.
+      !> Derivatives of these four by the position, or by the angle.
       real(dp) :: radius_slope = 0, adhesion_radius_slope = 0, load_slope = 0, approach_slope = 0
    end type curve_point_t
+
+   !> An angle of the curve, and what the point there is made of.
+   type :: curve_angle_t
+      !> th, its sine and cosine.
+      real(dp) :: th = 0, sine = 0, cosine = 1
+      !> f, k, A, and sqrt(B^2 + 4 A), which is 2 A c + B.
+      real(dp) :: f = 0, k = 0, aa = 0, root = 1
+   end type curve_angle_t
 
 contains
 
@@ -43,43 +52,63 @@ contains
       real(dp), intent(in) :: position
       !> Receives radii, load and approach, reduced, and their slopes.
       type(curve_point_t), intent(out) :: point
-      real(dp) :: t, th, s, c, s_c, cos_2, f, k, aa, bb, root, c_slope, total, pull
+      type(curve_angle_t) :: angle
+      real(dp) :: t
 
       if (has_asserts) call assert(lambda > 0 .and. ratio >= 0, 'get_curve_point: lambda > 0, X >= 0')
       t = exp(position)
-      th = atan(t)
-      c = 1/sqrt(1 + t*t)
-      s = t*c
-      s_c = s*c
-      cos_2 = (1 - t)*(1 + t)*c*c
-      if (th < narrow) then
-         f = th*sinc_minus_cos(2*th)
-      else
-         f = s_c - th*cos_2
-      end if
-      k = s*(th - s/(1 + c))
-      aa = lambda*f/2
-      bb = 4*ratio*lambda**2*k/3
-      root = sqrt(bb*bb + 4*aa)
-      total = s_c + th
-      pull = ratio*lambda
-      associate (p => point)
-         p%adhesion_radius = 2/(bb + root)
-         p%radius = p%adhesion_radius*c
-         p%load = p%radius**3 - pull*p%adhesion_radius**2*total
-         p%approach = p%radius**2 - 4*pull*p%adhesion_radius*s/3
-         ! by th, with f' = 2 th sin 2th and k' = th cos th; then by y, d th/dy = sin th cos th
-         c_slope = -p%adhesion_radius*(2*lambda*th*s_c*p%adhesion_radius + 4*ratio*lambda**2*th*c/3)/root
-         p%radius_slope = c_slope*c - p%adhesion_radius*s
-         p%load_slope = 3*p%radius**2*p%radius_slope &
-            & - 2*pull*(p%adhesion_radius*c_slope*total + p%radius**2)
-         p%approach_slope = 2*p%radius*p%radius_slope - 4*pull*(c_slope*s + p%radius)/3
+      angle%th = atan(t)
+      angle%cosine = 1/sqrt(1 + t*t)
+      angle%sine = t*angle%cosine
+      call get_angle_point(lambda, ratio, (1 - t)*(1 + t)*angle%cosine*angle%cosine, angle, point)
+      ! d th/dy = sin th cos th
+      associate (p => point, s_c => angle%sine*angle%cosine)
          p%radius_slope = p%radius_slope*s_c
-         p%adhesion_radius_slope = c_slope*s_c
+         p%adhesion_radius_slope = p%adhesion_radius_slope*s_c
          p%load_slope = p%load_slope*s_c
          p%approach_slope = p%approach_slope*s_c
       end associate
    end subroutine get_curve_point
+
+   !> The point of an angle, with slopes by the angle: f' = 2 th sin 2th, k' = th cos th.
+   elemental subroutine get_angle_point(lambda, ratio, cos_2, angle, point)
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> X, the share of adhesion that remains [-], >= 0.
+      real(dp), intent(in) :: ratio
+      !> cos 2th.
+      real(dp), intent(in) :: cos_2
+      !> In: th, its sine and cosine. Out: with all.
+      type(curve_angle_t), intent(inout) :: angle
+      !> Receives radii, load and approach, reduced, and their slopes.
+      type(curve_point_t), intent(out) :: point
+      real(dp) :: s_c, bb, c_slope, total, pull
+
+      associate (p => point, th => angle%th, s => angle%sine, c => angle%cosine)
+         s_c = s*c
+         if (th < narrow) then
+            angle%f = th*sinc_minus_cos(2*th)
+         else
+            angle%f = s_c - th*cos_2
+         end if
+         angle%k = s*(th - s/(1 + c))
+         angle%aa = lambda*angle%f/2
+         bb = 4*ratio*lambda**2*angle%k/3
+         angle%root = sqrt(bb*bb + 4*angle%aa)
+         total = s_c + th
+         pull = ratio*lambda
+         p%adhesion_radius = 2/(bb + angle%root)
+         p%radius = p%adhesion_radius*c
+         p%load = p%radius**3 - pull*p%adhesion_radius**2*total
+         p%approach = p%radius**2 - 4*pull*p%adhesion_radius*s/3
+         c_slope = -p%adhesion_radius*(2*lambda*th*s_c*p%adhesion_radius + 4*ratio*lambda**2*th*c/3)/angle%root
+         p%adhesion_radius_slope = c_slope
+         p%radius_slope = c_slope*c - p%adhesion_radius*s
+         p%load_slope = 3*p%radius**2*p%radius_slope &
+            & - 2*pull*(p%adhesion_radius*c_slope*total + p%radius**2)
+         p%approach_slope = 2*p%radius*p%radius_slope - 4*pull*(c_slope*s + p%radius)/3
+      end associate
+   end subroutine get_angle_point
 
    !> Radius of adhesion at a = 0, where the curve ends.
    elemental real(dp) function get_disc_radius(lambda, ratio) result(radius)

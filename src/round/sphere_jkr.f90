@@ -33,9 +33,7 @@ contains
    !> See `theory_t`.
    pure subroutine of_radius(self, value, contact)
       class(jkr_t), intent(in) :: self
-      !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
-      !> Receives the contact; what stood there before is not used.
       type(sphere_contact_t), intent(inout) :: contact
       real(dp) :: tension
 
@@ -53,11 +51,8 @@ contains
    !> See `theory_t`. P is quadratic in a^(3/2).
    pure subroutine of_load(self, value, branch, contact)
       class(jkr_t), intent(in) :: self
-      !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
-      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
-      !> Receives the contact, with `is_found`; what stood there before is not used.
       type(sphere_contact_t), intent(inout) :: contact
       real(dp) :: tension, discriminant, root
 
@@ -79,11 +74,8 @@ contains
    !> See `theory_t`.
    pure subroutine of_approach(self, value, branch, contact)
       class(jkr_t), intent(in) :: self
-      !> Approach delta of the contact, reduced; separation is negative.
       real(dp), intent(in) :: value
-      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
-      !> Receives the contact, with `is_found` and `is_converged`; what stood there before is not used.
       type(sphere_contact_t), intent(inout) :: contact
       type(approach_equation_t) :: equation
       real(dp) :: fold, root, rest
@@ -119,9 +111,7 @@ contains
    !> See `theory_t`: a^3 = 3 X/2 under load, X/6 under approach.
    pure subroutine pull_off(self, control, contact)
       class(jkr_t), intent(in) :: self
-      !> One of `control_...`: what is prescribed. A given radius counts as a given load.
       integer, intent(in) :: control
-      !> Receives the contact at the end of stability.
       type(sphere_contact_t), intent(out) :: contact
 
       call self%of_radius(cube_root(self%ratio*merge(1/6.0_dp, 1.5_dp, control == control_approach)), contact)

@@ -56,7 +56,6 @@ contains
 
    !> See `theory_t`. At radius 0 the surfaces are about to touch.
    pure subroutine of_radius(self, value, contact)
-      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
       !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
@@ -76,7 +75,6 @@ contains
 
    !> See `theory_t`. A load has one stable state, so the search ends where it meets one.
    pure subroutine of_load(self, value, branch, contact)
-      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
       !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
@@ -114,7 +112,6 @@ contains
 
    !> See `theory_t`. Held at a distance, the surfaces may part without a jump, through a = 0 to a smaller disc.
    pure subroutine of_approach(self, value, branch, contact)
-      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
       !> Approach delta of the contact, reduced; separation is negative.
       real(dp), intent(in) :: value
@@ -160,7 +157,6 @@ contains
 
    !> See `theory_t`.
    pure subroutine pull_off(self, control, contact)
-      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
       !> One of `control_...`: what is prescribed. A given radius counts as a given load.
       integer, intent(in) :: control
@@ -212,7 +208,6 @@ contains
 
    !> Find the position on the curve where a quantity has a value.
    pure subroutine go_to(self, quantity, value, high, is_alone, contact, rises_from)
-      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
@@ -272,7 +267,6 @@ contains
 
    !> The position of the largest contact there is.
    pure real(dp) function start_of(self)
-      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
 
       start_of = guess_position(self%lambda, self%ratio, largest_radius)
@@ -298,7 +292,6 @@ contains
 
    !> The state without contact whose adhesion reaches a radius.
    pure subroutine go_apart(self, radius, contact)
-      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
       !> Radius c of adhesion, reduced, >= 0.
       real(dp), intent(in) :: radius
@@ -313,7 +306,6 @@ contains
 
    !> Value and slope of the equation. Radii are compared by their logarithms, along which the curve is nearly straight.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation, with lambda, X, the quantity and its given value.
       class(curve_equation_t), intent(in) :: self
       !> Position on the curve.
       real(dp), intent(in) :: x

@@ -14,6 +14,7 @@ module adfric_round_sphere_model
    use adfric_describe_status, only: status_solved
    use adfric_describe_rows, only: count_row
    use adfric_describe_table, only: result_t, profile_t, profile_axis_t, take_units
+   use adfric_round_interaction_events, only: results_of_events
    use adfric_round_sphere_case, only: sphere_case_t, resolve_case
    use adfric_round_sphere_check, only: check_sphere_values
    use adfric_round_sphere_contact, only: theory_maugis_dugdale, theory_dmt
@@ -21,6 +22,7 @@ module adfric_round_sphere_model
    use adfric_round_sphere_profiles, only: contact_profile_t, new_profile
    use adfric_round_slip_annulus, only: shear_traction
    use adfric_round_sphere_shear_slip, only: shear_stress_of
+   use adfric_round_variables, only: radius_axis
    use adfric_round_sphere_variables, only: get_sphere_profiles, get_sphere_results, get_sphere_variables, &
       & units_reduced, in => sphere_input, out => sphere_output
    implicit none (type, external)
@@ -140,16 +142,10 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives the axis r.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
-      integer :: n, k
 
-      allocate (axes(1))
-      axes(1)%name = self%profile_axes
-      axes(1)%unit = 'm'
-      if (is_reduced(values)) axes(1)%unit = '-'
-      axes(1)%long_name = 'distance from the axis'
-      n = nint(values(in%n_r))
-      allocate (axes(1)%coordinates(n), source=0.0_dp)
-      if (is_set(values(in%r_max))) axes(1)%coordinates = [(values(in%r_max)*k/(n - 1), k=0, n - 1)]
+      axes = radius_axis(values(in%r_max), values(in%n_r), merge('-', 'm', is_reduced(values)))
+      associate (unused => self)
+      end associate
    end subroutine get_profile_axes
 
    !> See `model_t`: a paraboloid stands for the sphere. Reduced units have no radius of the sphere.
@@ -214,17 +210,8 @@ contains
       results = not_a_number()
       ! these say why there is no state
       results(out%pull_off_load) = point%pull_off_load*case%force_unit
-      associate (events => point%events)
-         results([out%peak_force, out%sliding_force, out%force_drop, out%snap_off_force]) = case%force_unit &
-            & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
-         results([out%peak_displacement, out%snap_off_displacement]) = case%approach_unit &
-            & *[events%peak_displacement, events%snap_off_displacement]
-         results(out%critical_lateral_stiffness) = events%critical_stiffness*(case%force_unit/case%approach_unit)
-         results([out%jump_force, out%arrest_force]) = case%force_unit*[events%jump%force, events%jump%arrest_force]
-         results([out%jump_base_displacement, out%jump_displacement, out%jump_period]) = case%approach_unit &
-            & *[events%jump%base_displacement, events%jump%displacement, events%jump%period]
-         results([out%jump_energy, out%period_work]) = case%force_unit*case%approach_unit*[events%jump%energy, events%jump%work]
-      end associate
+      results(out%peak_force:out%period_work) = results_of_events(point%events, case%force_unit, case%approach_unit, &
+         & case%force_unit/case%approach_unit)
       if (point%status /= status_solved) return
       associate (contact => point%contact)
          results(out%load) = contact%load*case%force_unit

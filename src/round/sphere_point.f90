@@ -11,13 +11,13 @@ module adfric_round_sphere_point
       & part_bodies
    use adfric_round_driven_contact, only: driven_error
    use adfric_interface_interaction, only: adhesion_ratio
-   use adfric_round_sphere_peeling, only: peeling_friction_t, friction_state_t, friction_events_t, find_static_state, &
-      & find_friction_events, forget_events, given_force, given_displacement
+   use adfric_round_interaction_events, only: find_peeling_events, forget_peeling_events, peeling_events_t
+   use adfric_round_interaction_path, only: friction_law_t, largest_slip_of, slip_of
+   use adfric_round_sphere_path, only: law_of_sphere, new_sphere_path, peeling_friction_t, peeling_path_t
+   use adfric_round_sphere_peeling, only: friction_state_t, find_static_state, find_driven_sphere, given_force, given_displacement
    use adfric_round_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
-   use adfric_round_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, &
-      & find_slip_of_displacement
-   use adfric_round_sphere_spring_drive, only: sphere_spring_drive_t, new_spring_drive, find_driven_state
-   use adfric_round_sphere_static_friction, only: slip_factor, mean_slip, largest_slip
+   use adfric_round_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip
+   use adfric_round_spring_drive, only: new_spring_drive, spring_drive_t
    use adfric_round_sphere_theory_choice, only: new_theory, theory_choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
    implicit none (type, external)
    private
@@ -40,9 +40,9 @@ module adfric_round_sphere_point
       !> gamma = e/b, tangential force and displacement, slip at the edge: mean and largest.
       real(dp) :: gamma = 1, friction_force = 0, displacement = 0, slip = 0, largest_slip = 0
       !> Events of the static phase; NaN where they are not asked for, or do not happen.
-      type(friction_events_t) :: events
+      type(peeling_events_t) :: events
       !> Radii and stresses of a contact whose strength grows with pressure.
-      type(sheared_sphere_t) :: sheared
+      type(sheared_sphere_t), allocatable :: sheared
    end type sphere_point_t
 
    !> What one point of a block hands on to the next, to save time.
@@ -66,13 +66,13 @@ module adfric_round_sphere_point
       !> The point that the events belong to.
       type(sphere_case_t) :: events_case
       !> The events of that point.
-      type(friction_events_t) :: events
+      type(peeling_events_t) :: events
       !> The last way of a sphere on a driven spring.
       logical :: has_drive = .false.
       !> The point that it belongs to.
       type(sphere_case_t) :: drive_case
       !> That way.
-      type(sphere_spring_drive_t) :: drive
+      type(spring_drive_t) :: drive
    end type sphere_memory_t
 
 contains
@@ -90,19 +90,18 @@ contains
       real(dp) :: spring_error
 
       spring_error = 0
-      call forget_events(point%events)
+      call forget_peeling_events(point%events)
       if (case%has_friction .and. case%is_sliding) point%ratio = adhesion_ratio(case%slip_energy_ratio, case%interaction)
       point%theory = case%theory
       if (case%theory == theory_auto) point%theory = theory_maugis_dugdale
       call take_theory(point%theory, case%lambda, memory)
       if (case%is_base_given) then
          call take_drive(case, memory)
-         call find_driven_state(memory%drive, case%tangential, state)
+         call find_driven_sphere(memory%drive, case%tangential, state)
          call take_state(state, point)
          if (state%is_found) spring_error = driven_error(memory%drive%jump, case%stiffness, case%tangential, state%force)
       else if (is_peeling(case)) then
-         call find_static_state(memory%theory, new_friction(case), case%control, case%value, case%branch, &
-            & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
+         call peel(case, memory, state)
          call take_state(state, point)
       else
          ! with events X changes on the path, and with it what could be proved; nothing is proved of what r < b carries
@@ -132,11 +131,13 @@ contains
       type(sphere_case_t), intent(in) :: case
       !> Receives the path, if it is a new one.
       type(sphere_memory_t), intent(inout) :: memory
+      type(peeling_path_t) :: path
 
       if (memory%has_drive) then
          if (has_same_events(case, memory%drive_case)) return
       end if
-      call new_spring_drive(memory%drive, memory%theory, new_friction(case), case%control, case%value, case%branch, case%stiffness)
+      call new_path_of(case, memory, path)
+      call new_spring_drive(memory%drive, path, case%stiffness)
       memory%drive_case = case
       memory%has_drive = .true.
    end subroutine take_drive
@@ -155,6 +156,28 @@ contains
 
       friction = peeling_friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
    end function new_friction
+
+   !> The state of static friction that changes the contact.
+   pure subroutine peel(case, memory, state)
+      type(sphere_case_t), intent(in) :: case
+      !> Holds the theory.
+      type(sphere_memory_t), intent(in) :: memory
+      type(friction_state_t), intent(out) :: state
+      type(peeling_path_t) :: path
+
+      call new_path_of(case, memory, path)
+      call find_static_state(path, merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
+   end subroutine peel
+
+   !> The path of a case from rest to sliding.
+   pure subroutine new_path_of(case, memory, path)
+      type(sphere_case_t), intent(in) :: case
+      !> Holds the theory.
+      type(sphere_memory_t), intent(in) :: memory
+      type(peeling_path_t), intent(out) :: path
+
+      call new_sphere_path(path, memory%theory, new_friction(case), case%control, case%value, case%branch)
+   end subroutine new_path_of
 
    !> A state of the static phase.
    pure subroutine take_state(state, point)
@@ -180,14 +203,11 @@ contains
       type(sphere_memory_t), intent(inout) :: memory
       !> Receives the events, and their status if they were not found to round-off.
       type(sphere_point_t), intent(inout) :: point
+      type(peeling_path_t) :: path
 
       if (.not. (memory%has_events .and. has_same_events(case, memory%events_case))) then
-         if (case%stiffness > 0) then
-            call find_friction_events(memory%theory, new_friction(case), case%control, case%value, case%branch, memory%events, &
-               & case%stiffness)
-         else
-            call find_friction_events(memory%theory, new_friction(case), case%control, case%value, case%branch, memory%events)
-         end if
+         call new_path_of(case, memory, path)
+         call find_peeling_events(path, case%stiffness, memory%events)
          memory%events_case = case
          memory%has_events = .true.
       end if
@@ -208,7 +228,6 @@ contains
 
    !> Take the theory of a number into the memory.
    subroutine take_theory(number, lambda, memory)
-      !> One of `theory_...`.
       integer, intent(in) :: number
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
@@ -278,7 +297,6 @@ contains
       type(sphere_memory_t), intent(in) :: memory
       !> What is found of the point, with theory and contact.
       type(sphere_point_t), intent(in) :: point
-      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
 
       if (point%theory == memory%number) then
@@ -300,6 +318,7 @@ contains
       type(sphere_point_t), intent(inout) :: point
       type(sphere_slip_t) :: slip
 
+      allocate (point%sheared)
       call new_sheared_sphere(point%sheared, memory%theory, point%contact, case%strength, case%pressure_factor, &
          & case%edge_fraction, case%poisson)
       associate (sphere => point%sheared)
@@ -322,11 +341,7 @@ contains
             point%status = status_no_equilibrium
             return
          end if
-         if (case%is_displacement_given) then
-            call find_slip_of_displacement(sphere, case%tangential, slip)
-         else
-            call find_slip_of_force(sphere, case%tangential, slip)
-         end if
+         call find_slip(sphere, case%tangential, .not. case%is_displacement_given, slip)
       end associate
       if (.not. slip%is_converged) point%status = status_not_converged
       point%gamma = slip%gamma
@@ -356,9 +371,11 @@ contains
       !> In: with its contact. Out: with its friction, too, or with the status of a force that it does not bear.
       type(sphere_point_t), intent(inout) :: point
       real(dp) :: largest_force, largest_displacement, angle
+      type(friction_law_t) :: law
 
       largest_force = half_pi*case%strength*point%friction_radius**2
-      largest_displacement = 2*slip_factor(case%poisson)*case%strength*point%friction_radius/3
+      law = law_of_sphere(new_friction(case))
+      largest_displacement = 2*law%compliance*law%strength*point%friction_radius
       if (case%is_sliding) then
          call slide(largest_force, point)
          return
@@ -387,13 +404,15 @@ contains
       real(dp), intent(in) :: angle
       !> In: with its friction radius. Out: with force, displacement and slip, too.
       type(sphere_point_t), intent(inout) :: point
+      type(friction_law_t) :: law
 
+      law = law_of_sphere(new_friction(case))
       point%friction_force = half_pi*case%strength*point%friction_radius**2*force_of_angle(angle)
       if (case%is_force_given) point%friction_force = case%tangential
-      point%displacement = 2*slip_factor(case%poisson)*case%strength*point%friction_radius*sin(angle)/3
+      point%displacement = 2*law%compliance*law%strength*point%friction_radius*sin(angle)
       if (case%is_displacement_given) point%displacement = case%tangential
-      point%slip = mean_slip(case%strength, case%poisson, point%friction_radius, angle)
-      point%largest_slip = largest_slip(case%strength, case%poisson, point%friction_radius, angle)
+      point%slip = slip_of(law, point%friction_radius, angle)
+      point%largest_slip = largest_slip_of(law, point%friction_radius, angle)
    end subroutine add_static_friction
 
 end module adfric_round_sphere_point

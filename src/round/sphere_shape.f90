@@ -57,11 +57,8 @@ contains
    !> See `shape_t`.
    pure subroutine evaluate(self, u, is_beyond, spot)
       class(sphere_shape_t), intent(in) :: self
-      !> The unknown artanh(a), >= 0.
       real(dp), intent(in) :: u
-      !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond
-      !> Receives what the shape is there.
       type(spot_t), intent(out) :: spot
 
       associate (s => spot%radius, q => spot%radius_slope)
@@ -109,7 +106,6 @@ contains
    !> See `shape_t`.
    elemental real(dp) function unknown_of(self, radius)
       class(sphere_shape_t), intent(in) :: self
-      !> Radius of contact, 0 <= radius < 1.
       real(dp), intent(in) :: radius
 
       unknown_of = atanh(radius)
@@ -120,7 +116,6 @@ contains
    !> See `shape_t`: sqrt(s) g' is above 2 s^(3/2), and from u = 1 on above 2/3 cosh(u)^2.
    pure real(dp) function get_end(self, target)
       class(sphere_shape_t), intent(in) :: self
-      !> The number, > 0.
       real(dp), intent(in) :: target
       real(dp), parameter :: margin = 1.0_dp + 1.0e-6_dp
 
@@ -137,7 +132,6 @@ contains
    !> See `shape_t`.
    elemental real(dp) function rise(self, v)
       class(sphere_shape_t), intent(in) :: self
-      !> Radius x, 0 < x < 1.
       real(dp), intent(in) :: v
 
       rise = atanh(v) + v/((1 - v)*(1 + v))
@@ -157,9 +151,7 @@ contains
    !> See `shape_t`.
    pure real(dp) function energy(self, u, is_beyond)
       class(sphere_shape_t), intent(in) :: self
-      !> The unknown artanh(a), >= 0.
       real(dp), intent(in) :: u
-      !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond
       type(energy_integrand_t) :: integrand
       integer :: node
@@ -193,9 +185,7 @@ contains
    !> See `shape_t`.
    pure subroutine get_profile(self, r, height, slope)
       class(sphere_shape_t), intent(in) :: self
-      !> Distance from the axis, 0 <= r < 1.
       real(dp), intent(in) :: r
-      !> f and f'.
       real(dp), intent(out) :: height, slope
       real(dp) :: level
 
@@ -209,7 +199,6 @@ contains
    !> See `shape_t`; above the equator there is none but 1.
    pure real(dp) function radius_of_height(self, height)
       class(sphere_shape_t), intent(in) :: self
-      !> The height, > 0.
       real(dp), intent(in) :: height
 
       radius_of_height = 1
@@ -222,13 +211,9 @@ contains
    pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
       class(sphere_shape_t), intent(in) :: self
       type(spot_t), intent(in) :: spot
-      !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond
-      !> s = sqrt(c^2 - a^2), > 0.
       real(dp), intent(in) :: s
-      !> Receive J and I.
       real(dp), intent(out) :: opening, intensity
-      !> Are they closed forms here? They always are.
       logical, intent(out) :: is_closed
       real(dp) :: u
 

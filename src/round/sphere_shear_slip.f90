@@ -1,10 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A sphere that resists shear by tau0 + alpha p: the force at which it slides, and partial slip below it, reduced.
 !>
-!> Force and displacement follow from the radius e that sticks (`adfric_round_shear_sums`, in units of E* = R = 1, where the load
-!> without adhesion is 4 a^3/3, its depth a^2, and stresses and forces are 2/3 and 4/3 of those of J 2.11). Both fall with e, so a
-!> force or a displacement has one e. Beside the contact, a < e < b, all is that of a uniform stress; in contact the unknown is
-!> arccos(e/a), or arcsin(e/a) near sliding, where what the force lacks is compared.
+!> The radius e that sticks is that of a paraboloid (`adfric_round_shear`, in units of E* = R = 1, where stresses and forces are 2/3
+!> and 4/3 of those of J 2.11).
 !>
 !> The slip at the edge is that of the punches of radius x between e and b, each of which slips as a whole, mean around the edge and
 !> the part that goes around with cos 2t (J 3.6, 3.7 for a uniform stress):
@@ -12,20 +10,21 @@
 !>     s = (2 m/pi) int arccos(x/b) dv,   (2 m/pi) nu/(2 - nu) int (x/b) sqrt(1 - x^2/b^2) dv,   e < x < b
 module adfric_round_sphere_shear_slip
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: half_pi, pi
-   use adfric_round_shear_sums, only: shear_sums_t, set_shear_radii, sliding_force, stress_in_stick, sum_displacement, &
-      & sum_force, sum_rest, uniform_force
+   use adfric_base_constants, only: pi
+   use adfric_round_contact_state, only: contact_t
+   use adfric_round_power_shape, only: new_power_shape, power_shape_t
+   use adfric_round_shear, only: find_position
+   use adfric_round_shear_sums, only: sliding_force, stress_in_stick, sum_displacement, sum_force, uniform_force
+   use adfric_round_sheared_contact, only: new_sheared, resistance_t, sheared_t
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
-   use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_round_sphere_contact, only: sphere_contact_t, theory_t
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_jkr, only: jkr_t
-   use adfric_round_sphere_maugis_dugdale, only: maugis_t
-   use adfric_round_slip_annulus, only: angle_of_force, gamma_of_force, slip_of_angle
-   use adfric_round_sphere_static_friction, only: slip_factor
+   use adfric_round_slip_annulus, only: slip_of_angle
+   use adfric_round_sphere_path, only: slip_factor, take_contact
    implicit none (type, external)
    private
-   public :: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, find_slip_of_displacement, shear_stress_of
+   public :: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip, shear_stress_of
 
    !> Units of stresses and forces here, E* = R = 1, in those of J 2.11.
    real(dp), parameter :: stress_unit = 2.0_dp/3, force_unit = 4.0_dp/3
@@ -33,7 +32,7 @@ module adfric_round_sphere_shear_slip
    real(dp), parameter :: near_edge = 0.5_dp, longest = 2.0_dp
 
    !> A contact that resists shear.
-   type, extends(shear_sums_t) :: sheared_sphere_t
+   type, extends(sheared_t) :: sheared_sphere_t
       !> Shear strength, Poisson's ratio, and m.
       real(dp) :: strength = 0, poisson = 0, compliance = 1
       !> Is there a force of sliding? In JKR the infinite tension at the edge may take more than all of it.
@@ -54,19 +53,6 @@ module adfric_round_sphere_shear_slip
       real(dp) :: slip = 0, largest_slip = 0
    end type sphere_slip_t
 
-   !> The logarithm of force or displacement, or of what it lacks to sliding, less that of its target, against the logarithm of the
-   !> angle arccos(e/a), or arcsin(e/a).
-   type, extends(equation_t) :: slip_equation_t
-      !> The contact.
-      type(sheared_sphere_t) :: sphere
-      !> Is the force compared, or else the displacement? Is it what is lacking?
-      logical :: is_of_force = .true., is_of_rest = .false.
-      !> The target, in the units of the sums.
-      real(dp) :: target = 1
-   contains
-      procedure :: evaluate
-   end type slip_equation_t
-
 contains
 
    !> A contact that resists shear.
@@ -84,22 +70,21 @@ contains
       real(dp), intent(in) :: edge_fraction
       !> Poisson's ratio.
       real(dp), intent(in) :: poisson
-      real(dp) :: whole_zone, carried, slope
+      type(power_shape_t) :: shape
+      type(contact_t) :: paraboloid
+      real(dp) :: carried, slope
 
-      whole_zone = 0
       carried = contact%load
       select type (theory)
-      type is (maugis_t)
-         ! the position is ln(s/a), s^2 = c^2 - a^2
-         whole_zone = (contact%radius*exp(contact%position))**2
-         self%stress = stress_unit*theory%ratio*theory%lambda
       class is (dmt_t)
          carried = carried + theory%pull()
       end select
-      call set_shear_radii(self, contact%radius, contact%adhesion_radius, whole_zone, edge_fraction)
+      call new_power_shape(shape, [2.0_dp], [1.0_dp])
+      call take_contact(theory, contact, paraboloid)
+      paraboloid%u = contact%radius
+      call shape%evaluate(paraboloid%u, .true., paraboloid%spot)
       self%strength = stress_unit*strength
-      self%factor = factor
-      self%uniform = max(self%strength - factor*self%stress, 0.0_dp)
+      call new_sheared(shape, resistance_t(self%strength, factor, edge_fraction), paraboloid, self%sheared_t)
       self%poisson = poisson
       self%compliance = slip_factor(poisson)/2
       self%largest_force = sliding_force(self, self%strength, force_unit*carried)/force_unit
@@ -112,124 +97,35 @@ contains
       self%largest_displacement = self%compliance*self%largest_displacement
    end subroutine new_sheared_sphere
 
-   !> The slip under a force.
-   pure subroutine find_slip_of_force(self, force, slip)
+   !> The slip under a force, or of a displacement.
+   pure subroutine find_slip(self, value, is_of_force, slip)
       type(sheared_sphere_t), intent(in) :: self
-      !> T, from 0 to that of sliding, reduced (J 2.11).
-      real(dp), intent(in) :: force
+      !> T or displacement, from 0 to that of the onset of sliding, reduced (J 2.11).
+      real(dp), intent(in) :: value
+      !> Is it T?
+      logical, intent(in) :: is_of_force
       type(sphere_slip_t), intent(out) :: slip
-      type(slip_equation_t) :: equation
-      real(dp) :: zone, given, beside
+      real(dp) :: unit, total, x, remaining, square
+      integer :: number
 
-      zone = sqrt(self%zone)
-      given = force_unit*force
-      beside = uniform_force(self, self%a, zone)
       slip%radius = self%b
-      if (force > 0) then
-         if (given <= beside) then
-            given = given/(pi*self%uniform*self%b**2)
-            slip%radius = self%b*gamma_of_force(given)
-            call describe(self, angle_of_force(given), 0.0_dp, slip)
+      if (value > 0) then
+         unit = merge(force_unit, 1/self%compliance, is_of_force)
+         total = unit*merge(self%largest_force, self%largest_displacement, is_of_force)
+         call find_position(self%sheared_t, unit*value, is_of_force, total, number, x, remaining, slip%is_converged)
+         if (self%ranges(number)%is_beside) then
+            slip%radius = self%b*cos(x)
+            call describe(self, x, 0.0_dp, slip)
          else
-            equation%sphere = self
-            equation%target = given
-            call find_in_contact(equation, force_unit*self%largest_force, slip)
+            slip%radius = self%a - x
+            if (remaining > 0) slip%radius = remaining
+            square = x*(2*self%a - x)
+            call describe(self, atan2(sqrt(self%zone + square), slip%radius), square, slip)
          end if
       end if
-      slip%force = force
-   end subroutine find_slip_of_force
-
-   !> The slip of a displacement.
-   pure subroutine find_slip_of_displacement(self, displacement, slip)
-      type(sheared_sphere_t), intent(in) :: self
-      !> Displacement, from 0 to that of the onset of sliding, reduced (J 2.11).
-      real(dp), intent(in) :: displacement
-      type(sphere_slip_t), intent(out) :: slip
-      type(slip_equation_t) :: equation
-      real(dp) :: zone, given
-
-      zone = sqrt(self%zone)
-      given = displacement/self%compliance
-      slip%radius = self%b
-      if (displacement > 0) then
-         if (given <= 2*self%uniform*zone) then
-            given = given/(2*self%uniform*self%b)
-            slip%radius = self%b*sqrt((1 - given)*(1 + given))
-            call describe(self, asin(given), 0.0_dp, slip)
-         else
-            equation%sphere = self
-            equation%is_of_force = .false.
-            equation%target = given
-            call find_in_contact(equation, self%largest_displacement/self%compliance, slip)
-         end if
-      end if
-      slip%displacement = displacement
-   end subroutine find_slip_of_displacement
-
-   !> The slip whose position lies in contact. Up to the middle arccos(e/a) is the unknown, beyond it arcsin(e/a).
-   pure subroutine find_in_contact(equation, total, slip)
-      !> In: contact, kind and target. It serves the search.
-      type(slip_equation_t), intent(inout) :: equation
-      !> Force or displacement of sliding.
-      real(dp), intent(in) :: total
-      type(sphere_slip_t), intent(inout) :: slip
-      ! logarithm of the smallest angle
-      real(dp), parameter :: smallest = -300.0_dp, middle = half_pi/2
-      real(dp) :: x, value, slope, angle, square
-
-      call equation%evaluate(log(middle), value, slope)
-      equation%is_of_rest = value < 0
-      if (equation%is_of_rest) then
-         equation%target = total - equation%target
-         angle = 0
-         if (equation%target > 0) then
-            x = log(middle) + min(log(equation%target/total)/2, 0.0_dp)
-            call find_root(equation, smallest, log(middle) + 0.01_dp, .true., x, slip%is_converged)
-            angle = exp(x)
-         end if
-         slip%radius = equation%sphere%a*sin(angle)
-         square = (equation%sphere%a*cos(angle))**2
-      else
-         x = log(middle) - value
-         call find_root(equation, smallest, log(middle) + 0.01_dp, .true., x, slip%is_converged)
-         slip%radius = equation%sphere%a*cos(exp(x))
-         square = (equation%sphere%a*sin(exp(x)))**2
-      end if
-      call describe(equation%sphere, atan2(sqrt(equation%sphere%zone + square), slip%radius), square, slip)
-   end subroutine find_in_contact
-
-   !> See `equation_t`.
-   pure subroutine evaluate(self, x, value, slope)
-      class(slip_equation_t), intent(in) :: self
-      !> Logarithm of the angle.
-      real(dp), intent(in) :: x
-      !> Difference of the logarithms.
-      real(dp), intent(out) :: value
-      !> Derivative of the value by x.
-      real(dp), intent(out) :: slope
-      real(dp) :: angle, e, square, size, rate
-
-      angle = exp(x)
-      associate (sphere => self%sphere, a => self%sphere%a)
-         e = a*merge(sin(angle), cos(angle), self%is_of_rest)
-         square = (a*merge(cos(angle), sin(angle), self%is_of_rest))**2
-         call sum_displacement(sphere, square, square, size, rate)
-         ! dv/dx, and dT = 2 e dv
-         slope = (rate + sphere%factor)*a**2*sin(2*angle)*angle
-         if (self%is_of_force) slope = 2*e*slope
-         if (self%is_of_rest .and. self%is_of_force) then
-            size = sum_rest(sphere, e, square, force_unit*e**3)
-         else if (self%is_of_force) then
-            size = sum_force(sphere, e, square, force_unit*cube_difference(a, e, square))
-         else if (self%is_of_rest) then
-            size = e**2*(2*sphere%uniform/(sphere%b + sqrt(sphere%zone + square)) + sphere%factor)
-            if (sphere%stress > 0) size = size + 2*sphere%factor*sphere%stress*e**2/(sphere%c + sqrt(sphere%whole_zone + square))
-         end if
-         size = max(size, tiny(size))
-         value = log(size/self%target)
-         slope = slope/size
-      end associate
-   end subroutine evaluate
+      if (is_of_force) slip%force = value
+      if (.not. is_of_force) slip%displacement = value
+   end subroutine find_slip
 
    !> What follows from the position: force, displacement and slip.
    pure subroutine describe(self, angle, square, slip)

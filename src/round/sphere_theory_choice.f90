@@ -49,7 +49,6 @@ contains
    !> A theory by its number, for X = 1.
    subroutine new_theory(theory, number, lambda)
       class(theory_t), allocatable, intent(out) :: theory
-      !> One of `theory_...`.
       integer, intent(in) :: number
       !> Maugis's parameter [-], > 0; only Maugis-Dugdale uses it.
       real(dp), intent(in) :: lambda
@@ -74,7 +73,6 @@ contains
       real(dp), intent(in) :: lambda
       !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
-      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> Is the radius c of adhesion needed, too? Then DMT will not do.
       logical, intent(in) :: needs_edge
@@ -105,7 +103,6 @@ contains
       real(dp), intent(in) :: lambda
       !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
-      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> Is the radius c of adhesion needed, too?
       logical, intent(in) :: needs_edge
@@ -169,9 +166,7 @@ contains
    !> The simplest theory that is proved to be within the tolerance, and its contact. It depends on the parameters of the choice
    !> and on what is prescribed, and on nothing else.
    pure subroutine choose_theory(self, value, branch, number, error, contact)
-      !> The choice, with its limit theory and its range.
       type(theory_choice_t), intent(in) :: self
-      !> Value of the load, approach or radius that is prescribed, reduced.
       real(dp), intent(in) :: value
       !> One of `branch_...`; a limit theory will do for the stable state only.
       integer, intent(in) :: branch

@@ -5,6 +5,7 @@ module adfric_round_sphere_variables
    use adfric_base_counting, only: counting
    use adfric_solid_contact_modulus, only: set_modulus_rows
    use adfric_interface_interaction_rows, only: set_interaction_rows
+   use adfric_round_variables, only: set_event_rows, set_slip_rows
    use adfric_describe_rows, only: above_zero, choice, poisson_ratio, switch, whole_number, result_row, any_number
    use adfric_describe_table, only: variable_t, result_t, profile_t
    implicit none (type, external)
@@ -118,40 +119,25 @@ contains
       !> Are all quantities reduced? Then their unit is `-`.
       logical, intent(in) :: is_reduced
       type(result_t), allocatable :: r(:)
-      character(:), allocatable :: force, length, area, energy, stiffness
+      integer :: k
 
-      force = 'N'
-      length = 'm'
-      area = 'm^2'
-      energy = 'J'
-      stiffness = 'N/m'
-      if (is_reduced) force = '-'
-      if (is_reduced) length = '-'
-      if (is_reduced) area = '-'
-      if (is_reduced) energy = '-'
-      if (is_reduced) stiffness = '-'
       allocate (r(n_sphere_results))
-      r(sphere_output%load) = result_row(name='load', unit=force, long_name='load', is_main=.true.)
-      r(sphere_output%approach) = result_row(name='approach', unit=length, long_name='approach of distant points', is_main=.true.)
-      r(sphere_output%contact_radius) = result_row(name='contact_radius', unit=length, long_name='radius a of intimate contact', &
+      r(sphere_output%load) = result_row(name='load', unit='N', long_name='load', is_main=.true.)
+      r(sphere_output%approach) = result_row(name='approach', unit='m', long_name='approach of distant points', is_main=.true.)
+      r(sphere_output%contact_radius) = result_row(name='contact_radius', unit='m', long_name='radius a of intimate contact', &
          & is_main=.true.)
-      r(sphere_output%adhesion_radius) = result_row(name='adhesion_radius', unit=length, &
+      r(sphere_output%adhesion_radius) = result_row(name='adhesion_radius', unit='m', &
          & long_name='radius c up to which adhesion acts; none in DMT')
-      r(sphere_output%friction_radius) = result_row(name='friction_radius', unit=length, &
+      r(sphere_output%friction_radius) = result_row(name='friction_radius', unit='m', &
          & long_name='radius b up to which friction acts')
-      r(sphere_output%contact_area) = result_row(name='contact_area', unit=area, long_name='area pi a^2 of intimate contact')
-      r(sphere_output%friction_area) = result_row(name='friction_area', unit=area, &
+      r(sphere_output%contact_area) = result_row(name='contact_area', unit='m^2', long_name='area pi a^2 of intimate contact')
+      r(sphere_output%friction_area) = result_row(name='friction_area', unit='m^2', &
          & long_name='area pi b^2 on which friction acts; none without friction')
-      r(sphere_output%friction_force) = result_row(name='friction_force', unit=force, long_name='tangential force', is_main=.true.)
-      r(sphere_output%adhesion_ratio) = result_row(name='adhesion_ratio', unit='-', &
-         & long_name='X, what friction leaves of the work of adhesion')
-      r(sphere_output%stick_radius) = result_row(name='stick_radius', unit=length, long_name='radius e of the part that sticks')
-      r(sphere_output%slip) = result_row(name='slip', unit=length, long_name='slip at the edge, mean around it; none once sliding')
-      r(sphere_output%largest_slip) = result_row(name='largest_slip', unit=length, &
-         & long_name='slip at the edge where it is largest; none once sliding')
-      r(sphere_output%tangential_displacement) = result_row(name='tangential_displacement', unit=length, &
+      r(sphere_output%friction_force) = result_row(name='friction_force', unit='N', long_name='tangential force', is_main=.true.)
+      call set_slip_rows(r(sphere_output%adhesion_ratio:sphere_output%largest_slip))
+      r(sphere_output%tangential_displacement) = result_row(name='tangential_displacement', unit='m', &
          & long_name='tangential displacement of distant points; none once sliding')
-      r(sphere_output%pull_off_load) = result_row(name='pull_off_load', unit=force, &
+      r(sphere_output%pull_off_load) = result_row(name='pull_off_load', unit='N', &
          & long_name='load at which the contact separates in this control', is_main=.true.)
       r(sphere_output%stable) = result_row(name='stable', unit='-', &
          & long_name='is the state stable under the control that is given?', &
@@ -160,30 +146,14 @@ contains
          & flag_meanings='hertz jkr dmt maugis_dugdale')
       r(sphere_output%theory_error) = result_row(name='theory_error', unit='-', &
          & long_name='proved bound of the relative error of radii, load and approach by that theory')
-      r(sphere_output%peak_force) = result_row(name='peak_force', unit=force, long_name='largest tangential force before sliding')
-      r(sphere_output%peak_displacement) = result_row(name='peak_displacement', unit=length, &
-         & long_name='tangential displacement at the largest force')
-      r(sphere_output%sliding_force) = result_row(name='sliding_force', unit=force, &
-         & long_name='tangential force of sliding at this load')
-      r(sphere_output%force_drop) = result_row(name='force_drop', unit=force, &
-         & long_name='force that is lost at the onset of sliding')
-      r(sphere_output%snap_off_force) = result_row(name='snap_off_force', unit=force, &
-         & long_name='tangential force at which the contact snaps off')
-      r(sphere_output%snap_off_displacement) = result_row(name='snap_off_displacement', unit=length, &
-         & long_name='tangential displacement at that place')
-      r(sphere_output%critical_lateral_stiffness) = result_row(name='critical_lateral_stiffness', unit=stiffness, &
-         & long_name='lateral stiffness from which on there is no stick-slip; 0: never any, none: at every stiffness')
-      r(sphere_output%jump_base_displacement) = result_row(name='jump_base_displacement', unit=length, &
-         & long_name='displacement of the base from rest where the contact jumps')
-      r(sphere_output%jump_displacement) = result_row(name='jump_displacement', unit=length, &
-         & long_name='tangential displacement of the contact at that place')
-      r(sphere_output%jump_force) = result_row(name='jump_force', unit=force, long_name='tangential force at the onset of the jump')
-      r(sphere_output%arrest_force) = result_row(name='arrest_force', unit=force, long_name='tangential force right after the jump')
-      r(sphere_output%jump_energy) = result_row(name='jump_energy', unit=energy, long_name='energy that the jump takes')
-      r(sphere_output%jump_period) = result_row(name='jump_period', unit=length, &
-         & long_name='displacement of the base from one jump to the next, if rest heals the contact')
-      r(sphere_output%period_work) = result_row(name='period_work', unit=energy, &
-         & long_name='work of the base from one jump to the next')
+      call set_event_rows(r(sphere_output%peak_force:sphere_output%period_work))
+      r(sphere_output%sliding_force)%long_name = 'tangential force of sliding at this load'
+      r(sphere_output%snap_off_force)%long_name = 'tangential force at which the contact snaps off'
+      r(sphere_output%jump_base_displacement)%long_name = 'displacement of the base from rest where the contact jumps'
+      if (.not. is_reduced) return
+      do k = 1, size(r)
+         r(k)%unit = '-'
+      end do
    end function get_sphere_results
 
    !> The table of profiles.
@@ -191,16 +161,16 @@ contains
       !> Are all quantities reduced? Then their unit is `-`.
       logical, intent(in) :: is_reduced
       type(profile_t), allocatable :: p(:)
-      character(:), allocatable :: stress, length
+      integer :: k
 
-      stress = 'Pa'
-      length = 'm'
-      if (is_reduced) stress = '-'
-      if (is_reduced) length = '-'
       allocate (p(3))
-      p(1) = profile_t(name='pressure', unit=stress, long_name='pressure, compression positive')
-      p(2) = profile_t(name='shear_stress', unit=stress, long_name='shear stress')
-      p(3) = profile_t(name='gap', unit=length, long_name='gap')
+      p(1) = profile_t(name='pressure', unit='Pa', long_name='pressure, compression positive')
+      p(2) = profile_t(name='shear_stress', unit='Pa', long_name='shear stress')
+      p(3) = profile_t(name='gap', unit='m', long_name='gap')
+      if (.not. is_reduced) return
+      do k = 1, size(p)
+         p(k)%unit = '-'
+      end do
    end function get_sphere_profiles
 
 end module adfric_round_sphere_variables

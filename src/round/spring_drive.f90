@@ -6,8 +6,8 @@
 module adfric_round_spring_drive
    use adfric_base_kinds, only: dp
    use adfric_round_interaction_events, only: slide
-   use adfric_round_interaction_path, only: interaction_path_t, waypoint_t
-   use adfric_round_interaction_search, only: end_capped, end_sliding, find_end
+   use adfric_round_interaction_path, only: end_capped, end_sliding, interaction_path_t, waypoint_t
+   use adfric_round_interaction_search, only: find_end
    use adfric_round_pulled_indenter, only: get_waypoint_of, pulled_indenter_t, take_indenter_curve
    use adfric_round_driven_contact, only: find_driven_position
    use adfric_round_pulled_contact, only: pulled_curve_t
@@ -48,27 +48,25 @@ contains
    !> The path of an indenter on a spring.
    pure subroutine new_spring_drive(self, start, stiffness)
       type(spring_drive_t), intent(out) :: self
-      type(interaction_path_t), intent(in) :: start
+      class(interaction_path_t), intent(in) :: start
       !> Stiffness of the spring, reduced, > 0.
       real(dp), intent(in) :: stiffness
-      type(interaction_path_t) :: path
-      type(waypoint_t) :: finish
+      class(interaction_path_t), allocatable :: path
       real(dp) :: force
-      integer :: ending
       logical :: slides
 
       self%stiffness = stiffness
       self%is_found = start%start%is_found
       if (.not. self%is_found) return
-      path = start
-      call find_end(path, finish, ending, self%is_converged)
+      allocate (path, source=start)
+      call find_end(path, self%is_converged)
       if (.not. self%is_converged) return
       slides = .false.
-      if (ending == end_sliding .or. ending == end_capped) call slide(path, self%sliding, slides)
+      if (path%ending == end_sliding .or. path%ending == end_capped) call slide(path, self%sliding, slides)
       self%sliding%is_found = slides
       force = -1
       if (slides) force = force_of(path, self%sliding)
-      call take_indenter_curve(path, finish, ending == end_capped, force, self%curve, self%contact)
+      call take_indenter_curve(path, force, self%curve, self%contact)
       self%is_converged = self%curve%is_converged
       call find_stick_slip(self%curve, stiffness, self%jump)
    end subroutine new_spring_drive
@@ -84,7 +82,7 @@ contains
       integer :: piece
       logical :: is_reached
 
-      if (.not. self%is_found) return
+      if (.not. (self%is_found .and. self%is_converged)) return
       call find_driven_position(self%contact, self%curve, self%jump, self%stiffness, base, piece, position, is_reached)
       if (is_reached) then
          call get_waypoint_of(self%contact, piece, position, state%waypoint)

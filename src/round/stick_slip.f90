@@ -102,7 +102,6 @@ contains
       !> k.
       real(dp), intent(in) :: stiffness
       type(jump_t), intent(out) :: jumps(most_jumps)
-      !> Receives their number.
       integer, intent(out) :: n
       !> Does the last one leave the path?
       logical, intent(out) :: slides

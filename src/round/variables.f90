@@ -10,10 +10,11 @@ module adfric_round_variables
    use adfric_interface_interaction_rows, only: set_interaction_rows
    use adfric_interface_shear_strength_rows, only: set_shear_rows, shear_profiles, p_shear_stress
    use adfric_describe_rows, only: positive, number, any_number, above_zero, choice, switch, whole_number, result_row
-   use adfric_describe_table, only: variable_t, result_t, profile_t
+   use adfric_describe_table, only: variable_t, result_t, profile_t, profile_axis_t
    implicit none (type, external)
    private
    public :: get_indenter_variables, get_indenter_results, get_indenter_profiles, indenter_unit_of
+   public :: set_slip_rows, set_event_rows, radius_axis
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: indenter_input_t
@@ -238,39 +239,77 @@ contains
 
       r(indenter_output%friction_radius) = result_row(name='friction_radius', unit='m', &
          & long_name='radius b up to which a shear strength acts')
-      r(indenter_output%adhesion_ratio) = result_row(name='adhesion_ratio', unit='-', &
-         & long_name='X, what friction leaves of the work of adhesion')
-      r(indenter_output%stick_radius) = result_row(name='stick_radius', unit='m', long_name='radius e of the part that sticks')
-      r(indenter_output%slip) = result_row(name='slip', unit='m', long_name='slip at the edge, mean around it; none once sliding')
-      r(indenter_output%largest_slip) = result_row(name='largest_slip', unit='m', &
-         & long_name='slip at the edge where it is largest; none once sliding')
-      r(indenter_output%peak_force) = result_row(name='peak_force', unit='N', long_name='largest tangential force before sliding')
-      r(indenter_output%peak_displacement) = result_row(name='peak_displacement', unit='m', &
-         & long_name='tangential displacement at the largest force')
-      r(indenter_output%sliding_force) = result_row(name='sliding_force', unit='N', &
-         & long_name='tangential force of sliding under what is held')
-      r(indenter_output%force_drop) = result_row(name='force_drop', unit='N', &
-         & long_name='force that is lost at the onset of sliding')
-      r(indenter_output%snap_off_force) = result_row(name='snap_off_force', unit='N', &
-         & long_name='tangential force at which the contact snaps off, or jumps to a smaller one')
-      r(indenter_output%snap_off_displacement) = result_row(name='snap_off_displacement', unit='m', &
-         & long_name='tangential displacement at that place')
-      r(indenter_output%critical_lateral_stiffness) = result_row(name='critical_lateral_stiffness', unit='N/m', &
-         & long_name='lateral stiffness from which on there is no stick-slip; 0: never any, none: at every stiffness')
-      r(indenter_output%jump_base_displacement) = result_row(name='jump_base_displacement', unit='m', &
-         & long_name='displacement of the base of a lateral spring from rest where the contact jumps')
-      r(indenter_output%jump_displacement) = result_row(name='jump_displacement', unit='m', &
-         & long_name='tangential displacement of the contact at that place')
-      r(indenter_output%jump_force) = result_row(name='jump_force', unit='N', long_name='tangential force at the onset of the jump')
-      r(indenter_output%arrest_force) = result_row(name='arrest_force', unit='N', long_name='tangential force right after the jump')
-      r(indenter_output%jump_energy) = result_row(name='jump_energy', unit='J', long_name='energy that the jump takes')
-      r(indenter_output%jump_period) = result_row(name='jump_period', unit='m', &
-         & long_name='displacement of the base from one jump to the next, if rest heals the contact')
-      r(indenter_output%period_work) = result_row(name='period_work', unit='J', &
-         & long_name='work of the base from one jump to the next')
+      call set_slip_rows(r(indenter_output%adhesion_ratio:indenter_output%largest_slip))
+      call set_event_rows(r(indenter_output%peak_force:indenter_output%period_work))
       r(indenter_output%tangential_force) = result_row(name='tangential_force', unit='N', &
          & long_name='tangential force at a given displacement of the base of a lateral spring')
    end subroutine set_peeling_results
+
+   !> The rows of slip at the edge, from X to the largest slip.
+   subroutine set_slip_rows(r)
+      !> Receives the rows.
+      type(result_t), intent(inout) :: r(:)
+      integer, parameter :: before = indenter_output%adhesion_ratio - 1
+
+      associate (o => indenter_output)
+         r(o%adhesion_ratio - before) = result_row(name='adhesion_ratio', unit='-', &
+            & long_name='X, what friction leaves of the work of adhesion')
+         r(o%stick_radius - before) = result_row(name='stick_radius', unit='m', long_name='radius e of the part that sticks')
+         r(o%slip - before) = result_row(name='slip', unit='m', long_name='slip at the edge, mean around it; none once sliding')
+         r(o%largest_slip - before) = result_row(name='largest_slip', unit='m', &
+            & long_name='slip at the edge where it is largest; none once sliding')
+      end associate
+   end subroutine set_slip_rows
+
+   !> The rows of what happens as a tangential force grows, from the largest force to the work of a period.
+   subroutine set_event_rows(r)
+      !> Receives the rows.
+      type(result_t), intent(inout) :: r(:)
+      integer, parameter :: before = indenter_output%peak_force - 1
+
+      associate (o => indenter_output)
+         r(o%peak_force - before) = result_row(name='peak_force', unit='N', long_name='largest tangential force before sliding')
+         r(o%peak_displacement - before) = result_row(name='peak_displacement', unit='m', &
+            & long_name='tangential displacement at the largest force')
+         r(o%sliding_force - before) = result_row(name='sliding_force', unit='N', &
+            & long_name='tangential force of sliding under what is held')
+         r(o%force_drop - before) = result_row(name='force_drop', unit='N', long_name='force that is lost at the onset of sliding')
+         r(o%snap_off_force - before) = result_row(name='snap_off_force', unit='N', &
+            & long_name='tangential force at which the contact snaps off, or jumps to a smaller one')
+         r(o%snap_off_displacement - before) = result_row(name='snap_off_displacement', unit='m', &
+            & long_name='tangential displacement at that place')
+         r(o%critical_lateral_stiffness - before) = result_row(name='critical_lateral_stiffness', unit='N/m', &
+            & long_name='lateral stiffness from which on there is no stick-slip; 0: never any, none: at every stiffness')
+         r(o%jump_base_displacement - before) = result_row(name='jump_base_displacement', unit='m', &
+            & long_name='displacement of the base of a lateral spring from rest where the contact jumps')
+         r(o%jump_displacement - before) = result_row(name='jump_displacement', unit='m', &
+            & long_name='tangential displacement of the contact at that place')
+         r(o%jump_force - before) = result_row(name='jump_force', unit='N', long_name='tangential force at the onset of the jump')
+         r(o%arrest_force - before) = result_row(name='arrest_force', unit='N', long_name='tangential force right after the jump')
+         r(o%jump_energy - before) = result_row(name='jump_energy', unit='J', long_name='energy that the jump takes')
+         r(o%jump_period - before) = result_row(name='jump_period', unit='m', &
+            & long_name='displacement of the base from one jump to the next, if rest heals the contact')
+         r(o%period_work - before) = result_row(name='period_work', unit='J', &
+            & long_name='work of the base from one jump to the next')
+      end associate
+   end subroutine set_event_rows
+
+   !> The axis of profiles, from the axis of the contact on.
+   function radius_axis(r_max, n_r, unit) result(axes)
+      !> The largest radius, and the number of samples, as they are given.
+      real(dp), intent(in) :: r_max, n_r
+      !> Unit of the radius.
+      character(*), intent(in) :: unit
+      type(profile_axis_t) :: axes(1)
+      integer :: n, k
+
+      axes(1)%name = 'r'
+      axes(1)%unit = unit
+      axes(1)%long_name = 'distance from the axis'
+      n = nint(n_r)
+      allocate (axes(1)%coordinates(n), source=0.0_dp)
+      if (is_set(r_max)) axes(1)%coordinates = [(r_max*k/(n - 1), k=0, n - 1)]
+   end function radius_axis
 
    !> The table of profiles.
    function get_indenter_profiles() result(p)

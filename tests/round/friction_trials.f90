@@ -6,8 +6,9 @@ module friction_trials
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
-   use adfric_round_sphere_peeling, only: peeling_friction_t, friction_state_t, friction_events_t, find_static_state, &
-      & find_friction_events
+   use adfric_round_interaction_events, only: find_peeling_events, peeling_events_t
+   use adfric_round_sphere_path, only: new_sphere_path, peeling_friction_t, peeling_path_t
+   use adfric_round_sphere_peeling, only: friction_state_t, find_sliding_state, find_static_state
    implicit none (type, external)
    private
    public :: trial_t, events_of, label_of, get_trial, load_trial
@@ -19,10 +20,20 @@ module friction_trials
       integer :: control = control_load, branch = branch_stable
       real(dp) :: prescribed = 0
    contains
+      procedure :: get_path
       procedure :: solve
+      procedure :: slide
    end type trial_t
 
 contains
+
+   !> The path of a trial from rest to sliding.
+   subroutine get_path(self, path)
+      class(trial_t), intent(in) :: self
+      type(peeling_path_t), intent(out) :: path
+
+      call new_sphere_path(path, self%theory, self%friction, self%control, self%prescribed, self%branch)
+   end subroutine get_path
 
    !> The static state of a trial.
    function solve(self, given, value) result(state)
@@ -30,16 +41,34 @@ contains
       integer, intent(in) :: given
       real(dp), intent(in) :: value
       type(friction_state_t) :: state
+      type(peeling_path_t) :: path
 
-      call find_static_state(self%theory, self%friction, self%control, self%prescribed, self%branch, given, value, state)
+      call self%get_path(path)
+      call find_static_state(path, given, value, state)
    end function solve
 
-   !> The events of a trial.
-   function events_of(trial) result(events)
-      type(trial_t), intent(in) :: trial
-      type(friction_events_t) :: events
+   !> The state of sliding of a trial.
+   function slide(self) result(state)
+      class(trial_t), intent(in) :: self
+      type(friction_state_t) :: state
+      type(peeling_path_t) :: path
 
-      call find_friction_events(trial%theory, trial%friction, trial%control, trial%prescribed, trial%branch, events)
+      call self%get_path(path)
+      call find_sliding_state(path, state)
+   end function slide
+
+   !> The events of a trial; without a stiffness nothing is on a spring.
+   function events_of(trial, stiffness) result(events)
+      type(trial_t), intent(in) :: trial
+      real(dp), intent(in), optional :: stiffness
+      type(peeling_events_t) :: events
+      type(peeling_path_t) :: path
+      real(dp) :: of_spring
+
+      of_spring = 0
+      if (present(stiffness)) of_spring = stiffness
+      call trial%get_path(path)
+      call find_peeling_events(path, of_spring, events)
    end function events_of
 
    !> A trial in words.
