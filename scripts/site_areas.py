@@ -47,6 +47,7 @@ AREAS = {
         "A wave on a half-plane": "docs/theory/waves.md",
         "A wave that adheres": "docs/theory/adhesive_wave.md",
         "Lines that slide over rubber": "docs/theory/line_sliding.md",
+        "Sliding with adhesion": "docs/theory/adhesive_sliding.md",
         "Contact of periodic surfaces": "docs/theory/periodic_contact.md",
         "Adhesion of periodic surfaces": "docs/theory/periodic_adhesion.md",
         "Sliding over rubber": "docs/theory/periodic_sliding.md",
