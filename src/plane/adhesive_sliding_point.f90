@@ -175,7 +175,7 @@ contains
          & solved_digits*abs(other%friction)))
       call store_state(values, point, results)
       status = status_solved
-      if (results(out%violation) > largest_violation) status = status_not_converged
+      if (.not. results(out%violation) <= largest_violation) status = status_not_converged
    end subroutine solve_adhesive_slide
 
    !> The state of a branch.

@@ -74,19 +74,25 @@ contains
          do i = 1, s%n_arms
             own = exp(-right/s%relaxation(i))
             pressure = pressure + (root/2)*(z%amplitudes(i) - merge(0.0_dp, s%ratios(i)*s%relaxation(i), slide%is_wave)) &
-               & *own*sum(profile%kernel_weights*rise_over_chord(slide%is_wave, distance, s%relaxation(i)))
+               & *sum(profile%kernel_weights*rise_over_chord(slide%is_wave, distance, s%relaxation(i), own, &
+               & profile%layers(:, i)))
          end do
       end associate
    end function slide_pressure
 
-   !> (exp(d/a) - 1)/S(-d).
-   elemental real(dp) function rise_over_chord(is_wave, d, a)
+   !> [e(y) - e(x)]/S(x - y) for e that rises as exp(x/a), without a number that is too large.
+   elemental real(dp) function rise_over_chord(is_wave, d, a, own, other)
       logical, intent(in) :: is_wave
-      !> y - x, and the relaxation length.
-      real(dp), intent(in) :: d, a
+      !> y - x, the relaxation length, e(x) and e(y).
+      real(dp), intent(in) :: d, a, own, other
 
-      rise_over_chord = -1/a
-      if (abs(d) > 0) rise_over_chord = expm1(d/a)/chord(is_wave, -d)
+      if (d > 0) then
+         rise_over_chord = -other*expm1(-d/a)/chord(is_wave, -d)
+      else if (d < 0) then
+         rise_over_chord = own*expm1(d/a)/chord(is_wave, -d)
+      else
+         rise_over_chord = -own/a
+      end if
    end function rise_over_chord
 
    !> Gap beside the contact [D; for a cylinder the unit of length squared over R].
