@@ -121,6 +121,7 @@ module adfric_describe_scene_rules
       & 'surface_sliding cells_per_zone - !adhesion', &
       & 'surface_sliding order_margin - !adhesion', &
       & 'surface_sliding friction_stress_without_adhesion - !adhesion', &
+      & 'surface_sliding adhesive_friction_stress - !adhesion', &
       & 'indenter slip - coulomb', &
       & 'indenter largest_slip - coulomb', &
       & 'indenter stick_radius - coulomb', &
@@ -218,12 +219,32 @@ module adfric_describe_scene_rules
       & 'hertz_history major_axis_angle - !ellipsoid', &
       & 'hertz_history axis_ratio - !ellipsoid', &
       & 'wave_1d adhesion_fraction - !adhesion', &
+      & 'wave_1d adhesion_energy - relaxing', &
       & periodic//' adhesion_energy - !adhesion', &
       & periodic//' adhesion_fraction - !adhesion', &
       & periodic//' pull_off_pressure - !adhesion', &
       & 'wave_2d_elastic,surface_elastic pull_off_pressure - !pull_off', &
       & 'wave_1d pull_off_penetration - !adhesion', &
+      & 'wave_1d pull_off_penetration - relaxing', &
       & 'wave_1d jump_off_penetration - !adhesion', &
+      & 'wave_1d jump_off_penetration - relaxing', &
+      & 'wave_1d hysteresis_loss - relaxing', &
+      & 'wave_1d saturation_fold_pressure - !adhesion', &
+      & 'wave_1d saturation_fold_pressure - !relaxing', &
+      & 'wave_1d end_of_saturation_pressure - !adhesion', &
+      & 'wave_1d end_of_saturation_pressure - !relaxing', &
+      & 'wave_1d branches_differ - !adhesion', &
+      & 'wave_1d branches_differ - !relaxing', &
+      & 'wave_1d order_margin - !adhesion', &
+      & 'wave_1d order_margin - !relaxing', &
+      & 'wave_1d zone_leading - !adhesion', &
+      & 'wave_1d zone_leading - !relaxing', &
+      & 'wave_1d zone_trailing - !adhesion', &
+      & 'wave_1d zone_trailing - !relaxing', &
+      & 'wave_1d friction_stress_without_adhesion - !adhesion', &
+      & 'wave_1d friction_stress_without_adhesion - !relaxing', &
+      & 'wave_1d adhesive_friction_stress - !adhesion', &
+      & 'wave_1d adhesive_friction_stress - !relaxing', &
       & 'wave_2d_elastic,surface_elastic cells_per_zone - !adhesion', &
       & 'wave_1d hysteresis_loss - !adhesion', &
       & 'wave_1d hysteresis_loss adhesion_hysteresis', &

@@ -81,6 +81,8 @@ contains
          & solid%forward(solution%loss_without_adhesion)*solid%modulus
       if (results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) &
          & results(sliding_output%friction_without_adhesion) = results(sliding_output%friction_stress)
+      results(sliding_output%adhesive_friction_stress) = results(sliding_output%friction_stress) &
+         & - results(sliding_output%friction_without_adhesion)
       if (.not. allocated(solution%share)) return
       if (any(solution%share > 0) .and. any(solution%share < 1)) &
          & error_estimate = max(error_estimate, error_of_edge(results(sliding_output%cells_per_zone)))

@@ -47,7 +47,8 @@ module adfric_periodic_sliding_variables
       integer :: friction_stress = 0, friction_coefficient = 0, lateral_stress = 0, full_contact_friction = 0, &
          & contact_shift = 0, dissipation = 0, energy_imbalance = 0, regime = 0, smooth_fraction = 0, &
          & hysteretic_friction_stress = 0, interfacial_friction_stress = 0, interfacial_share = 0, velocity_slope = 0, &
-         & adhesion_fraction = 0, cells_per_zone = 0, friction_without_adhesion = 0, order_margin = 0
+         & adhesion_fraction = 0, cells_per_zone = 0, friction_without_adhesion = 0, &
+         & adhesive_friction_stress = 0, order_margin = 0
    end type sliding_output_t
    type(sliding_output_t), parameter, public :: sliding_output = transfer(counting(n_periodic_results + 1:), sliding_output_t())
    integer, parameter, public :: n_sliding_results = n_periodic_results + storage_size(sliding_output)/storage_size(1)
@@ -140,6 +141,8 @@ contains
          & long_name='length pi E0 h0/(4 p0) of a short zone of adhesion on the relaxed solid over that of a cell')
       r(sliding_output%friction_without_adhesion) = result_row(name='friction_stress_without_adhesion', unit='Pa', &
          & long_name='friction over nominal area of the same load and velocity without adhesion')
+      r(sliding_output%adhesive_friction_stress) = result_row(name='adhesive_friction_stress', unit='Pa', &
+         & long_name='the rest of the friction stress')
       r(sliding_output%order_margin) = result_row(name='order_margin', unit='-', &
          & long_name='least value of the kernel of memory over its largest; where >= 0, branches bound all states on a half-plane')
    end function get_sliding_results

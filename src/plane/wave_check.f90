@@ -4,6 +4,7 @@ module adfric_plane_wave_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
+   use adfric_plane_adhesive_sliding_point, only: is_possible_adhesive_slide
    use adfric_plane_adhesive_wave_point, only: is_possible_adhesion
    use adfric_plane_sliding_check, only: check_sliding, refuse_sliding
    use adfric_plane_sliding_wave_point, only: is_possible_slide
@@ -23,7 +24,7 @@ module adfric_plane_wave_check
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
-   public :: check_wave, is_sliding, is_adhesive
+   public :: check_wave, is_sliding, is_adhesive, is_adhesive_slide
 
 contains
 
@@ -40,6 +41,13 @@ contains
 
       is_adhesive = has_adhesion(values(in%adhesion:in%turning_pressure)) .and. .not. is_sliding(values)
    end function is_adhesive
+
+   !> Does the wave adhere to a viscoelastic half-plane over which it slides?
+   pure logical function is_adhesive_slide(values)
+      real(dp), intent(in) :: values(:)
+
+      is_adhesive_slide = has_adhesion(values(in%adhesion:in%turning_pressure)) .and. is_sliding(values)
+   end function is_adhesive_slide
 
    !> Add to `problems` what is missing or impossible.
    subroutine check_wave(variables, values, given, given_law, problems)
@@ -66,6 +74,11 @@ contains
          call problems%add('operating', 'mean_pressure', 'is below 0, but nothing pulls without &adhesion')
       end if
       if (.not. is_sliding(values)) return
+      if (is_adhesive_slide(values)) then
+         if (.not. is_possible_adhesive_slide(values, given)) call problems%add('adhesion', 'stress', &
+            & 'or its range or the velocity is too small or too large: stress/(k D E0) and range/amplitude are 1e-6 to 1e6')
+         return
+      end if
       if (.not. is_possible_slide(values, given)) call problems%add('operating', 'velocity', &
          & 'is too small or too large for the period and the relaxation times')
    end subroutine check_wave
@@ -141,12 +154,11 @@ contains
             & 'stands beside &material; what slides over a viscoelastic solid has no partial slip')
       end do
       if (problems%count() == before) call check_friction(variables, values, given_law, of_solid, 0.0_dp, problems)
-      do k = in%adhesion, in%turning_pressure
-         if (k == in%branch .or. .not. is_set(values(k))) cycle
-         call problems%add(variables(k)%group, variables(k)%name, &
-            & 'stands beside &material; a wave adheres to an elastic solid, &solid')
-         exit
-      end do
+      call check_adhesion(variables(in%adhesion:in%turning_pressure), values(in%adhesion:in%turning_pressure), problems)
+      if (is_set(values(in%turning_pressure))) call problems%add(variables(in%turning_pressure)%group, &
+         & variables(in%turning_pressure)%name, 'stands beside &material; a wave that slides unloads from full contact')
+      if (is_adhesive_slide(values) .and. has_interface(interface_of(values))) call problems%add(variables(in%adhesion)%group, &
+         & variables(in%adhesion)%name, 'stands beside &friction and &material; a wave on cells has all three')
    end subroutine check_material
 
 end module adfric_plane_wave_check

@@ -6,11 +6,13 @@ module adfric_plane_wave_model
    use adfric_base_constants, only: two_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_plane_adhesive_sliding_point, only: adhesive_slide_point_t, derive_adhesive_slide, solve_adhesive_slide, &
+      & get_adhesive_slide_profiles
    use adfric_plane_adhesive_wave_point, only: adhesive_point_t, derive_adhesion, solve_adhesion, get_adhesive_profiles
    use adfric_plane_elastic_wave_point, only: solve_elastic_wave, get_elastic_wave_profiles
    use adfric_plane_sliding_wave_point, only: slide_point_t, solve_slide, get_slide_profiles
    use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
-   use adfric_plane_wave_check, only: check_wave, is_adhesive, is_sliding
+   use adfric_plane_wave_check, only: check_wave, is_adhesive, is_adhesive_slide, is_sliding
    use adfric_plane_wave_interface, only: add_elastic_interface, add_slide_interface, interface_of, wave_tractions
    use adfric_plane_wave_slip_point, only: add_slip, slip_tractions
    use adfric_plane_wave_variables, only: get_wave_variables, get_wave_results, in => wave_input, out => wave_output
@@ -78,6 +80,7 @@ contains
 
       if (is_sliding(values)) then
          call derive_spectrum(list, values(in%material(1):in%temperature), self%given)
+         if (is_adhesive_slide(values)) call derive_adhesive_slide(list, values, self%given)
       else
          list = derive_contact_modulus(self%variables(in%contact_modulus:in%second_poisson_ratio), &
             & values(in%contact_modulus:in%second_poisson_ratio))
@@ -144,7 +147,15 @@ contains
       real(dp), intent(inout) :: counts(:)
       logical :: is_sustained, is_valid
 
-      if (is_sliding(values)) then
+      if (is_adhesive_slide(values)) then
+         if (.not. allocated(state)) allocate (adhesive_slide_point_t :: state)
+         status = status_not_converged
+         error_estimate = 0
+         select type (state)
+         type is (adhesive_slide_point_t)
+            call solve_adhesive_slide(values, self%given, state, results, error_estimate, status)
+         end select
+      else if (is_sliding(values)) then
          if (.not. allocated(state)) allocate (slide_point_t :: state)
          status = status_not_converged
          error_estimate = 0
@@ -255,6 +266,8 @@ contains
 
       if (is_sliding(values)) then
          select type (state)
+         type is (adhesive_slide_point_t)
+            call get_adhesive_slide_profiles(state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
          type is (slide_point_t)
             call get_slide_profiles(state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
          end select

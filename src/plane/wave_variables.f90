@@ -33,7 +33,9 @@ module adfric_plane_wave_variables
          & mean_gap = 0, largest_gap = 0, full_contact_pressure = 0, regime = 0, violation = 0, friction_stress = 0, &
          & friction_coefficient = 0, contact_shift = 0, dissipation = 0, energy_imbalance = 0, adhesion_fraction = 0, &
          & elastic_energy = 0, adhesion_energy = 0, pull_off_pressure = 0, pull_off_penetration = 0, &
-         & jump_off_penetration = 0, hysteresis_loss = 0, stick_fraction = 0, tangential_displacement = 0, &
+         & jump_off_penetration = 0, hysteresis_loss = 0, saturation_fold_pressure = 0, end_of_saturation_pressure = 0, &
+         & branches_differ = 0, order_margin = 0, zone_leading = 0, zone_trailing = 0, friction_without_adhesion = 0, &
+         & adhesive_friction_stress = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, hysteretic_friction_stress = 0, interfacial_friction_stress = 0, &
          & interfacial_share = 0, velocity_slope = 0
    end type wave_output_t
@@ -126,8 +128,32 @@ contains
          & long_name='least penetration of the adhered branch')
       r(wave_output%hysteresis_loss) = result_row(name='hysteresis_loss', unit='J/m^2', &
          & long_name='energy lost over nominal area by approach and parting at given penetrations')
+      call set_sliding_adhesion_results(r)
       r(wave_output%stick_fraction:wave_output%cycle_energy) = slip_results()
       r(wave_output%hysteretic_friction_stress:wave_output%velocity_slope) = total_friction_results('stress', 'Pa')
    end function get_wave_results
+
+   !> Rows of results of adhesion while the wave slides.
+   subroutine set_sliding_adhesion_results(r)
+      !> All rows.
+      type(result_t), intent(inout) :: r(:)
+
+      r(wave_output%saturation_fold_pressure) = result_row(name='saturation_fold_pressure', unit='Pa', &
+         & long_name='largest mean pressure of a partial contact at this velocity')
+      r(wave_output%end_of_saturation_pressure) = result_row(name='end_of_saturation_pressure', unit='Pa', &
+         & long_name='least mean pressure with all of the gap in range at this velocity')
+      r(wave_output%branches_differ) = result_row(name='branches_differ', unit='-', &
+         & long_name='1 where the other branch has another state, 0 where it has none or the same')
+      r(wave_output%order_margin) = result_row(name='order_margin', unit='-', &
+         & long_name='order of sliding states M/Einf; >= 0: the branches are proved')
+      r(wave_output%zone_leading) = result_row(name='zone_leading', unit='m', &
+         & long_name='length of the adhesion zone ahead of the contact')
+      r(wave_output%zone_trailing) = result_row(name='zone_trailing', unit='m', &
+         & long_name='length of the adhesion zone behind the contact')
+      r(wave_output%friction_without_adhesion) = result_row(name='friction_stress_without_adhesion', unit='Pa', &
+         & long_name='friction over nominal area of the same load and velocity without adhesion')
+      r(wave_output%adhesive_friction_stress) = result_row(name='adhesive_friction_stress', unit='Pa', &
+         & long_name='the rest of the friction stress')
+   end subroutine set_sliding_adhesion_results
 
 end module adfric_plane_wave_variables

@@ -1,0 +1,135 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A first point of the curve of states of an adhesive sliding wave or cylinder. The zones of the relaxed solid are found by
+!> bisection at a given width of the contact, and then the moduli of the arms rise from nothing to their values, at that width.
+module adfric_plane_adhesive_sliding_start
+   use adfric_base_kinds, only: dp
+   use adfric_plane_adhesive_sliding_point_of_curve, only: curve_point_t, correct_point
+   use adfric_plane_adhesive_sliding_state, only: evaluate_zones
+   use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t, slide_zones_t, get_zones, set_compliances
+   use adfric_plane_sliding_solid, only: new_sliding_solid
+   use adfric_solid_prony, only: prony_t
+   implicit none (type, external)
+   private
+   public :: find_start
+
+   !> Half-widths of the contact at which the curve may begin.
+   real(dp), parameter :: start_widths(*) = [0.5_dp, 0.2_dp, 0.05_dp, 1.0_dp, 0.01_dp, 1.7_dp]
+   !> First, largest and least step of the share of the arms, and their largest number.
+   real(dp), parameter :: first_step = 0.1_dp, largest_step = 0.25_dp, least_step = 1.0e-5_dp
+   integer, parameter :: most_steps = 200
+   !> Largest change of a coordinate in a step.
+   real(dp), parameter :: largest_change = 1.5_dp
+   !> The direction of the width.
+   real(dp), parameter :: constant_width(4) = [0.0_dp, 1.0_dp, 0.0_dp, 0.0_dp]
+
+contains
+
+   !> A first point: elastic zones at a width, then the arms rise from nothing.
+   pure subroutine find_start(slide, start, is_found)
+      type(adhesive_slide_t), intent(in) :: slide
+      type(curve_point_t), intent(out) :: start
+      logical, intent(out) :: is_found
+      real(dp) :: z(4)
+      integer :: k
+
+      is_found = .false.
+      do k = 1, size(start_widths)
+         if (slide%is_wave) then
+            z = [0.0_dp, log(tan(start_widths(k)/2)), 0.0_dp, 0.0_dp]
+         else
+            z = [0.0_dp, log(start_widths(k)), 0.0_dp, 0.0_dp]
+         end if
+         call find_elastic_zones(slide, z, is_found)
+         if (is_found) call raise_arms(slide, z, start, is_found)
+         if (is_found) return
+      end do
+   end subroutine find_start
+
+   !> Zones of the relaxed solid at a width.
+   pure subroutine find_elastic_zones(slide, z, is_found)
+      type(adhesive_slide_t), intent(in) :: slide
+      real(dp), intent(inout) :: z(4)
+      logical, intent(out) :: is_found
+      type(adhesive_slide_t) :: relaxed
+      real(dp) :: low, high, excess
+      integer :: i
+
+      relaxed = slide
+      relaxed%solid%n_arms = 0
+      relaxed%solid%ratios = [real(dp) ::]
+      relaxed%solid%relaxation = [real(dp) ::]
+      relaxed%solid%retardation = [real(dp) ::]
+      relaxed%compliances = [real(dp) ::]
+      low = -60
+      high = merge(12.0_dp, 20.0_dp, slide%is_wave)
+      is_found = excess_of(high) > 0 .and. excess_of(low) < 0
+      if (.not. is_found) return
+      do i = 1, 60
+         z(3:4) = (low + high)/2
+         excess = excess_of(z(3))
+         if (excess < 0) low = z(3)
+         if (.not. excess < 0) high = z(3)
+      end do
+
+   contains
+
+      !> The gap at the ends of equal zones over the range, less 1.
+      pure real(dp) function excess_of(x)
+         !> Coordinate of both zones.
+         real(dp), intent(in) :: x
+         type(slide_zones_t) :: zones
+         logical :: is_solved
+
+         call get_zones(relaxed, [z(1), z(2), x, x], zones)
+         call evaluate_zones(relaxed, zones, is_solved)
+         excess_of = zones%residual(2)
+      end function excess_of
+
+   end subroutine find_elastic_zones
+
+   !> Raise the moduli of the arms from nothing, at a constant width.
+   pure subroutine raise_arms(slide, z, point, is_found)
+      type(adhesive_slide_t), intent(in) :: slide
+      real(dp), intent(in) :: z(4)
+      type(curve_point_t), intent(out) :: point
+      logical, intent(out) :: is_found
+      type(adhesive_slide_t) :: part
+      type(curve_point_t) :: trial
+      type(prony_t) :: prony
+      real(dp) :: share, step, total, new_share
+      integer :: i
+
+      point%z = z
+      if (slide%solid%n_arms == 0) then
+         call correct_point(slide, z, constant_width, point, is_found)
+         return
+      end if
+      total = sum(slide%solid%ratios)
+      part = slide
+      prony%relaxed = 1
+      prony%times = slide%solid%relaxation
+      share = 0
+      step = first_step
+      do i = 1, most_steps
+         new_share = min(1.0_dp, share + step)
+         prony%moduli = slide%solid%ratios*((1 + total)**new_share - 1)/total
+         part%solid = slide%solid
+         if (new_share < 1) call new_sliding_solid(part%solid, prony, 1.0_dp)
+         call set_compliances(part)
+         trial = point
+         call correct_point(part, point%z, constant_width, trial, is_found, has_slopes=.true.)
+         if (is_found) is_found = maxval(abs(trial%z - point%z)) < largest_change
+         if (is_found) then
+            point = trial
+            share = new_share
+            if (share >= 1) return
+            step = min(largest_step, 1.5_dp*step)
+         else
+            step = step/2
+            if (step < least_step) return
+         end if
+      end do
+      is_found = .false.
+   end subroutine raise_arms
+
+end module adfric_plane_adhesive_sliding_start

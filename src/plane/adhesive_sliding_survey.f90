@@ -1,0 +1,87 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What is found by going over the profiles of an adhesive sliding wave: the largest pressure and gap, the work of the pressure, and how
+!> well the conditions of contact hold. The work, per area and distance, is the friction again, T = mean(p sin x), from the pressure at
+!> positions instead of the far field.
+module adfric_plane_adhesive_sliding_survey
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_numerics_double_exponential, only: integrand_t
+   use adfric_numerics_largest_value, only: find_largest_value
+   use adfric_plane_adhesive_sliding_nodes, only: nodes_t, get_nodes
+   use adfric_plane_adhesive_sliding_profile, only: slide_profile_t, slide_pressure, slide_gap, slide_violation
+   implicit none (type, external)
+   private
+   public :: slide_survey_t, survey_slide
+
+   !> How near positions come to the edges of the contact.
+   real(dp), parameter :: depth = 38
+
+   !> What is found.
+   type :: slide_survey_t
+      !> Largest pressure [E0 k D] and gap [D].
+      real(dp) :: peak_pressure = 0, largest_gap = 0
+      !> Friction from the pressure [E0 k^2 D^2].
+      real(dp) :: friction = 0
+      !> Largest violation of p >= -p0 in contact and of g >= d0 in the free gap, over p0 and d0; 0 if there is none.
+      real(dp) :: violation = 0
+   end type slide_survey_t
+
+   !> Pressure in the contact, along the path from its trailing edge; or the free gap, from its leading end.
+   type, extends(integrand_t) :: slide_position_t
+      !> The profile.
+      type(slide_profile_t) :: profile
+      !> Is it the gap?
+      logical :: is_gap = .false.
+   contains
+      procedure :: evaluate
+   end type slide_position_t
+
+contains
+
+   !> Go over the profiles of a wave.
+   pure subroutine survey_slide(profile, survey)
+      type(slide_profile_t), intent(in) :: profile
+      !> What is found; NaN where a profile is not.
+      type(slide_survey_t), intent(out) :: survey
+
+      call find_largest_value(slide_position_t(profile, .false.), 2*profile%zones%half_width, survey%peak_pressure)
+      call find_largest_value(slide_position_t(profile, .true.), profile%zones%free, survey%largest_gap)
+      survey%violation = max(0.0_dp, slide_violation(profile))
+      survey%friction = work_of_pressure(profile)
+   end subroutine survey_slide
+
+   !> Work of the pressure.
+   pure real(dp) function work_of_pressure(profile) result(work)
+      type(slide_profile_t), intent(in) :: profile
+      type(nodes_t) :: nodes
+      real(dp) :: shortest
+      integer :: i
+
+      associate (z => profile%zones, p0 => profile%slide%stress)
+         shortest = min(z%leading, z%trailing)
+         if (profile%slide%solid%n_arms > 0) shortest = min(shortest, profile%slide%solid%relaxation(1))
+         call get_nodes(2*z%half_width, shortest, depth, profile%slide%refinement, nodes)
+         ! the zones, and -p0 in all of the contact
+         work = -p0*(cos(z%middle - z%half_width - z%trailing) - cos(z%middle + z%half_width + z%leading))
+         do i = 1, size(nodes%weights)
+            work = work + nodes%weights(i)*(slide_pressure(profile, nodes%left(i), nodes%right(i)) + p0) &
+               & *sin(z%middle + (nodes%left(i) - nodes%right(i))/2)
+         end do
+         work = work/two_pi
+      end associate
+   end function work_of_pressure
+
+   !> See `integrand_t`.
+   pure real(dp) function evaluate(self, from_left, from_right)
+      class(slide_position_t), intent(in) :: self
+      !> Distances from the ends of the contact, or of the free gap, both > 0.
+      real(dp), intent(in) :: from_left, from_right
+
+      if (self%is_gap) then
+         evaluate = slide_gap(self%profile, self%profile%zones%leading + from_left, .false.)
+      else
+         evaluate = slide_pressure(self%profile, from_left, from_right)
+      end if
+   end function evaluate
+
+end module adfric_plane_adhesive_sliding_survey
