@@ -260,7 +260,16 @@ contains
       end if
       ! where the curve could not be followed to its end nothing is known of what is not on it
       if (branches%has_curve .and. .not. branches%is_complete .and. .not. is_partial) is_solved = .false.
+      if (.not. knows_curve(branches) .and. .not. (is_saturated .and. branch == branch_adhered)) is_solved = .false.
    end subroutine state_of_load
+
+   !> Is the curve there from first touch on, or does the range leave no partial state?
+   pure logical function knows_curve(branches)
+      type(slide_branches_t), intent(in) :: branches
+
+      knows_curve = branches%has_curve .and. branches%curve%reaches_touch
+      if (branches%slide%is_wave .and. branches%slide%range >= 2) knows_curve = .true.
+   end function knows_curve
 
    !> Contact with all of the gap in range.
    pure subroutine solve_saturated(branches, load, state, is_solved)
@@ -395,6 +404,8 @@ contains
          call solve_saturated_penetration(branches, penetration, state, is_solved)
          return
       end if
+      is_solved = knows_curve(branches)
+      if (.not. is_solved) return
       if (branches%has_curve) then
          if (branch == branch_adhered) then
             call search(branches, by_penetration, penetration, 1, size(branches%curve%points), -1, state, is_solved)
