@@ -51,8 +51,8 @@ contains
       call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
          & cells_per_zone(law, surface))
       call get_spectrum(of_solid(:n_spectrum_rows), spectrum, prony)
-      call add_derived(derived, 'order_margin', '-', 'where >= 0, the branches bound all states on a half-plane', &
-         & order_margin_of(prony))
+      call add_derived(derived, 'margin_of_order', '-', 'where >= 0, the branches bound all states on a half-plane', &
+         & order_margin_of(prony%moduli/prony%relaxed, prony%times))
    end subroutine derive_surface
 
    !> Edges that do not meet, a solid that loses nothing, frequencies beyond the master curve, and a coupling that is left out.

@@ -76,7 +76,7 @@ contains
 
       results(sliding_output%adhesion_fraction) = adhesion_fraction_of(solution)
       results(sliding_output%cells_per_zone) = cells_per_zone(law, surface)
-      results(sliding_output%order_margin) = order_margin_of(solid%prony)
+      results(sliding_output%order_margin) = order_margin_of(solid%prony%moduli/solid%prony%relaxed, solid%prony%times)
       if (allocated(solution%loss_without_adhesion)) results(sliding_output%friction_without_adhesion) = &
          & solid%forward(solution%loss_without_adhesion)*solid%modulus
       if (results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) &

@@ -11,7 +11,7 @@ module adfric_plane_adhesive_sliding_point
    use adfric_plane_adhesive_sliding_survey, only: slide_survey_t, survey_slide
    use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t, set_compliances
    use adfric_plane_crack_works, only: crack_works_t, get_crack_works
-   use adfric_plane_order_margin, only: order_margin_of
+   use adfric_solid_order_margin, only: order_margin_of
    use adfric_plane_sliding_solid, only: new_sliding_solid, suits_solid
    use adfric_plane_sliding_wave, only: wave_contact_t, wave_of_pressure
    use adfric_plane_sliding_wave_profile, only: sliding_wave_pressure, sliding_wave_gap

@@ -13,7 +13,6 @@ module adfric_solid_order_margin
    use, intrinsic :: iso_c_binding, only: c_double
    use adfric_base_kinds, only: dp
    use adfric_numerics_gsl_bindings, only: gsl_sf_expint_ei_scaled
-   use adfric_solid_prony, only: prony_t
    implicit none (type, external)
    private
    public :: order_margin_of, order_function
@@ -29,22 +28,24 @@ module adfric_solid_order_margin
 contains
 
    !> M over the instantaneous modulus [-]: the least of the brackets; 1 for an elastic solid.
-   pure real(dp) function order_margin_of(prony) result(margin)
-      !> Spectrum of the solid.
-      type(prony_t), intent(in) :: prony
+   pure real(dp) function order_margin_of(ratios, times) result(margin)
+      !> Moduli of the arms over the relaxed one [-]; shape `(n_arms)`.
+      real(dp), intent(in) :: ratios(:)
+      !> Their relaxation times, in any unit; shape `(n_arms)`.
+      real(dp), intent(in) :: times(:)
       real(dp), parameter :: golden = 0.6180339887498949_dp
       real(dp) :: first, last, step, low, high, left, right, at_left, at_right, value
       integer :: i, n, least
 
       margin = 1
-      if (size(prony%times) == 0) return
-      first = log(minval(prony%times)) - below
-      last = log(maxval(prony%times)) + above
+      if (size(times) == 0) return
+      first = log(minval(times)) - below
+      last = log(maxval(times)) + above
       n = ceiling((last - first)*samples_per_unit)
       step = (last - first)/n
       least = 0
       do i = 0, n
-         value = bracket(prony, first + i*step)
+         value = bracket(ratios, times, first + i*step)
          if (i > 0 .and. .not. value < margin) cycle
          margin = value
          least = i
@@ -53,38 +54,38 @@ contains
       high = first + (least + 1)*step
       left = high - golden*(high - low)
       right = low + golden*(high - low)
-      at_left = bracket(prony, left)
-      at_right = bracket(prony, right)
+      at_left = bracket(ratios, times, left)
+      at_right = bracket(ratios, times, right)
       do i = 1, most_steps
          if (at_left < at_right) then
             high = right
             right = left
             at_right = at_left
             left = high - golden*(high - low)
-            at_left = bracket(prony, left)
+            at_left = bracket(ratios, times, left)
          else
             low = left
             left = right
             at_left = at_right
             right = low + golden*(high - low)
-            at_right = bracket(prony, right)
+            at_right = bracket(ratios, times, right)
          end if
       end do
       margin = min(margin, at_left, at_right)
       ! far behind all times the bracket is that of the relaxed solid
-      margin = min(margin, prony%relaxed/prony%instantaneous_modulus())
+      margin = min(margin, 1/(1 + sum(ratios)))
    end function order_margin_of
 
    !> The bracket over the instantaneous modulus.
-   pure real(dp) function bracket(prony, log_time)
-      type(prony_t), intent(in) :: prony
+   pure real(dp) function bracket(ratios, times, log_time)
+      real(dp), intent(in) :: ratios(:), times(:)
       !> ln s [ln of the unit of the times].
       real(dp), intent(in) :: log_time
       integer :: i
 
       bracket = 1
-      do i = 1, size(prony%times)
-         bracket = bracket - prony%moduli(i)/prony%instantaneous_modulus()*order_function(exp(log_time - log(prony%times(i))))
+      do i = 1, size(times)
+         bracket = bracket - ratios(i)/(1 + sum(ratios))*order_function(exp(log_time - log(times(i))))
       end do
    end function bracket
 
