@@ -178,25 +178,28 @@ contains
       is_of = len(name) == 0 .or. name == variable .or. has_word(words, name)
    end function is_of
 
-   !> `&surface kind`, `&traction kind`, `&solid extent` and `&solid curve_modulus`, which choose the solver: meaning and words.
+   !> Words of `&surface kind`.
    pure function kinds_of_surface() result(lines)
       character(:), allocatable :: lines
 
       lines = meaning_and_words('kind', 'shape of the rigid surface', known_surfaces)
    end function kinds_of_surface
 
+   !> Words of `&traction kind`.
    pure function kinds_of_traction() result(lines)
       character(:), allocatable :: lines
 
       lines = meaning_and_words('kind', 'where the tractions act', known_tractions)
    end function kinds_of_traction
 
+   !> Words of `&solid extent`.
    pure function extents() result(lines)
       character(:), allocatable :: lines
 
       lines = meaning_and_words('extent', 'deep, a layer on a rigid base, or columns side by side', known_extents)
    end function extents
 
+   !> Words of `&solid curve_modulus`.
    pure function curve_moduli() result(lines)
       character(:), allocatable :: lines
 

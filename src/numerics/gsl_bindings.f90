@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Bindings of the GNU Scientific Library. Its functions end the process where an argument is outside of their domain: only
 !> `adfric_numerics_elliptic`, `adfric_numerics_bessel_ratios`, `adfric_numerics_unit_samples`, `adfric_numerics_distributions` and
-!> `adfric_solid_order_margin` call them, which look at the arguments before.
+!> `adfric_numerics_exponential_integral` call them, which look at the arguments before.
 module adfric_numerics_gsl_bindings
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_long, c_ptr
    implicit none (type, external)

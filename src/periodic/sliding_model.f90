@@ -313,6 +313,7 @@ contains
    !> Adhesion of a point, whose values have been checked.
    pure type(adhesion_law_t) function adhesion_of(self, values) result(law)
       class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       call resolve_adhesion(values(self%first_of_solid + s_adhesion - 1:self%first_of_solid + s_last_adhesion - 1), law)
@@ -321,6 +322,7 @@ contains
    !> Range of the undeformed gap [m].
    pure real(dp) function height_of(self, values) result(height)
       class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       select case (nint(values(in%kind)))

@@ -14,7 +14,7 @@
 !> - Newton's method is taken only where rounds close in, and where its state lies where they would end: with the changes c and c r of
 !>   two rounds, within a few c r/(1 - r).
 !> - Shares that all move to one side pass on slowly where a state has just been lost, and need many rounds. Only where some move back
-!>   and the change does not fall any more, rounds go half the way. Those that have not ended after the last one are no answer.
+!>   and the change does not fall any more, rounds go half the distance. Those that have not ended after the last one are no answer.
 module adfric_periodic_sliding_rounds
    use adfric_base_kinds, only: dp
    use adfric_periodic_adhesive_contact, only: find_state, solve_again, solve_with_share
@@ -27,7 +27,7 @@ module adfric_periodic_sliding_rounds
 
    !> Rounds from the bound, at most.
    integer, parameter :: most_rounds = 2000
-   !> Rounds without a smaller change after which those that move shares both ways go half the way.
+   !> Rounds without a smaller change after which those that move shares up and down go half the distance.
    integer, parameter :: patience = 12
    !> Largest change of a share that ends the rounds.
    real(dp), parameter :: resting_share = 1.0e-5_dp
@@ -88,7 +88,7 @@ contains
             smallest = change
             since_smallest = 0
          end if
-         if (since_smallest >= patience .and. moves_both_ways(state%cohesion%share, share)) then
+         if (since_smallest >= patience .and. moves_up_and_down(state%cohesion%share, share)) then
             share(:, :) = (share + state%cohesion%share)/2
          else
             share(:, :) = state%cohesion%share
@@ -105,11 +105,11 @@ contains
    end subroutine solve_by_rounds
 
    !> Do some shares rise while others fall?
-   pure logical function moves_both_ways(share, before)
+   pure logical function moves_up_and_down(share, before)
       !> Shares of a round and of the one before.
       real(dp), intent(in), contiguous :: share(:, :), before(:, :)
 
-      moves_both_ways = min(maxval(share - before), maxval(before - share)) > part_that_counts*maxval(abs(share - before))
-   end function moves_both_ways
+      moves_up_and_down = min(maxval(share - before), maxval(before - share)) > part_that_counts*maxval(abs(share - before))
+   end function moves_up_and_down
 
 end module adfric_periodic_sliding_rounds

@@ -151,6 +151,7 @@ contains
 
    !> Does a scene count a result over the nominal area, and the solver for a period?
    pure logical function is_counted_over_area(solver, result_name)
+      !> Name of the solver.
       character(*), intent(in) :: solver
       !> Name that the solver has for the result.
       character(*), intent(in) :: result_name

@@ -10,9 +10,8 @@
 !> rounds end in them (`adfric_periodic_sliding_rounds`). f begins at 0, rises to 1.784110508790133 at a = 4.5506608795, and falls to 1: one
 !> time keeps the order up to E_inf/E_0 = 2.2753304398. M depends on ratios of moduli and of times alone, and not on the velocity.
 module adfric_solid_order_margin
-   use, intrinsic :: iso_c_binding, only: c_double
    use adfric_base_kinds, only: dp
-   use adfric_numerics_gsl_bindings, only: gsl_sf_expint_ei_scaled
+   use adfric_numerics_exponential_integral, only: scaled_exponential_integral
    implicit none (type, external)
    private
    public :: order_margin_of, order_function
@@ -98,7 +97,7 @@ contains
       if (.not. a > tiny(a)) then
          f = 0
       else if (a < far) then
-         f = a*(a*real(gsl_sf_expint_ei_scaled(real(a, c_double)), dp) - 1)
+         f = a*(a*scaled_exponential_integral(a) - 1)
       else
          f = 0
          term = 1
