@@ -226,8 +226,9 @@ contains
          results(out%mean_gap) = d*(1 - state%penetration)
          results(out%friction_stress) = stress_unit*state%friction
          results(out%dissipation) = abs(results(out%friction_stress))
-         if (state%load > 0) results(out%friction_coefficient) = results(out%friction_stress)/results(out%mean_pressure)
-         if (state%load > 0) call split_friction(point, stress_unit, results)
+         if (results(out%mean_pressure) > 0) results(out%friction_coefficient) = &
+            & results(out%friction_stress)/results(out%mean_pressure)
+         if (results(out%mean_pressure) > 0) call split_friction(point, stress_unit, results)
          results(out%violation) = 0
          work = 0
          select case (state%regime)
