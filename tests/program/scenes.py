@@ -37,6 +37,7 @@ VECTORS = ("hysteretic_friction_stress", "interfacial_friction_stress", "frictio
 PERIODIC = ("wave_1d", "wave_2d", "wave_product", "cosines", "profile", "heights")
 ELASTIC = "&solid young_modulus = 7.5e6, poisson_ratio = 0.5 /\n"
 RELAXING = "&solid modulus = 1e7, moduli = 9e7, relaxation_times = 1e-3{more} /\n"
+LAYER = RELAXING.format(more=", extent = 'layer', thickness = 1e-4, base = 'frictionless'")
 COLUMNS = "&solid extent = 'foundation', stiffness = 1e11, relaxation_time = 1e-4, retardation_ratio = 10.0 /\n"
 ADHESION = "&adhesion work_of_adhesion = 0.05, adhesion_stress = 1e6 /\n"
 LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
@@ -55,10 +56,12 @@ def scene_of(surface, column):
             5: ELASTIC + f"&friction coulomb_coefficient = 0.3 /\n&operating {load}, {force} /\n",
             6: ELASTIC + "&friction coulomb_coefficient = 0.3 /\n&history loads = 1e-3, 1e-3, 1e-3, tangential_forces = 1e-4, -1e-4, 0.0 /\n",
             7: RELAXING.format(more="") + f"&operating {load}, velocity = 0.01 /\n",
-            8: RELAXING.format(more=", extent = 'layer', thickness = 1e-4, base = 'frictionless'") + f"&operating {load}, velocity = 0.01 /\n",
-            9: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
-            10: COLUMNS + adhesion + f"&operating {load}, velocity = 0.01 /\n"}[column]
-    cells = "&numerics cells = 64 /\n" if surface == "wave_2d" or surface in PERIODIC and column == 8 and surface not in ("profile", "heights") else ""
+            8: RELAXING.format(more="") + adhesion + f"&operating {load}, velocity = 0.01 /\n",
+            9: LAYER + f"&operating {load}, velocity = 0.01 /\n",
+            10: LAYER + adhesion + f"&operating {load}, velocity = 0.01 /\n",
+            11: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
+            12: COLUMNS + adhesion + f"&operating {load}, velocity = 0.01 /\n"}[column]
+    cells = "&numerics cells = 64 /\n" if surface == "wave_2d" or surface in PERIODIC and column in (9, 10) and surface not in ("profile", "heights") else ""
     return f"&job output = 'run.h5' /\n&surface kind = '{surface}', {SURFACES[surface]} /\n{rest}{cells}"
 
 
@@ -81,7 +84,7 @@ class Scenes(Runs):
     def table(self):
         """The cells of `adfric help scenes`: surface, column, letter."""
         page, _ = self.run_program("help", "scenes")
-        rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES and len(line.split()) == 11]
+        rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES and len(line.split()) == 13]
         self.assertEqual([row[0] for row in rows], list(SURFACES))
         return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
 
@@ -105,7 +108,7 @@ class Scenes(Runs):
         """README shows the same table."""
         lines = (SOURCE/"README.md").read_text().splitlines()
         shown = [[cell.strip().strip("`") for cell in line.strip("|").split("|")] for line in lines
-                 if line.startswith("| `") and len(line.strip("|").split("|")) == 11]
+                 if line.startswith("| `") and len(line.strip("|").split("|")) == 13]
         words = {"exact": "e", "numerical": "n", "": "-"}
         self.assertEqual([(row[0], column, words[cell]) for row in shown for column, cell in enumerate(row[1:], 1)], self.table())
 

@@ -90,7 +90,8 @@ contains
       end select
    end function base_of
 
-   !> The unit of a variable in a case. Where it depends on the kind of the surface, it is that of the result of the same name.
+   !> The unit of a variable in a case. Where it depends on the kind of the surface, it is that of the result of the same name. A
+   !> volume of activation stands below kT, which is the same number of J in all units of a case: it counts as 1/Pa.
    function unit_in_case(model, values, position) result(unit)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
@@ -100,6 +101,7 @@ contains
       integer :: i
 
       unit = model%unit_of(values, position)
+      if (index(model%variables(position)%name, '_activation_volume') > 0) unit = '1/Pa'
       if (index(unit, ';') == 0) return
       allocate (results(size(model%results)))
       results = model%describe_results(values)
