@@ -251,10 +251,14 @@ contains
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
 
+      law = self%adhesion_of(values)
+      is_possible = .not. law%stress > 0
+      if (is_possible) return
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
-      is_possible = are_sizes_possible(self%adhesion_of(values), self%height_of(values), surface)
+      is_possible = are_sizes_possible(law, self%height_of(values), surface)
    end function is_possible
 
    !> See `periodic_model_t`.
@@ -414,10 +418,14 @@ contains
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
       type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
 
+      text = ''
+      law = self%adhesion_of(values)
+      if (.not. law%stress > 0) return
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
-      text = doubt_zone(self%adhesion_of(values), surface)
+      text = doubt_zone(law, surface)
    end function doubt_adhesion
 
    !> See `periodic_model_t`: the contact modulus, and lengths of adhesion.

@@ -158,17 +158,19 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
 
       associate (first => self%first_of_solid, last => self%last_of_solid)
          call check_sliding_solid(self%variables(first:last), values(first:last), &
             & values(merge(in%length_x, in%period, is_set(values(in%length_x)))), self%spectrum, self%given_law, &
             & is_swept(first:last), problems)
       end associate
-      call check_pull(self%variables, values, self%before_prescribed, self%adhesion_of(values), problems)
-      if (problems%count() > 0) return
+      law = self%adhesion_of(values)
+      call check_pull(self%variables, values, self%before_prescribed, law, problems)
+      if (problems%count() > 0 .or. .not. law%stress > 0) return
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
-      if (.not. are_sizes_possible(self%adhesion_of(values), self%height_of(values), surface)) call problems%add('adhesion', &
+      if (.not. are_sizes_possible(law, self%height_of(values), surface)) call problems%add('adhesion', &
          & 'stress', 'or its range is too small or too large for the surface: stress/(E0 height/period) and range/height are ' &
          & //'1e-12 to 1e12')
    end subroutine check_solid
@@ -422,11 +424,14 @@ contains
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
       type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
 
       call self%get_cells(values, surface)
+      text = doubt_surface(values, values(self%first_of_solid:self%last_of_solid), self%spectrum, self%heights, surface)
+      law = self%adhesion_of(values)
+      if (.not. law%stress > 0) return
       call self%set_solid(values, surface)
-      text = doubt_surface(values, values(self%first_of_solid:self%last_of_solid), self%spectrum, self%heights, surface)// &
-         & doubt_zone(self%adhesion_of(values), surface)
+      text = text//doubt_zone(law, surface)
    end function describe_doubts
 
    !> See `model_t`: the steepest slope of waves, the mean one of heights.
