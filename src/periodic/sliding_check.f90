@@ -4,7 +4,7 @@ module adfric_periodic_sliding_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion
+   use adfric_interface_adhesion_rows, only: check_adhesion
    use adfric_interface_friction_law_rows, only: given_law_t
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
@@ -104,19 +104,19 @@ contains
    end subroutine check_sliding_solid
 
    !> Add to `problems` a load that nothing pulls, and a penetration beside adhesion.
-   subroutine check_pull(variables, values, before_prescribed, law, problems)
+   subroutine check_pull(variables, values, before_prescribed, is_adhesive, problems)
       !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Index of the row before those of what is prescribed.
       integer, intent(in) :: before_prescribed
-      !> The adhesion, without a stress where there is none.
-      type(adhesion_law_t), intent(in) :: law
+      !> Does adhesion act?
+      logical, intent(in) :: is_adhesive
       type(problems_t), intent(inout) :: problems
 
       associate (load => before_prescribed + prescribed%mean_pressure, depth => before_prescribed + prescribed%penetration)
-         if (law%stress > 0) then
+         if (is_adhesive) then
             if (is_set(values(depth))) call problems%add(variables(depth)%group, variables(depth)%name, &
                & 'has no unique answer with adhesion while the body slides; give the mean pressure')
          else if (values(load) < 0) then

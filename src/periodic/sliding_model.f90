@@ -11,7 +11,7 @@ module adfric_periodic_sliding_model
    use adfric_interface_friction_law_rows, only: given_law_t, take_law_attribute, take_law_table
    use adfric_interface_shear_strength_rows, only: n_shear_rows, p_shear_stress, shear_profiles
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, resolve_adhesion
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, has_adhesion, resolve_adhesion
    use adfric_solid_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, n_spectrum_rows
    use adfric_describe_derived, only: derived_t
    use adfric_describe_doubt, only: doubt_slope_too_steep
@@ -159,15 +159,17 @@ contains
       type(problems_t), intent(inout) :: problems
       type(periodic_surface_t) :: surface
       type(adhesion_law_t) :: law
+      logical :: is_adhesive
 
       associate (first => self%first_of_solid, last => self%last_of_solid)
          call check_sliding_solid(self%variables(first:last), values(first:last), &
             & values(merge(in%length_x, in%period, is_set(values(in%length_x)))), self%spectrum, self%given_law, &
             & is_swept(first:last), problems)
       end associate
+      is_adhesive = has_adhesion(values(self%first_of_solid + s_adhesion - 1:self%first_of_solid + s_last_adhesion - 1))
+      call check_pull(self%variables, values, self%before_prescribed, is_adhesive, problems)
+      if (problems%count() > 0 .or. .not. is_adhesive) return
       law = self%adhesion_of(values)
-      call check_pull(self%variables, values, self%before_prescribed, law, problems)
-      if (problems%count() > 0 .or. .not. law%stress > 0) return
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
       if (.not. are_sizes_possible(law, self%height_of(values), surface)) call problems%add('adhesion', &
