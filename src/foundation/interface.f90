@@ -77,8 +77,8 @@ contains
       type(given_law_t), intent(in) :: given_law
       type(problems_t), intent(inout) :: problems
 
-      call check_interface(variables(in%friction), interface_of(values), given_law, shift_of_columns(values, given), &
-         & variables([in%temperature, in%velocity]), values([in%temperature, in%velocity]), tension_of(values), problems)
+      call check_interface(variables, values, in%friction, [in%temperature, in%velocity], given_law, &
+         & shift_of_columns(values, given), tension_of(values), problems)
       if (is_set(values(in%friction(i_pressure_volume)))) call problems%add('friction', &
          & variables(in%friction(i_pressure_volume))%name, 'is for half-spaces; on a foundation the law has no pressure')
       if (nint(values(in%slope)) == slope_finite) call problems%add(variables(in%slope)%group, variables(in%slope)%name, &

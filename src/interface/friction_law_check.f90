@@ -23,26 +23,37 @@ module adfric_interface_friction_law_check
 contains
 
    !> Add to `problems` what is missing, has no meaning for the law, or lies beyond it.
-   subroutine check_interface(rows, values, given, of_solid, operating, at, tension, problems)
-      !> The rows of an interface; their names are part of the messages.
-      type(variable_t), intent(in) :: rows(:)
-      !> Values of an interface, of which one is given; shape `(n_interface_rows)`.
-      real(dp), intent(in) :: values(:)
+   subroutine check_interface(table, values_of_table, of_interface, of_operating, given, of_solid, tension, problems)
+      !> Rows with those of an interface among them; their names are part of the messages.
+      type(variable_t), intent(in) :: table(:)
+      !> Values of the rows, of which one of the interface is given; shape of `table`.
+      real(dp), intent(in) :: values_of_table(:)
+      !> Indices of the interface in `table`; shape `(n_interface_rows)`.
+      integer, intent(in) :: of_interface(:)
+      !> Those of temperature [K] and velocity [m/s].
+      integer, intent(in) :: of_operating(2)
       !> The table of the input.
       type(given_law_t), intent(in) :: given
       !> The solid's own shift, or a default one.
       type(time_temperature_t), intent(in) :: of_solid
-      !> Rows of temperature and velocity.
-      type(variable_t), intent(in) :: operating(2)
-      !> Temperature [K] and velocity [m/s], or unset.
-      real(dp), intent(in) :: at(2)
       !> Largest tension in contact, that of adhesion [Pa].
       real(dp), intent(in) :: tension
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      integer :: before
+      type(variable_t) :: rows(n_interface_rows), operating(2)
+      real(dp) :: values(n_interface_rows), at(2)
+      integer :: before, k
 
       before = problems%count()
+      ! row by row: gfortran loses the texts of a section by indices
+      do k = 1, n_interface_rows
+         rows(k) = table(of_interface(k))
+      end do
+      do k = 1, 2
+         operating(k) = table(of_operating(k))
+      end do
+      values = values_of_table(of_interface)
+      at = values_of_table(of_operating)
       call check_words(rows, values, problems)
       if (law_of(values) == law_constant) then
          call check_shear(rows(:n_shear_rows), values(:n_shear_rows), tension, problems)
@@ -106,17 +117,21 @@ contains
       type(variable_t), intent(in) :: row
       real(dp), intent(in) :: temperature
       type(problems_t), intent(inout) :: problems
-      type(variable_t) :: shift_rows(i_energy - i_shift + 2)
+      type(variable_t) :: shift_rows(i_energy - i_shift + 2), of_temperature(1)
       real(dp) :: numbers(i_energy - i_shift + 2)
       logical :: is_swept(i_energy - i_shift + 2)
       integer :: k
 
       if (law_of(values) == law_activated) then
-         call require([row], [temperature], [1], problems)
+         of_temperature(1) = row
+         call require(of_temperature, [temperature], [1], problems)
          return
       end if
       if (needs_temperature(values)) then
-         shift_rows = [rows(i_shift:i_energy), row]
+         do k = i_shift, i_energy
+            shift_rows(k - i_shift + 1) = rows(k)
+         end do
+         shift_rows(size(shift_rows)) = row
          shift_rows(1)%choices = shift_rows(1)%choices(len('material ') + 1:)
          numbers = [values(i_shift) - 1, values(i_reference:i_energy), temperature]
          is_swept = .false.

@@ -62,8 +62,8 @@ contains
       type(problems_t), intent(inout) :: problems
       type(time_temperature_t) :: none
 
-      if (has_interface(values(of_interface))) call check_interface(rows(of_interface), values(of_interface), given, none, &
-         & rows([temperature, velocity]), values([temperature, velocity]), tension, problems)
+      if (has_interface(values(of_interface))) call check_interface(rows, values, of_interface, [temperature, velocity], given, &
+         & none, tension, problems)
       if (is_set(values(velocity)) .and. .not. has_law(values)) call problems%add(rows(velocity)%group, rows(velocity)%name, &
          & 'has no meaning without a law of the velocity in &friction; over an elastic solid nothing else rubs')
       if (is_set(values(temperature)) .and. .not. needs_temperature(values(of_interface))) call problems%add( &

@@ -89,11 +89,11 @@ contains
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given
       type(problems_t), intent(inout) :: problems
+      integer :: k
 
       if (.not. has_surface_interface(values)) return
-      call check_interface(rows(s_friction:s_friction + n_interface_rows - 1), interface_of(values), given, &
-         & solid_shift_of(values(:n_spectrum_rows), spectrum), rows([s_temperature, s_velocity]), &
-         & values([s_temperature, s_velocity]), tension_of(values), problems)
+      call check_interface(rows, values, [(k, k=s_friction, s_friction + n_interface_rows - 1)], [s_temperature, s_velocity], &
+         & given, solid_shift_of(values(:n_spectrum_rows), spectrum), tension_of(values), problems)
    end subroutine check_surface_interface
 
    !> Add the interface to the friction of a point.

@@ -94,9 +94,8 @@ contains
       ! a solid without shift has no use for the temperature of the interface
       if (needs_temperature(values(in%friction)) .and. of_solid%law == shift_none) others(in%temperature) = unset
       call check_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), given, problems)
-      if (problems%count() == before .and. has_interface(values(in%friction))) call check_interface(variables(in%friction), &
-         & values(in%friction), given_law, of_solid, variables([in%temperature, in%velocity]), &
-         & values([in%temperature, in%velocity]), 0.0_dp, problems)
+      if (problems%count() == before .and. has_interface(values(in%friction))) call check_interface(variables, values, &
+         & in%friction, [in%temperature, in%velocity], given_law, of_solid, 0.0_dp, problems)
    end subroutine check_material
 
    !> Add to `problems` radii that do not go with the kind of contact, or make none.

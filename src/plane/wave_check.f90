@@ -124,8 +124,8 @@ contains
       type(problems_t), intent(inout) :: problems
 
       if (.not. has_interface(interface_of(values))) return
-      call check_interface([variables(in%shear_strength:in%pressure_factor), variables(in%law)], interface_of(values), given_law, &
-         & of_solid, variables([in%temperature, in%velocity]), values([in%temperature, in%velocity]), tension, problems)
+      call check_interface(variables, values, [in%shear_strength, in%pressure_factor, in%law], [in%temperature, in%velocity], &
+         & given_law, of_solid, tension, problems)
    end subroutine check_friction
 
    !> Add to `problems` what is wrong with a viscoelastic material.
