@@ -7,7 +7,7 @@ module adfric_command_help_lists
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows
    use adfric_input_vocabulary, only: common_groups
    use adfric_describe_model, only: model_t
-   use adfric_describe_scene_names, only: likely_name_of, likely_result_of
+   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of
    use adfric_describe_table, only: result_t, common_results, variable_t
    use adfric_run_conversion, only: is_counted_over_area, unit_over_area
    implicit none (type, external)
@@ -145,10 +145,7 @@ contains
          associate (model => models(i)%model)
             do k = 1, size(model%variables)
                name = likely_name_of(model%name, model%variables(k)%group//'%'//model%variables(k)%name)
-               unit = model%variables(k)%unit
-               ! an angle in scenes, whatever it is for the solver
-               if (name == 'operating%direction') unit = 'rad'
-               call add_units(entries, unit, name(index(name, '%') + 1:))
+               call add_units(entries, likely_unit_of(name, model%variables(k)%unit), name(index(name, '%') + 1:))
             end do
             do k = 1, size(model%results)
                unit = model%results(k)%unit

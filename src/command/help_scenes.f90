@@ -7,7 +7,8 @@ module adfric_command_help_scenes
    use adfric_describe_table, only: kind_choice, variable_t
    use adfric_describe_vocabulary, only: order_of_scenes
    use adfric_describe_scene_messages, only: with_phrases
-   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, long_name_of, meaning_of, rename_words, renamed_to
+   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of, long_name_of, meaning_of, &
+      & rename_words, renamed_to
    use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, &
       known_tractions, word_length
    implicit none (type, external)
@@ -30,6 +31,12 @@ module adfric_command_help_scenes
       & 'viscoelastic half-space, sliding', 'viscoelastic half-space, sliding with adhesion', 'viscoelastic layer, sliding', &
       & 'viscoelastic layer, sliding with adhesion', 'viscoelastic foundation (columns), sliding', &
       & 'viscoelastic foundation (columns), sliding with adhesion']
+   !> Variables that choose the solver: group, name, meaning, and words.
+   character(*), parameter :: choosing(4, 4) = reshape([character(len(known_surfaces)) :: &
+      & 'surface', 'kind', 'shape of the rigid surface', known_surfaces, &
+      & 'traction', 'kind', 'where the tractions act', known_tractions, &
+      & 'solid', 'extent', 'deep, a layer on a rigid base, or columns side by side', known_extents, &
+      & 'solid', 'curve_modulus', 'which modulus the master curve is one of: E, or E/(1 - nu^2)', known_curves], [4, 4])
    !> Width of the column of names.
    integer, parameter :: name_width = 40, surface_width = 18
 
@@ -131,9 +138,7 @@ contains
          group = get_word(order_of_scenes, g)
          text = text//'&'//group//newline
          names = ''
-         if (group == 'surface') text = text//kinds_of_surface()
-         if (group == 'traction') text = text//kinds_of_traction()
-         if (group == 'solid') text = text//extents()//curve_moduli()
+         text = text//choosing_lines(group, '')
          if (has_word('surface traction', group)) names = 'kind'
          call add_group(models, group, '', names, text)
       end do
@@ -156,11 +161,7 @@ contains
          if (group == topic) name = ''
          if (index(name, '%') > 0) cycle
          names = 'kind extent'
-         lines = ''
-         if (group == 'surface' .and. is_of(name, 'kind', known_surfaces)) lines = kinds_of_surface()
-         if (group == 'traction' .and. is_of(name, 'kind', known_tractions)) lines = kinds_of_traction()
-         if (group == 'solid' .and. is_of(name, 'extent', known_extents)) lines = extents()
-         if (group == 'solid' .and. is_of(name, 'curve_modulus', known_curves)) lines = lines//curve_moduli()
+         lines = choosing_lines(group, name)
          if (has_word(meant, group)) call add_group(models, group, name, names, lines)
          if (len(lines) > 0) text = text//'&'//group//newline//lines
       end do
@@ -169,54 +170,23 @@ contains
       if (len(text) > 0) text = 'In a scene (adfric help scenes)'//newline//text
    end function describe_scene_name
 
-   !> Is a variable of words meant by a name, which may be one of its words, or empty?
-   pure logical function is_of(name, variable, words)
+   !> The variables of a group that choose the solver, with their meanings and words.
+   pure function choosing_lines(group, name) result(lines)
+      character(*), intent(in) :: group
+      !> Name of a variable, or one of its words; empty for all variables.
       character(*), intent(in) :: name
-      !> Name of the variable.
-      character(*), intent(in) :: variable
-      !> Its words, separated by a blank.
-      character(*), intent(in) :: words
+      character(:), allocatable :: lines, variable, words
+      integer :: k
 
-      is_of = len(name) == 0 .or. name == variable .or. has_word(words, name)
-   end function is_of
-
-   !> Words of `&surface kind`.
-   pure function kinds_of_surface() result(lines)
-      character(:), allocatable :: lines
-
-      lines = meaning_and_words('kind', 'shape of the rigid surface', known_surfaces)
-   end function kinds_of_surface
-
-   !> Words of `&traction kind`.
-   pure function kinds_of_traction() result(lines)
-      character(:), allocatable :: lines
-
-      lines = meaning_and_words('kind', 'where the tractions act', known_tractions)
-   end function kinds_of_traction
-
-   !> Words of `&solid extent`.
-   pure function extents() result(lines)
-      character(:), allocatable :: lines
-
-      lines = meaning_and_words('extent', 'deep, a layer on a rigid base, or columns side by side', known_extents)
-   end function extents
-
-   !> Words of `&solid curve_modulus`.
-   pure function curve_moduli() result(lines)
-      character(:), allocatable :: lines
-
-      lines = meaning_and_words('curve_modulus', 'which modulus the master curve is one of: E, or E/(1 - nu^2)', known_curves)
-   end function curve_moduli
-
-   !> A variable with its meaning and its words.
-   pure function meaning_and_words(name, meaning, words) result(lines)
-      character(*), intent(in) :: name, meaning
-      !> Its words, separated by a blank.
-      character(*), intent(in) :: words
-      character(:), allocatable :: lines
-
-      lines = pad('  '//name, name_width)//meaning//newline//words_line(words)
-   end function meaning_and_words
+      lines = ''
+      do k = 1, size(choosing, 2)
+         if (choosing(1, k) /= group) cycle
+         variable = trim(choosing(2, k))
+         words = trim(choosing(4, k))
+         if (len(name) > 0 .and. name /= variable .and. .not. has_word(words, name)) cycle
+         lines = lines//pad('  '//variable, name_width)//trim(choosing(3, k))//newline//words_line(words)
+      end do
+   end function choosing_lines
 
    !> The words that a variable may have.
    pure function words_line(words) result(line)
@@ -260,11 +230,9 @@ contains
             if (name(:percent - 1) /= group .or. has_word(names, name(percent + 1:))) cycle
             if (.not. is_meant(models(m)%model%name, name(percent + 1:), row, wanted)) cycle
             names = names//' '//name(percent + 1:)
-            ! an angle in scenes, whatever it is for the solver
-            if (name == 'operating%direction') then
-               row%choices = ''
-               row%unit = 'rad'
-            end if
+            row%unit = likely_unit_of(name, row%unit)
+            ! an angle has no words, whatever the solver takes for it
+            if (row%unit == 'rad') row%choices = ''
             text = text//pad('  '//name(percent + 1:)//unit_of(row), name_width)//with_phrases(meaning_of(name, row%meaning))// &
                newline
             if (len(row%choices) > 0) text = text//words_line(words_of_all(models, name))

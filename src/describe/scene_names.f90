@@ -9,8 +9,8 @@ module adfric_describe_scene_names
       & variable_rules, with_depth, word_rules
    implicit none (type, external)
    private
-   public :: rename_tables, rename_words, likely_name_of, likely_result_of, long_name_of, meaning_of, words_of_rules, &
-      & added_word, renamed_to
+   public :: rename_tables, rename_words, likely_name_of, likely_result_of, likely_unit_of, long_name_of, meaning_of, &
+      & words_of_rules, added_word, renamed_to
 
 contains
 
@@ -292,6 +292,17 @@ contains
       ! rules that need a fact are for some scenes
       new_name = likely_name(result_rules, solver, name, .false.)
    end function likely_result_of
+
+   !> The unit of a variable in scenes.
+   pure function likely_unit_of(new_name, of_solver) result(unit)
+      !> What `likely_name_of` says, and unit of the solver.
+      character(*), intent(in) :: new_name, of_solver
+      character(:), allocatable :: unit
+
+      unit = of_solver
+      ! an angle in scenes, whatever it is for the solver
+      if (new_name == 'operating%direction') unit = 'rad'
+   end function likely_unit_of
 
    !> Does a rule need a fact to be there?
    elemental logical function needs_fact(rule)

@@ -6,15 +6,16 @@
 module adfric_periodic_adhesion_cells
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_interface_adhesion_rows, only: adhesion_law_t
+   use adfric_describe_derived, only: add_derived, derived_t
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables, only: regime_adhesion_only, regime_adhesion_zones, regime_full, regime_none, regime_partial, &
       & regime_saturated_adhesion
    implicit none (type, external)
    private
-   public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, doubt_zone, error_of_edge, least_cells, regime_of
-   public :: zone_length
+   public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, error_of_edge, least_cells
+   public :: regime_of
 
    !> Cells per zone below which there is a doubt, and below which edges of adhesion are those of the cells.
    real(dp), parameter :: few_cells = 4, least_cells = 0.5_dp
@@ -69,6 +70,21 @@ contains
          cells_per_zone = zone_length(law, surface%solid%modulus)/maxval(size, mask=surface%n_cells > 1)
       end associate
    end function cells_per_zone
+
+   !> Add the work of adhesion, and what a short zone is on the cells.
+   subroutine derive_zone(derived, law, surface, meaning)
+      type(derived_t), allocatable, intent(inout) :: derived(:)
+      type(adhesion_law_t), intent(in) :: law
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> What the length of a zone is on this solid.
+      character(*), intent(in) :: meaning
+
+      call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
+      call add_derived(derived, 'zone_length', 'm', meaning, zone_length(law, surface%solid%modulus))
+      call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
+         & cells_per_zone(law, surface))
+   end subroutine derive_zone
 
    !> Relative error that the cells make of the edge of adhesion.
    pure real(dp) function error_of_edge(cells) result(error)

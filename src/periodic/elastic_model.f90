@@ -4,7 +4,7 @@ module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, check_adhesion, has_adhesion, &
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion, has_adhesion, &
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
       & has_poisson_ratio, n_two_bodies, set_modulus_rows
@@ -13,13 +13,13 @@ module adfric_periodic_elastic_model
    use adfric_interface_friction_law_rows, only: given_law_t, take_law_attribute, take_law_table
    use adfric_interface_shear_strength_rows, only: has_shear, n_shear_rows, p_shear_stress, set_shear_rows, &
       & shear_profiles
-   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_rows, only: positive
    use adfric_describe_table, only: profile_axis_t, variable_t
    use adfric_numerics_found_once, only: found_once_t
-   use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, are_sizes_possible, cells_per_zone, doubt_zone, error_of_edge, &
-      & least_cells, regime_of, zone_length
+   use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, &
+      & error_of_edge, least_cells, regime_of
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_elastic_interface, only: check_elastic_friction, has_law, n_friction_rows, n_motion_rows, &
@@ -441,11 +441,7 @@ contains
       end associate
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
-      call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
-      call add_derived(derived, 'zone_length', 'm', 'length of a short zone of adhesion, pi E* h0/(4 p0)', &
-         & zone_length(law, surface%solid%modulus))
-      call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
-         & cells_per_zone(law, surface))
+      call derive_zone(derived, law, surface, 'length of a short zone of adhesion, pi E* h0/(4 p0)')
    end function derive_solid
 
 end module adfric_periodic_elastic_model

@@ -7,9 +7,9 @@ module adfric_periodic_sliding_description
    use adfric_solid_order_margin, only: order_margin_of
    use adfric_solid_prony, only: prony_t
    use adfric_solid_spectrum_rows, only: derive_spectrum, doubt_spectrum, get_spectrum, n_spectrum_rows
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names
+   use adfric_interface_adhesion_rows, only: adhesion_law_t
    use adfric_describe_derived, only: add_derived, derived_t
-   use adfric_periodic_adhesion_cells, only: cells_per_zone, zone_length
+   use adfric_periodic_adhesion_cells, only: derive_zone
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_sliding_case, only: frequencies_of
@@ -45,11 +45,7 @@ contains
       if (nint(values(in%kind)) /= kind_heights) call add_derived(derived, 'cells', '-', 'cells along a period of a wave', &
          & real(cells_of(values), dp), 'cells')
       if (.not. law%stress > 0) return
-      call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
-      call add_derived(derived, 'zone_length', 'm', 'length of a short zone of adhesion on the relaxed solid, pi E0 h0/(4 p0)', &
-         & zone_length(law, surface%solid%modulus))
-      call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
-         & cells_per_zone(law, surface))
+      call derive_zone(derived, law, surface, 'length of a short zone of adhesion on the relaxed solid, pi E0 h0/(4 p0)')
       call get_spectrum(of_solid(:n_spectrum_rows), spectrum, prony)
       call add_derived(derived, 'margin_of_order', '-', 'where >= 0, the branches bound all states on a half-plane', &
          & order_margin_of(prony%moduli/prony%relaxed, prony%times))

@@ -52,6 +52,7 @@ module adfric_periodic_sliding_variables
    end type sliding_output_t
    type(sliding_output_t), parameter, public :: sliding_output = transfer(counting(n_periodic_results + 1:), sliding_output_t())
    integer, parameter, public :: n_sliding_results = n_periodic_results + storage_size(sliding_output)/storage_size(1)
+
    !> Cells along a period of a wave where none are given.
    integer, parameter :: default_cells_1d = 1024, default_cells_2d = 256
    !> Cells of waves come in multiples of this, so that there are three nested grids.

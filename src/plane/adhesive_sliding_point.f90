@@ -51,6 +51,8 @@ module adfric_plane_adhesive_sliding_point
       real(dp) :: pressure_unit = 1, slope = 1
       !> 1 for a velocity >= 0, or -1.
       real(dp) :: direction = 1
+      !> M/Einf of the solid.
+      real(dp) :: order_margin = 1
       !> Are the sizes numbers that can be handled, and were the ends of the branches found?
       logical :: is_possible = .false., is_found = .false.
       !> The branches, reduced.
@@ -95,6 +97,7 @@ contains
       if (.not. point%is_possible) return
       call new_sliding_solid(slide%solid, point%prony, speed)
       call set_compliances(slide)
+      point%order_margin = order_margin_of(slide%solid%ratios, slide%solid%relaxation)
    end subroutine resolve
 
    !> Are speed, stress and range of sizes that can be handled?
@@ -127,7 +130,7 @@ contains
       if (.not. point%is_possible) return
       zone = pi*slide%range/(4*slide%stress)
       call add_derived(list, 'margin_of_order', '-', 'order of states, M/Einf; >= 0: the branches are proved', &
-         & order_margin_of(slide%solid%ratios, slide%solid%relaxation))
+         & point%order_margin)
       call add_derived(list, 'zone_length', 'm', 'length of a short zone of adhesion at rest, pi E0 d0/(4 p0)', &
          & zone*values(in%period)/two_pi)
       if (slide%solid%n_arms == 0) return
@@ -202,7 +205,7 @@ contains
       associate (b => point%branches, p => point%pressure_unit)
          results(out%full_contact_pressure) = p*(b%full_load + b%slide%stress)
          results(out%end_of_saturation_pressure) = p*b%saturation_load
-         results(out%order_margin) = order_margin_of(b%slide%solid%ratios, b%slide%solid%relaxation)
+         results(out%order_margin) = point%order_margin
          if (.not. b%is_complete) return
          results(out%pull_off_pressure) = p*b%pull_off_load
          results(out%saturation_fold_pressure) = p*b%fold_load
