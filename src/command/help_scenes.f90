@@ -179,6 +179,8 @@ contains
       integer :: k
 
       lines = ''
+      variable = ''
+      words = ''
       do k = 1, size(choosing, 2)
          if (choosing(1, k) /= group) cycle
          variable = trim(choosing(2, k))
