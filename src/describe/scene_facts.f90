@@ -51,6 +51,7 @@ module adfric_describe_scene_facts
       & 'events output%events', &
       & 'driven operating%base_displacement friction%law', &
       & 'pull_off output%pull_off', &
+      & 'compared output%compare_branches', &
       & 'peels friction%interaction friction%law', &
       & 'face surface%face_half_width', &
       & 'spring operating%lateral_stiffness', &

@@ -223,7 +223,7 @@ module adfric_describe_scene_rules
       & periodic//' adhesion_energy - !adhesion', &
       & periodic//' adhesion_fraction - !adhesion', &
       & periodic//' pull_off_pressure - !adhesion', &
-      & 'wave_2d_elastic,surface_elastic pull_off_pressure - !pull_off', &
+      & 'wave_2d_elastic,surface_elastic,surface_sliding pull_off_pressure - !pull_off', &
       & 'wave_1d pull_off_penetration - !adhesion', &
       & 'wave_1d pull_off_penetration - relaxing', &
       & 'wave_1d jump_off_penetration - !adhesion', &
@@ -233,7 +233,8 @@ module adfric_describe_scene_rules
       & 'wave_1d saturation_fold_pressure - !relaxing', &
       & 'wave_1d end_of_saturation_pressure - !adhesion', &
       & 'wave_1d end_of_saturation_pressure - !relaxing', &
-      & 'wave_1d branches_differ - !adhesion', &
+      & 'wave_1d,surface_sliding branches_differ - !adhesion', &
+      & 'surface_sliding branches_differ - !compared', &
       & 'wave_1d branches_differ - !relaxing', &
       & 'wave_1d order_margin - !adhesion', &
       & 'wave_1d order_margin - !relaxing', &

@@ -7,12 +7,12 @@ module adfric_interface_adhesion_rows
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_describe_rows, only: above_zero, any_number, choice
-   use adfric_describe_table, only: variable_t
+   use adfric_describe_rows, only: above_zero, any_number, choice, result_row
+   use adfric_describe_table, only: result_t, variable_t
    implicit none (type, external)
    private
    public :: set_adhesion_rows, set_stress_rows, branch_row, check_adhesion, check_stress, has_adhesion, range_of, resolve_adhesion
-   public :: adhesion_law_t, n_adhesion_rows, n_stress_rows, branch_adhered, branch_approach, adhesion_names
+   public :: branches_differ_row, adhesion_law_t, n_adhesion_rows, n_stress_rows, branch_adhered, branch_approach, adhesion_names
 
    !> Indices among the rows.
    integer, parameter :: stress = 1, surface_energy = 2, range = 3, branch = 4, turning_pressure = 5
@@ -49,6 +49,13 @@ contains
          & meaning='mean pressure up to which the surfaces have approached before they part again, of the adhered branch; full ' &
          & //'contact if not given', lower=0.0_dp)
    end subroutine set_adhesion_rows
+
+   !> Whether the branches differ, among the results.
+   type(result_t) function branches_differ_row() result(row)
+
+      row = result_row(name='branches_differ', unit='-', &
+         & long_name='1 where the other branch has another state, 0 where it has none or the same')
+   end function branches_differ_row
 
    !> The rows of the stress and its range.
    subroutine set_stress_rows(rows)

@@ -6,9 +6,9 @@
 !>
 !> - On a path without a jump dE = q d delta, E the energy of solid and adhesion, q the load, delta the penetration. A step whose energy is
 !>   not that by the trapezium has passed something, or is too long, and is halved.
-!> - Where the smallest step fails, the state is lost. Shares are prescribed then and found anew in turns, each of which lowers the
-!> energy, to a
-!>   state. Near it Newton's method ends that.
+!> - A body that slides over a viscoelastic solid has no such energy. Its steps move no edge of adhesion by more than half a cell.
+!> - Where the smallest step fails, the state is lost. Shares are prescribed then and found anew in turns, to a state. At rest each
+!>   turn lowers the energy; sliding turns need not end, and those that do not are no answer. Near the state Newton's method ends that.
 !> - Surfaces without a cell in range are free; they stay so when they part.
 module adfric_periodic_adhesive_path
    use adfric_base_kinds, only: dp
@@ -31,6 +31,8 @@ module adfric_periodic_adhesive_path
    real(dp), parameter :: enough = 1.01_dp
    !> Part of the load that contact carries, by which the energy of a step may differ from that of the trapezium.
    real(dp), parameter :: loss_of_step = 0.02_dp
+   !> Largest change of the share of a cell in a step of a surface that slides.
+   real(dp), parameter :: most_change = 0.5_dp
    !> Residual of the states on the way.
    real(dp), parameter :: passing_tolerance = 1.0e-7_dp
    !> Largest change of a share that ends the turns.
@@ -83,7 +85,13 @@ contains
          next = state
          next%mean_gap = merge(mean_gap, state%mean_gap + step, is_last)
          call find_state(next, operator, gap_solver, merge(tolerance, passing_tolerance, is_last), has_found)
-         if (has_found) has_found = is_smooth(state, next)
+         if (has_found) then
+            if (operator%is_symmetric) then
+               has_found = is_smooth(state, next)
+            else
+               has_found = is_near(state, next)
+            end if
+         end if
          if (.not. has_found .and. abs(next%mean_gap - state%mean_gap) > enough*shortest) then
             step = sign(max(shortest, shrinkage*abs(next%mean_gap - state%mean_gap)), step)
             cycle
@@ -165,6 +173,13 @@ contains
       is_smooth = abs(loss) <= loss_of_step*carried*abs(change)
    end function is_smooth
 
+   !> Is no cell's share changed by more than half? Two states that are so near are one on these cells.
+   logical function is_near(state, next)
+      type(contact_state_t), intent(in) :: state, next
+
+      is_near = maxval(abs(next%cohesion%share - state%cohesion%share)) <= most_change
+   end function is_near
+
    !> Energy of solid and adhesion per area [E* times the unit of the gap].
    real(dp) function energy_of(state)
       !> A state with its shares; its pressure is that of the gap and the shares.
@@ -216,7 +231,14 @@ contains
             & maxval(abs(found%cohesion%share - next%cohesion%share))*(1 - change/change_before) <= margin*change
          if (has_found .or. change <= resting_share) exit
       end do
-      if (has_found) next = found
+      if (has_found) then
+         next = found
+      else if (change <= resting_share) then
+         ! no Newton's method, but the shares rest
+         call next%cohesion%hold()
+         call solve_again(next, operator, gap_solver, tolerance)
+         has_found = next%is_converged
+      end if
    end subroutine jump
 
    !> Is no cell within the range?

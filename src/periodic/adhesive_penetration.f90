@@ -15,6 +15,9 @@
 !> tension of at most sigma0 pulls, so that D(q) lies between the penetrations without adhesion under q and under q + sigma0. The window
 !> is narrowed from there; from its end the state is followed to delta, and where the branch under a load a little beyond all loads on
 !> this way has passed delta, or has no state, no other load is in question.
+!>
+!> A body that slides over a viscoelastic solid has ordered branches where its order margin is not below 0 (`adfric_solid_order_margin`).
+!> Elsewhere the same search is made, and its state is one of slow parting or approach at the velocity of the point.
 module adfric_periodic_adhesive_penetration
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -25,8 +28,8 @@ module adfric_periodic_adhesive_penetration
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_grids, only: coarsen
    use adfric_periodic_maps, only: sum_of
-   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_full_pressure, set_solution, &
-      & coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_friction, set_full_pressure, &
+      & set_solution, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
    implicit none (type, external)
    private
    public :: solve_adhesive_penetration
@@ -69,7 +72,7 @@ module adfric_periodic_adhesive_penetration
 
 contains
 
-   !> Solve at a penetration with adhesion; elastic solids alone.
+   !> Solve at a penetration with adhesion.
    subroutine solve_adhesive_penetration(self, shape, penetration, adhesion, tolerance, solution, error)
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
@@ -336,6 +339,7 @@ contains
       end do
       call set_full_pressure(self%grids(n)%operator, state%shape, solution)
       call set_solution(states(first:), self%grids(n)%operator, solution)
+      call set_friction(self, states, state%shape, solution)
    end subroutine collect
 
    !> Begin on a coarser grid from the gap of a finer one.

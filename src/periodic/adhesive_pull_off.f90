@@ -35,6 +35,8 @@ module adfric_periodic_adhesive_pull_off
    real(dp), parameter :: farthest = 8*beyond
    !> Loads and steps that are tried at most.
    integer, parameter :: most_loads = 40, most_steps = 60
+   !> Attempts of Newton's method between states that enclose the lowest one, at most, but for one.
+   integer, parameter :: most_failures = 5
    !> Part of the stress below which a pull-off is none.
    real(dp), parameter :: least_part = 1.0e-6_dp
    !> The first step of the mean gap, in units of the range of the undeformed gap, the growth of the next, and the smallest one.
@@ -112,22 +114,29 @@ contains
       real(dp), intent(in) :: tolerance
       !> Receives the lowest load; keeps what it has where there is none.
       type(periodic_pull_off_t), intent(inout) :: pull_off
-      type(contact_state_t) :: next
+      type(contact_state_t) :: next, lowest
       type(pull_off_path_t) :: path
       real(dp) :: step, shortest, gap
       logical :: has_found
-      integer :: k, n_before
+      integer :: k, n_before, n_failed
 
       state%has_fixed_mean = .true.
       call add(path, sum(state%gap)/size(state%gap), state%mean_pressure)
       step = first_step*(maxval(state%shape) - minval(state%shape))
       shortest = least_step*(maxval(state%shape) - minval(state%shape))
+      lowest = state
+      n_failed = 0
       associate (grid => solver%grids(size(solver%grids)))
          n_before = grid%operator%n_applied
          do k = 1, most_steps
             if (grid%operator%is_stopped()) exit
             gap = path%gaps(path%n) + step
-            if (has_bracket(path)) gap = lowest_position(path)
+            if (has_bracket(path)) then
+               gap = lowest_position(path)
+               ! nearer to the lowest state, and from it, where Newton's method has gone astray
+               gap = path%gaps(2) + (gap - path%gaps(2))/2**n_failed
+               if (n_failed > 0) state = lowest
+            end if
             ! nothing lies between states that are one but for round-off
             if (any(abs(gap - path%gaps(:path%n)) <= shortest)) exit
             next = state
@@ -139,12 +148,15 @@ contains
                if (next%mean_pressure < pull_off%mean_pressure) then
                   pull_off%penetration = sum(next%shape - next%gap)/size(next%gap)
                   pull_off%mean_pressure = next%mean_pressure
+                  lowest = next
                end if
                step = growth*step
+               n_failed = 0
                if (is_lowest(path)) exit
             else
                step = step/4
-               if (has_bracket(path) .or. step < shortest) exit
+               n_failed = n_failed + 1
+               if (merge(n_failed > most_failures, step < shortest, has_bracket(path))) exit
             end if
          end do
          pull_off%n_pairs = pull_off%n_pairs + grid%operator%n_applied - n_before

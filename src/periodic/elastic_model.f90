@@ -3,7 +3,6 @@
 module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
    use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion, has_adhesion, &
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
@@ -17,7 +16,6 @@ module adfric_periodic_elastic_model
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_rows, only: positive
    use adfric_describe_table, only: profile_axis_t, variable_t
-   use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, &
       & error_of_edge, least_cells, regime_of
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
@@ -29,7 +27,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_chords, only: chord_fraction
-   use adfric_periodic_variables, only: get_elastic_results, n_elastic_solid, pull_off_row, in => periodic_input, &
+   use adfric_periodic_variables, only: get_elastic_results, is_wanted, n_elastic_solid, pull_off_row, in => periodic_input, &
       & out => periodic_output
    implicit none (type, external)
    private
@@ -37,16 +35,12 @@ module adfric_periodic_elastic_model
 
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
-      !> Pull-offs that the points of a run share; null unless the model is prepared.
-      type(found_once_t), pointer :: pull_offs => null()
       !> Table of a law of friction.
       type(given_law_t) :: given_law
    contains
       procedure :: take_dataset
       procedure :: take_attribute
       procedure, non_overridable :: take_law => take_dataset
-      procedure :: prepare
-      procedure :: release
       procedure(height_of_i), deferred :: height_of
       procedure :: set_elastic_tables
       procedure :: check_solid
@@ -149,22 +143,6 @@ contains
       call take_law_attribute(self%given_law, self%variables(index), index - pull_off_index(self), name, value, problems)
    end subroutine take_attribute
 
-   !> Make space for the pull-offs that points share.
-   subroutine prepare(self)
-      class(elastic_model_t), intent(inout) :: self
-
-      if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
-   end subroutine prepare
-
-   !> Give back the pull-offs that points have shared.
-   subroutine release(self)
-      class(elastic_model_t), intent(inout) :: self
-
-      if (.not. associated(self%pull_offs)) return
-      call self%pull_offs%clear()
-      deallocate (self%pull_offs)
-   end subroutine release
-
    !> See `periodic_model_t`.
    subroutine check_solid(self, values, is_swept, problems)
       class(elastic_model_t), intent(in) :: self
@@ -181,7 +159,7 @@ contains
          if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
             if (values(prescribed + in%mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
-            if (wants_pull_off(values(pull_off_index(self)))) &
+            if (is_wanted(values(pull_off_index(self)))) &
                & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
          end if
       end associate
@@ -301,17 +279,8 @@ contains
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
       goal%adhesion = adhesion_in_units(law, modulus)
-      goal%wants_pull_off = wants_pull_off(values(pull_off_index(self)))
-      goal%pull_offs => self%pull_offs
+      goal%wants_pull_off = is_wanted(values(pull_off_index(self)))
    end subroutine set_interface
-
-   !> Is the pull-off wanted?
-   pure logical function wants_pull_off(value)
-      !> Value of the switch, or `unset`.
-      real(dp), intent(in) :: value
-
-      wants_pull_off = is_set(value) .and. value > 0
-   end function wants_pull_off
 
    !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)

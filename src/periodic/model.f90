@@ -12,6 +12,7 @@ module adfric_periodic_model
    use adfric_describe_rows, only: contact_profiles, count_row, set_coordinate
    use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
    use adfric_describe_table, only: variable_t, profile_axis_t
+   use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, &
       & solve_periodic, find_full_pressure
@@ -29,7 +30,11 @@ module adfric_periodic_model
       integer :: v_tolerance = 0, first_of_solid = 0, last_of_solid = 0, before_prescribed = 0
       !> Is the pressure of full contact known in closed form, so that nothing is computed on the cells?
       logical :: knows_full_pressure = .false.
+      !> Pull-offs that the points of a run share; null unless the model is prepared.
+      type(found_once_t), pointer :: pull_offs => null()
    contains
+      procedure :: prepare
+      procedure :: release
       procedure :: set_tables
       procedure :: check_values
       procedure :: wants_profiles
@@ -199,6 +204,22 @@ contains
       self%shares_points = .true.
    end subroutine set_tables
 
+   !> Make space for the pull-offs that points share.
+   subroutine prepare(self)
+      class(periodic_model_t), intent(inout) :: self
+
+      if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
+   end subroutine prepare
+
+   !> Give back the pull-offs that points have shared.
+   subroutine release(self)
+      class(periodic_model_t), intent(inout) :: self
+
+      if (.not. associated(self%pull_offs)) return
+      call self%pull_offs%clear()
+      deallocate (self%pull_offs)
+   end subroutine release
+
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
       class(periodic_model_t), intent(in) :: self
@@ -282,6 +303,7 @@ contains
          goal = get_goal(self, values, state%surface%solid%modulus)
          call self%set_interface(values, state%surface%solid%modulus, goal)
          goal%watch => self%watch
+         goal%pull_offs => self%pull_offs
          ! what follows may end without a solution of its own
          state%solution%n_iterations = 0
          if (allocated(state%slip)) deallocate (state%slip)

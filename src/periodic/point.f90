@@ -15,10 +15,14 @@ module adfric_periodic_point
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_pull_off_table, only: get_pull_off
    use adfric_periodic_slip, only: periodic_slip_t, solve_slip
-   use adfric_periodic_solver, only: contact_solved, periodic_solver_t, periodic_solution_t, new_periodic_solver
+   use adfric_periodic_solver, only: branches_agree, branches_differ, branches_unknown, contact_out_of_range, contact_solved, &
+      & periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
    public :: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
+
+   !> Largest difference of a cell's share of two solutions of one state; rounds end within 1e-5.
+   real(dp), parameter :: same_share = 1.0e-3_dp
 
    !> What a surface is pressed against.
    type :: periodic_solid_t
@@ -58,8 +62,8 @@ module adfric_periodic_point
       type(periodic_adhesion_t), allocatable :: adhesion
       !> Friction, with its stress in E*; not allocated: none. Elastic half-spaces without adhesion alone.
       type(coulomb_t), allocatable :: friction
-      !> Is the pull-off wanted?
-      logical :: wants_pull_off = .false.
+      !> Is the pull-off wanted? Is the state of the other branch?
+      logical :: wants_pull_off = .false., wants_other_branch = .false.
       !> Pull-offs that the points of a run share; null: of this point alone.
       type(found_once_t), pointer :: pull_offs => null()
       !> Whom iterations ask whether they shall end; null: nobody.
@@ -145,32 +149,37 @@ contains
       !> The solution; lengths in periods along x, pressures in E*.
       type(periodic_solution_t), intent(out) :: solution
       type(error_t), allocatable, intent(out) :: error
-      type(periodic_adhesion_t) :: adhesion
+      type(periodic_adhesion_t) :: adhesion, branch
       type(periodic_pull_off_t) :: pull_off
-      type(periodic_solution_t) :: without
+      type(periodic_solution_t) :: other, without
       real(dp), allocatable :: shape_in_periods(:, :)
+      real(dp) :: value
 
       adhesion = goal%adhesion
       adhesion%range = adhesion%range/surface%period(1)
       allocate (shape_in_periods, source=surface%shape/surface%period(1))
-      if (goal%is_pressure) then
-         call solve_adhesive_load(memory%solver, shape_in_periods, goal%value, adhesion, goal%tolerance, solution, error)
-      else
-         call solve_adhesive_penetration(memory%solver, shape_in_periods, goal%value/surface%period(1), adhesion, &
-            & goal%tolerance, solution, error)
-      end if
+      value = goal%value
+      if (.not. goal%is_pressure) value = goal%value/surface%period(1)
+      call solve_branch(memory%solver, shape_in_periods, goal, value, adhesion, solution, error)
       if (allocated(error)) return
       associate (grids => memory%solver%grids)
-         if (.not. grids(size(grids))%operator%is_symmetric .and. goal%is_pressure .and. goal%value > 0 .and. &
+         if (.not. grids(size(grids))%operator%is_symmetric .and. solution%mean_pressure > 0 .and. &
             & solution%status == contact_solved) then
-            call memory%solver%solve_load(shape_in_periods, goal%value, goal%tolerance, without, error)
+            call memory%solver%solve_load(shape_in_periods, solution%mean_pressure, goal%tolerance, without, error)
             if (allocated(error)) return
             if (without%status == contact_solved) solution%loss_without_adhesion = without%friction%loss
          end if
       end associate
+      if (goal%wants_other_branch .and. solution%status == contact_solved) then
+         branch = adhesion
+         branch%is_adhered = .not. adhesion%is_adhered
+         call solve_branch(memory%solver, shape_in_periods, goal, value, branch, other, error)
+         if (allocated(error)) return
+         solution%branches = compare(solution, other)
+      end if
       if (.not. goal%wants_pull_off) return
       if (associated(goal%pull_offs)) then
-         call get_pull_off(goal%pull_offs, memory%solver, shape_in_periods, memory%period, adhesion, &
+         call get_pull_off(goal%pull_offs, memory%solver, shape_in_periods, [memory%period, memory%kernel_numbers], adhesion, &
             & goal%tolerance, pull_off, error)
       else
          call find_pull_off(memory%solver, shape_in_periods, adhesion, goal%tolerance, pull_off, error)
@@ -178,6 +187,38 @@ contains
       if (allocated(error)) return
       if (pull_off%is_found) solution%pull_off = pull_off%mean_pressure
    end subroutine solve_adhesive
+
+   !> Solve on a branch what the goal prescribes.
+   subroutine solve_branch(solver, shape, goal, value, adhesion, solution, error)
+      type(periodic_solver_t), intent(inout) :: solver
+      !> Gap of the undeformed surfaces [periods along x].
+      real(dp), intent(in) :: shape(:, :)
+      type(periodic_goal_t), intent(in) :: goal
+      !> What it prescribes: mean pressure [E*] or penetration [periods along x].
+      real(dp), intent(in) :: value
+      !> Stress [E*], range [periods along x], and the branch.
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> The solution; lengths in periods along x, pressures in E*.
+      type(periodic_solution_t), intent(out) :: solution
+      type(error_t), allocatable, intent(out) :: error
+
+      if (goal%is_pressure) then
+         call solve_adhesive_load(solver, shape, value, adhesion, goal%tolerance, solution, error)
+      else
+         call solve_adhesive_penetration(solver, shape, value, adhesion, goal%tolerance, solution, error)
+      end if
+   end subroutine solve_branch
+
+   !> Does the other branch have another state? It has the same where no cell's share differs; one of `branches_...`.
+   pure integer function compare(solution, other) result(branches)
+      !> A solution, and what the other branch has under the same load or penetration.
+      type(periodic_solution_t), intent(in) :: solution, other
+
+      branches = branches_unknown
+      if (other%status == contact_out_of_range) branches = branches_agree
+      if (other%status /= contact_solved) return
+      branches = merge(branches_agree, branches_differ, maxval(abs(solution%share - other%share)) <= same_share)
+   end function compare
 
    !> Mean pressure at which contact becomes full on the cells of the surface: the largest tension under a flat surface, without a
    !> mean, that follows it everywhere. NaN if there is no memory.

@@ -13,32 +13,29 @@ module adfric_periodic_pull_off_table
    private
    public :: get_pull_off
 
-   !> Numbers that a pull-off depends on beside the gaps: adhesion, tolerance, periods, cells along x, and symmetry.
-   integer, parameter :: n_numbers = 8
-
 contains
 
    !> The pull-off of a surface, from the table if it stands there.
-   subroutine get_pull_off(table, solver, shape, period, adhesion, tolerance, pull_off, error)
+   subroutine get_pull_off(table, solver, shape, solid, adhesion, tolerance, pull_off, error)
       !> The table, which receives what had to be found.
       type(found_once_t), intent(inout) :: table
       type(periodic_solver_t), intent(inout) :: solver
       !> Gap of the undeformed surfaces in the middles of the cells [periods along x].
       real(dp), intent(in) :: shape(:, :)
-      !> Periods, that along x 1.
-      real(dp), intent(in) :: period(2)
+      !> Periods, that along x 1, and the numbers from which the kernel of the solid is made.
+      real(dp), intent(in) :: solid(:)
       type(periodic_adhesion_t), intent(in) :: adhesion
       real(dp), intent(in) :: tolerance
       type(periodic_pull_off_t), intent(out) :: pull_off
       type(error_t), allocatable, intent(out) :: error
       type(search_t) :: search
-      real(dp) :: numbers(n_numbers), found(4)
+      real(dp) :: found(4)
       logical :: is_known
 
-      numbers = [adhesion%stress, adhesion%range, merge(adhesion%turning_pressure, -1.0_dp, adhesion%has_turned), tolerance, &
-         & period, real(size(shape, 1), dp), merge(1.0_dp, 0.0_dp, solver%grids(1)%operator%is_quarter)]
       found = 0
-      call look_up(table, numbers, shape, found, is_known, search)
+      call look_up(table, [adhesion%stress, adhesion%range, merge(adhesion%turning_pressure, -1.0_dp, adhesion%has_turned), &
+         & tolerance, solid, real(size(shape, 1), dp), merge(1.0_dp, 0.0_dp, solver%grids(1)%operator%is_quarter)], shape, found, &
+         & is_known, search)
       if (is_known) then
          pull_off = periodic_pull_off_t(found(1), found(2), found(3), found(4) > 0)
          return
@@ -56,7 +53,7 @@ contains
    subroutine look_up(table, numbers, shape, found, is_known, search)
       type(found_once_t), intent(inout) :: table
       !> Numbers that it depends on beside the gaps.
-      real(dp), intent(in) :: numbers(n_numbers)
+      real(dp), intent(in) :: numbers(:)
       !> Gap of the undeformed surfaces [periods along x].
       real(dp), intent(in) :: shape(:, :)
       !> Receives the numbers if they are known.
@@ -69,11 +66,11 @@ contains
       integer :: j, failure
 
       is_known = .false.
-      allocate (key(n_numbers + size(shape)), stat=failure)
+      allocate (key(size(numbers) + size(shape)), stat=failure)
       if (failure /= 0) return
-      key(:n_numbers) = numbers
+      key(:size(numbers)) = numbers
       do j = 1, size(shape, 2)
-         key(n_numbers + (j - 1)*size(shape, 1) + 1:n_numbers + j*size(shape, 1)) = shape(:, j)
+         key(size(numbers) + (j - 1)*size(shape, 1) + 1:size(numbers) + j*size(shape, 1)) = shape(:, j)
       end do
       call table%look_up(key, found, is_known, search)
    end subroutine look_up

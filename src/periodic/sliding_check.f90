@@ -15,7 +15,7 @@ module adfric_periodic_sliding_check
    use adfric_periodic_sliding_interface, only: check_surface_interface, without_temperature
    use adfric_periodic_sliding_variables, only: base_frictionless, cells_of, kind_heights, kind_wave_2d, s_adhesion, s_base, &
       & s_last_adhesion, s_poisson_ratio, s_thickness, s_velocity, in => sliding_input
-   use adfric_periodic_variables, only: prescribed => periodic_input
+   use adfric_periodic_variables, only: is_wanted, prescribed => periodic_input
    implicit none (type, external)
    private
    public :: check_pull, check_sliding_surface, check_sliding_solid
@@ -104,25 +104,27 @@ contains
    end subroutine check_sliding_solid
 
    !> Add to `problems` a load that nothing pulls, and a penetration beside adhesion.
-   subroutine check_pull(variables, values, before_prescribed, is_adhesive, problems)
+   subroutine check_pull(variables, values, before_prescribed, switches, problems)
       !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Index of the row before those of what is prescribed.
       integer, intent(in) :: before_prescribed
-      !> Does adhesion act?
-      logical, intent(in) :: is_adhesive
+      !> Indices of the switches of the pull-off and of the other branch.
+      integer, intent(in) :: switches(:)
       type(problems_t), intent(inout) :: problems
+      integer :: k
 
-      associate (load => before_prescribed + prescribed%mean_pressure, depth => before_prescribed + prescribed%penetration)
-         if (is_adhesive) then
-            if (is_set(values(depth))) call problems%add(variables(depth)%group, variables(depth)%name, &
-               & 'has no unique answer with adhesion while the body slides; give the mean pressure')
-         else if (values(load) < 0) then
-            call problems%add(variables(load)%group, variables(load)%name, 'is below 0, but nothing pulls without &adhesion')
-         end if
+      associate (load => before_prescribed + prescribed%mean_pressure)
+         if (values(load) < 0) call problems%add(variables(load)%group, variables(load)%name, &
+            & 'is below 0, but nothing pulls without &adhesion')
       end associate
+      do k = 1, size(switches)
+         associate (row => variables(switches(k)))
+            if (is_wanted(values(switches(k)))) call problems%add(row%group, row%name, 'has no meaning without &adhesion')
+         end associate
+      end do
    end subroutine check_pull
 
    !> Add to `problems` what is wrong with the layer.

@@ -29,9 +29,11 @@ module adfric_periodic_sliding_model
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
-      & kind_wave_2d, n_solid_rows, n_surface_rows, s_adhesion, s_friction, s_last_adhesion, set_solid_rows, set_surface_rows, &
+      & kind_wave_2d, n_solid_rows, n_surface_rows, s_adhesion, s_friction, s_last_adhesion, s_other_branch, s_pull_off, &
+      & set_solid_rows, set_surface_rows, &
       & in => sliding_input, out => sliding_output
    use adfric_periodic_solver, only: periodic_solution_t
+   use adfric_periodic_variables, only: is_wanted
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
    use adfric_periodic_wave_contact, only: wave_pressure_of_full_contact, mean_pressure_at, &
@@ -167,7 +169,10 @@ contains
             & is_swept(first:last), problems)
       end associate
       is_adhesive = has_adhesion(values(self%first_of_solid + s_adhesion - 1:self%first_of_solid + s_last_adhesion - 1))
-      call check_pull(self%variables, values, self%before_prescribed, is_adhesive, problems)
+      associate (before => self%first_of_solid - 1)
+         if (.not. is_adhesive) call check_pull(self%variables, values, self%before_prescribed, &
+            & before + [s_pull_off, s_other_branch], problems)
+      end associate
       if (problems%count() > 0 .or. .not. is_adhesive) return
       law = self%adhesion_of(values)
       call self%get_cells(values, surface)
@@ -311,7 +316,10 @@ contains
 
       law = self%adhesion_of(values)
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
-      if (law%stress > 0) goal%adhesion = adhesion_in_units(law, modulus)
+      if (.not. law%stress > 0) return
+      goal%adhesion = adhesion_in_units(law, modulus)
+      goal%wants_pull_off = is_wanted(values(self%first_of_solid + s_pull_off - 1))
+      goal%wants_other_branch = is_wanted(values(self%first_of_solid + s_other_branch - 1))
    end subroutine set_interface
 
    !> Adhesion of a point, whose values have been checked.

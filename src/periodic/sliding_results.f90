@@ -5,12 +5,12 @@ module adfric_periodic_sliding_results
    use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_adhesion_rows, only: adhesion_law_t
    use adfric_solid_order_margin, only: order_margin_of
-   use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, cells_per_zone, error_of_edge, regime_of
+   use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, cells_per_zone, error_of_edge, least_cells, regime_of
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_contact_centre, only: contact_centre
    use adfric_periodic_sliding_variables, only: kind_heights, kind_wave_2d, in => sliding_input, sliding_output
    use adfric_periodic_point, only: periodic_surface_t
-   use adfric_periodic_solver, only: periodic_solution_t
+   use adfric_periodic_solver, only: branches_differ, branches_unknown, periodic_solution_t
    use adfric_periodic_variables, only: periodic_output
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_contact, only: wave_friction_of_full_contact
@@ -83,6 +83,10 @@ contains
          & results(sliding_output%friction_without_adhesion) = results(sliding_output%friction_stress)
       results(sliding_output%adhesive_friction_stress) = results(sliding_output%friction_stress) &
          & - results(sliding_output%friction_without_adhesion)
+      if (solution%branches /= branches_unknown) results(sliding_output%branches_differ) = &
+         & merge(1, 0, solution%branches == branches_differ)
+      if (solution%pull_off < huge(1.0_dp) .and. results(sliding_output%cells_per_zone) >= least_cells) &
+         & results(sliding_output%pull_off_pressure) = solid%modulus*solution%pull_off
       if (.not. allocated(solution%share)) return
       if (any(solution%share > 0) .and. any(solution%share < 1)) &
          & error_estimate = max(error_estimate, error_of_edge(results(sliding_output%cells_per_zone)))

@@ -23,11 +23,14 @@ module adfric_periodic_solver
    public :: periodic_solver_t, periodic_solution_t, new_periodic_solver
    public :: check_shape, set_friction, set_full_pressure, set_solution, start_from_coarse, coarse_tolerance
    public :: contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
+   public :: branches_agree, branches_differ, branches_unknown
 
    !> How a solution ended.
    integer, parameter :: contact_solved = 0, contact_not_converged = 1
    !> A load that is negative, or a penetration that no pressure reaches: full contact has the mean of the undeformed gap.
    integer, parameter :: contact_out_of_range = 2
+   !> Whether the other branch has another state: it has none or the same, it has another one, or it was not asked or not found.
+   integer, parameter :: branches_agree = 0, branches_differ = 1, branches_unknown = 2
    !> Grids that it takes to estimate the error of the area.
    integer, parameter :: grids_for_error = 3
    !> Largest residual that a grid other than the finest needs.
@@ -62,6 +65,8 @@ module adfric_periodic_solver
       real(dp) :: coarse_losses(2, 2) = 0
       !> How many of these two grids there were.
       integer :: n_coarse_losses = 0
+      !> Has the other branch of adhesion another state? One of `branches_...`.
+      integer :: branches = branches_unknown
       !> Friction of the same load without adhesion, from the loss, along x and along y [E*]; not allocated where it is not wanted.
       real(dp), allocatable :: loss_without_adhesion(:)
       !> Largest violation of the conditions of contact, see `adfric_periodic_contact`.

@@ -4,6 +4,7 @@
 module adfric_periodic_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
+   use adfric_base_unset, only: is_set
    use adfric_interface_adhesion_rows, only: n_adhesion_rows
    use adfric_solid_contact_modulus, only: n_two_bodies
    use adfric_interface_coulomb_rows, only: n_coulomb_rows, slip_results
@@ -14,7 +15,8 @@ module adfric_periodic_variables
    use adfric_describe_table, only: variable_t, result_t
    implicit none (type, external)
    private
-   public :: tolerance_row, set_prescribed_rows, pull_off_row, get_periodic_results, get_elastic_results, smooth_fraction_row
+   public :: tolerance_row, set_prescribed_rows, pull_off_row, pull_off_pressure_row, is_wanted, get_periodic_results
+   public :: get_elastic_results, smooth_fraction_row
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: periodic_input_t
@@ -80,6 +82,21 @@ contains
       v = switch(group='output', name='pull_off', meaning='find the pull-off of the adhered branch', default=.false.)
    end function pull_off_row
 
+   !> The pull-off among the results.
+   type(result_t) function pull_off_pressure_row() result(r)
+
+      r = result_row(name='pull_off_pressure', unit='Pa', &
+         & long_name='least mean pressure of the adhered branch, with &output pull_off')
+   end function pull_off_pressure_row
+
+   !> Is a switch on, which a model may not have?
+   pure logical function is_wanted(value)
+      !> Value of the switch, or `unset`.
+      real(dp), intent(in) :: value
+
+      is_wanted = is_set(value) .and. value > 0
+   end function is_wanted
+
    !> The table of results of the models on an elastic half-space.
    function get_elastic_results() result(r)
       type(result_t), allocatable :: r(:)
@@ -97,8 +114,7 @@ contains
          & long_name='energy of the elastic solid over nominal area')
       r(periodic_output%adhesion_energy) = result_row(name='adhesion_energy', unit='J/m^2', &
          & long_name='energy of adhesion over nominal area, 0 far apart')
-      r(periodic_output%pull_off_pressure) = result_row(name='pull_off_pressure', unit='Pa', &
-         & long_name='least mean pressure of the adhered branch, with &output pull_off')
+      r(periodic_output%pull_off_pressure) = pull_off_pressure_row()
       r(periodic_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
          & long_name='length pi E* h0/(4 p0) of a short zone of adhesion over that of a cell')
       r(periodic_output%friction_stress) = result_row(name='friction_stress', unit='Pa', &

@@ -3,7 +3,7 @@
 module adfric_plane_wave_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
-   use adfric_interface_adhesion_rows, only: set_adhesion_rows, n_adhesion_rows
+   use adfric_interface_adhesion_rows, only: branches_differ_row, set_adhesion_rows, n_adhesion_rows
    use adfric_solid_contact_modulus, only: set_modulus_rows
    use adfric_interface_coulomb_rows, only: set_coulomb_rows, slip_results
    use adfric_interface_friction_law_rows, only: set_law_rows, n_law_rows
@@ -142,8 +142,7 @@ contains
          & long_name='largest mean pressure of a partial contact at this velocity')
       r(wave_output%end_of_saturation_pressure) = result_row(name='end_of_saturation_pressure', unit='Pa', &
          & long_name='least mean pressure with all of the gap in range at this velocity')
-      r(wave_output%branches_differ) = result_row(name='branches_differ', unit='-', &
-         & long_name='1 where the other branch has another state, 0 where it has none or the same')
+      r(wave_output%branches_differ) = branches_differ_row()
       r(wave_output%order_margin) = result_row(name='order_margin', unit='-', &
          & long_name='order of sliding states M/Einf; >= 0: the branches are proved')
       r(wave_output%zone_leading) = result_row(name='zone_leading', unit='m', &
