@@ -71,7 +71,7 @@ contains
          end associate
       end do
       do i = 1, size(model%variables)
-         if (.not. is_renamed(model%variables(i))) cycle
+         if (.not. is_renamed(model%variables(i)) .or. has_group(model, model%variables(i)%solver_group)) cycle
          call replace_word(text, '&'//model%variables(i)%solver_group, '&'//model%variables(i)%group)
       end do
       pairs = words_of_rules(model)
@@ -85,6 +85,18 @@ contains
       end do
       text = with_phrases(text)
    end function in_scene
+
+   !> Has the scene a variable in a group?
+   pure logical function has_group(model, group)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: group
+      integer :: i
+
+      has_group = .false.
+      do i = 1, size(model%variables)
+         if (model%variables(i)%group == group .and. .not. model%variables(i)%is_hidden) has_group = .true.
+      end do
+   end function has_group
 
    !> A text with the phrases of scenes.
    pure function with_phrases(of_solver) result(text)

@@ -662,6 +662,8 @@ class Scenes(Runs):
                 (scene_of("profile", 7).replace("velocity = 0.01", "velocity = 0.01, direction = 0.5"), "&operating direction: is no multiple of pi/2"),
                 (scene_of("wave_product", 9).replace("relaxation_time = 1e-4, retardation_ratio = 10.0", "stiffnesses = 1e10, relaxation_times = 1e-3"), "&surface kind: is wave_product, which has one relaxation time; sample it as heights"),
                 (scene_of("profile", 9).replace(", length_x = 1e-4", ""), "&surface length_x: is missing"),
+                (scene_of("wave_2d", 1) + "&output pull_off = .true. /\n", "&output pull_off: has no meaning without &adhesion"),
+                (scene_of("wave_2d", 7) + "&output compare_branches = .true. /\n", "&output compare_branches: has no meaning without &adhesion"),
                 (scene_of("profile", 9).replace("z.h5:/profile", "z.h5:/map"), "&surface heights: of a profile have one dimension; those of two are of kind heights"),
                 (scene_of("wave_1d", 9).replace("retardation_ratio = 10.0", "retardation_ratio = 10.0, stiffnesses = 1e10"), "&solid stiffnesses: belongs to heights"),
                 ("&job output = 'run.h5' /\n&traction kind = 'strip', distribution = 'sampled', positions = 'z.h5:/long', pressures = 'z.h5:/long', shear_stresses = 'z.h5:/profile' /\n"
