@@ -13,7 +13,7 @@ module adfric_periodic_sliding_description
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_sliding_case, only: frequencies_of
-   use adfric_periodic_sliding_interface, only: doubt_surface_coupling
+   use adfric_periodic_sliding_interface, only: doubt_surface_coupling, has_surface_interface
    use adfric_periodic_sliding_variables, only: cells_of, kind_heights, kind_wave_2d, s_velocity, in => sliding_input
    implicit none (type, external)
    private
@@ -61,11 +61,24 @@ contains
       character(:), allocatable :: text
 
       text = ''
-      if (of_solid(s_velocity) > 0) text = doubt_spectrum(of_solid(:n_spectrum_rows), spectrum, &
+      ! over an elastic solid the interface rubs
+      if (of_solid(s_velocity) > 0 .and. has_losses(of_solid, spectrum)) text = &
+         & doubt_spectrum(of_solid(:n_spectrum_rows), spectrum, &
          & frequencies_of(of_solid(s_velocity), values(in%direction), nint(values(in%kind)) == kind_heights, surface))
       if (nint(values(in%kind)) == kind_heights) text = text//heights%doubt()
       text = text//doubt_surface_coupling(of_solid, surface%period(1))
    end function doubt_surface
+
+   !> Is there something to be said of the losses? Not of an elastic solid beside a law of the interface.
+   logical function has_losses(of_solid, spectrum)
+      !> Values of the rows of the solid.
+      real(dp), intent(in) :: of_solid(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(prony_t) :: prony
+
+      call get_spectrum(of_solid(:n_spectrum_rows), spectrum, prony)
+      has_losses = size(prony%moduli) > 0 .or. .not. has_surface_interface(of_solid)
+   end function has_losses
 
    !> The steepest slope of waves, the mean one of heights [-].
    real(dp) function slope_of_surface(values, heights) result(slope)

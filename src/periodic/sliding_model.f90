@@ -25,7 +25,7 @@ module adfric_periodic_sliding_model
    use adfric_periodic_sliding_case, only: set_sliding_solid
    use adfric_periodic_sliding_check, only: check_pull, check_sliding_surface, check_sliding_solid
    use adfric_periodic_sliding_description, only: derive_surface, doubt_surface, slope_of_surface
-   use adfric_periodic_sliding_interface, only: add_surface_interface, has_surface_interface, set_shear_map
+   use adfric_periodic_sliding_interface, only: add_left_out, add_surface_interface, has_surface_interface, set_shear_map
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
@@ -362,6 +362,11 @@ contains
       end select
       call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, &
          & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, results, is_valid)
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         if (is_valid) call add_left_out(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, solid, &
+            & solution%pressure*solid%modulus, .not. solution%gap > 0, surface%period, results)
+      end select
       ! so large an error is that of a point which is not solved
       if (.not. is_valid) error_estimate = huge(error_estimate)
    end subroutine finish_point
