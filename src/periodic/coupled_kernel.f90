@@ -42,6 +42,7 @@ module adfric_periodic_coupled_kernel
    type, extends(kernel_t) :: coupled_kernel_t
       !> The solid below frictionless faces.
       class(kernel_t), allocatable :: solid
+      !> What shear does.
       type(shear_coupling_t) :: coupling
    contains
       procedure :: get_stiffness

@@ -12,7 +12,8 @@ module adfric_plane_coupled_cylinder_point
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
    use adfric_plane_left_out_coupling, only: left_out_of_line
    use adfric_plane_hertz_variables, only: in => hertz_input, out => hertz_output
-   use adfric_plane_sliding_coupling, only: coupled_cylinder, coupled_cylinder_t, error_of_cut
+   use adfric_plane_coupled_line, only: coupled_cylinder, coupled_cylinder_t
+   use adfric_plane_sliding_coupling, only: error_of_cut
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_solid_time_temperature, only: time_temperature_t
    use adfric_describe_pointwise, only: point_state_t
@@ -26,6 +27,7 @@ module adfric_plane_coupled_cylinder_point
 
    !> The contact of a point.
    type, extends(point_state_t) :: coupled_cylinder_point_t
+      !> The contact.
       type(coupled_cylinder_t) :: contact
    end type coupled_cylinder_point_t
 

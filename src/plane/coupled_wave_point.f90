@@ -10,7 +10,8 @@ module adfric_plane_coupled_wave_point
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
    use adfric_interface_total_friction, only: coupling_of, log_steps, sliding_friction_t
    use adfric_plane_contact_conditions, only: largest_violation
-   use adfric_plane_sliding_coupling, only: coupled_wave_t, error_of_cut, solve_coupled_wave
+   use adfric_plane_coupled_wave_search, only: solve_coupled_wave
+   use adfric_plane_sliding_coupling, only: coupled_wave_t, error_of_cut
    use adfric_plane_wave_interface, only: interface_of
    use adfric_plane_wave_variables, only: regime_full, regime_none, regime_partial, in => wave_input, out => wave_output
    use adfric_solid_contact_modulus, only: contact_modulus_of

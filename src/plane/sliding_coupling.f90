@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Sliding contact along a line on an elastic half-plane of Poisson's ratio nu < 1/2, where shear moves the contact: a wave and a
-!> cylinder in closed form.
+!> Sliding contact along a line on an elastic half-plane of Poisson's ratio nu < 1/2, where shear moves the contact: a wave in
+!> closed form (a cylinder: `adfric_plane_coupled_line`).
 !>
 !> A rigid body slides along +x. u and h are positive into the solid, q is the shear stress on it along +x, p the pressure, and H the
 !> Hilbert transform, H p = (1/pi) int p(t)/(x - t) dt. With beta = (1 - 2 nu)/(2 (1 - nu)), and means over a period,
@@ -19,9 +19,6 @@
 !> integrals over the contact here, which are right for the least contact too. With S = sin 2c eta - 2 eta sin c and
 !> C = cos 2c eta - cos c the second one says C sin M - S cos M = -2 s (c/pi) cos(pi eta); without tau it is tan M = S/C.
 !>
-!> Cylinder of radius R: p = (E*/2R) cos(pi eta) (x+a)^(1/2-eta) (b-x)^(1/2+eta), a, b = w (1 +- 2 eta). A tau shifts it as a slope s
-!> shifts a parabola.
-!>
 !> A tau that does not vanish with the pressure makes no strict solution: q jumps at the leading edge, and the gap is below 0 there on
 !> a length (9/8) (beta tau/p_max)^2 w. That number over w is the error which is told.
 module adfric_plane_sliding_coupling
@@ -30,18 +27,13 @@ module adfric_plane_sliding_coupling
    use adfric_base_not_a_number, only: not_a_number
    use adfric_numerics_double_exponential, only: integrand_t, integrate
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_numerics_secant_root, only: rising_equation_t, find_rising_root
    implicit none (type, external)
    private
-   public :: coupled_wave_t, coupled_cylinder_t, solve_coupled_wave, new_coupled_wave, coupled_cylinder
-   public :: coupled_punch_pressure, error_of_cut
+   public :: coupled_wave_t, new_coupled_wave, error_of_cut
+   public :: set_width, is_pressing, add_integrals, add_extremes
 
    !> Below this opening, half of the gap, sums of the phase are series.
    real(dp), parameter :: small_opening = 0.5_dp
-   !> Ends of x = ln tan(w/2), and what is 0 of a logarithm.
-   real(dp), parameter :: least_x = -340.0_dp, largest_x = 36.0_dp, round_off = 4*epsilon(1.0_dp)
-   !> Halvings of a bracket.
-   integer, parameter :: most_halvings = 100
    !> What is integrated: p, p^2, p with the kernels of the displacement at the leading edge, and p with the slope of the wave.
    integer, parameter :: of_pressure = 1, of_square = 2, of_displacement = 3, of_slope = 4
 
@@ -65,21 +57,9 @@ module adfric_plane_sliding_coupling
       procedure :: gap_at
    end type coupled_wave_t
 
-   !> A cylinder, in the units of its input.
-   type :: coupled_cylinder_t
-      !> eta = atan(m)/pi, radius and modulus.
-      real(dp) :: eta = 0, radius = 1, modulus = 1
-      !> Half-width w and middle of the contact; load and T_s per length; largest pressure.
-      real(dp) :: half_width = 0, centre = 0, load = 0, slope_friction = 0, peak_pressure = 0
-      !> T_s by the energy.
-      real(dp) :: friction_of_energy = 0
-   contains
-      procedure :: cylinder_pressure_at
-      procedure :: cylinder_gap_at
-   end type coupled_cylinder_t
-
    !> A term over the contact of a wave, by the distances from its edges.
    type, extends(integrand_t) :: contact_term_t
+      !> The contact.
       type(coupled_wave_t) :: wave
       !> One of `of_...`.
       integer :: term = of_pressure
@@ -89,91 +69,23 @@ module adfric_plane_sliding_coupling
 
    !> The slope of the gap of a wave from one edge on.
    type, extends(integrand_t) :: gap_term_t
-      type(coupled_wave_t) :: wave
-      !> Is it the leading edge?
-      logical :: is_leading = .true.
+      !> Powers of the sines of half the distances from this edge and from the other one.
+      real(dp) :: near = 0.5_dp, far = 0.5_dp
+      !> w, c, and M - c eta and s, of the trailing edge with the other sign.
+      real(dp) :: half_width = 0, opening = pi, phase = 0, tilt = 0
    contains
       procedure :: evaluate => evaluate_gap
    end type gap_term_t
 
-   !> (x + a)^(1/2 -+ eta) (x - b)^(1/2 +- eta) outside the contact of a cylinder, or its square inside.
-   type, extends(integrand_t) :: cylinder_term_t
-      !> Powers of the distances from the near and the far edge, length between the edges, and the power of all.
-      real(dp) :: near = 0.5_dp, far = 0.5_dp, length = 0
-      !> Is it inside?
-      logical :: is_inside = .false.
-   contains
-      procedure :: evaluate => evaluate_cylinder
-   end type cylinder_term_t
-
-   !> ln of mean pressure or penetration over the prescribed one, for x = ln tan(w/2).
-   type, extends(rising_equation_t) :: width_equation_t
-      type(coupled_wave_t) :: wave
-      !> The prescribed value; is it the mean pressure?
-      real(dp) :: goal = 0
-      logical :: is_pressure = .true.
-   contains
-      procedure :: evaluate => evaluate_width
-   end type width_equation_t
-
    !> Slope of ln p in contact.
    type, extends(equation_t) :: peak_equation_t
+      !> The contact.
       type(coupled_wave_t) :: wave
    contains
       procedure :: evaluate => evaluate_peak
    end type peak_equation_t
 
 contains
-
-   !> Find the contact of a wave under a mean pressure or at a penetration.
-   pure subroutine solve_coupled_wave(wave, m, tilt, goal, is_pressure, is_converged)
-      !> The contact.
-      type(coupled_wave_t), intent(out) :: wave
-      !> m = mu beta, and s = 2 beta tau/(E* k D) [-].
-      real(dp), intent(in) :: m, tilt
-      !> Mean pressure over E* k D, below cos(pi eta)/2, or penetration over D, below 1; > 0.
-      real(dp), intent(in) :: goal
-      logical, intent(in) :: is_pressure
-      !> Was it found? With a tilt there may be none.
-      logical, intent(out) :: is_converged
-      type(width_equation_t) :: equation
-      real(dp) :: x, high, low, middle
-      integer :: k
-
-      equation%wave%eta = atan(m)/pi
-      equation%wave%tilt = tilt
-      equation%goal = goal
-      equation%is_pressure = is_pressure
-      is_converged = .false.
-      high = largest_x
-      call set_width(equation%wave, high)
-      if (.not. is_pressing(equation%wave)) then
-         ! the widest contact that presses everywhere
-         low = least_x
-         do k = 1, most_halvings
-            middle = (low + high)/2
-            call set_width(equation%wave, middle)
-            if (is_pressing(equation%wave)) then
-               low = middle
-            else
-               high = middle
-            end if
-         end do
-         high = low
-         call set_width(equation%wave, high)
-         call add_integrals(equation%wave, is_converged)
-         if (.not. is_converged) return
-         is_converged = merge(equation%wave%mean_pressure, equation%wave%penetration, is_pressure) >= goal
-         if (.not. is_converged) return
-      end if
-      x = log(goal)/2
-      call find_rising_root(equation, least_x, high, 2.0_dp, round_off, x, is_converged)
-      if (.not. is_converged) return
-      wave = equation%wave
-      call set_width(wave, x)
-      call add_integrals(wave, is_converged)
-      if (is_converged) call add_extremes(wave, is_converged)
-   end subroutine solve_coupled_wave
 
    !> Is the pressure above 0 in all of the contact?
    pure logical function is_pressing(wave)
@@ -349,16 +261,23 @@ contains
       class(coupled_wave_t), intent(in) :: self
       !> Position from a crest [rad].
       real(dp), intent(in) :: x
-      real(dp) :: y, length
-      logical :: is_found, is_leading
+      type(gap_term_t) :: term
+      real(dp) :: y, length, side
+      logical :: is_found
 
       y = x - self%centre
       y = y - 2*pi*anint(y/(2*pi))
       gap = 0
       length = abs(y) - self%half_width
       if (.not. length > 0) return
-      is_leading = y > 0
-      call integrate(gap_term_t(self, is_leading), length, gap, is_found)
+      side = sign(1.0_dp, y)
+      term%near = 0.5_dp + side*self%eta
+      term%far = 0.5_dp - side*self%eta
+      term%half_width = self%half_width
+      term%opening = self%opening
+      term%phase = side*self%phase
+      term%tilt = side*self%tilt
+      call integrate(term, length, gap, is_found)
       if (.not. is_found) gap = not_a_number()
    end function gap_at
 
@@ -386,45 +305,19 @@ contains
       class(gap_term_t), intent(in) :: self
       !> Distances from the edge, and from where the integral ends.
       real(dp), intent(in) :: from_left, from_right
-      real(dp) :: near, far, sign_of_edge, sine, cosine
+      real(dp) :: sine, cosine
 
-      sign_of_edge = merge(1.0_dp, -1.0_dp, self%is_leading)
-      associate (wave => self%wave)
-         near = 0.5_dp + sign_of_edge*wave%eta
-         far = 0.5_dp - sign_of_edge*wave%eta
-         if (wave%half_width < wave%opening) then
-            sine = sin(wave%half_width + from_left/2)
-            cosine = cos((wave%half_width + from_left)/2 + sign_of_edge*wave%phase)
-         else
-            sine = sin(wave%opening - from_left/2)
-            cosine = sin((wave%opening - from_left)/2 - sign_of_edge*wave%phase)
-         end if
-         slope = 2*sin(from_left/2)**near*max(sine, 0.0_dp)**far*cosine - sign_of_edge*wave%tilt
-      end associate
+      if (self%half_width < self%opening) then
+         sine = sin(self%half_width + from_left/2)
+         cosine = cos((self%half_width + from_left)/2 + self%phase)
+      else
+         sine = sin(self%opening - from_left/2)
+         cosine = sin((self%opening - from_left)/2 - self%phase)
+      end if
+      slope = 2*sin(from_left/2)**self%near*max(sine, 0.0_dp)**self%far*cosine - self%tilt
       associate (unused => from_right)
       end associate
    end function evaluate_gap
-
-   !> Mean pressure or penetration of a width.
-   pure subroutine evaluate_width(self, x, value)
-      class(width_equation_t), intent(in) :: self
-      real(dp), intent(in) :: x
-      real(dp), intent(out) :: value
-      type(coupled_wave_t) :: wave
-      logical :: is_found
-
-      wave = self%wave
-      call set_width(wave, x)
-      call add_integrals(wave, is_found)
-      value = not_a_number()
-      if (.not. is_found) return
-      value = merge(wave%mean_pressure, wave%penetration, self%is_pressure)
-      if (value > 0) then
-         value = log(value/self%goal)
-      else
-         value = -huge(value)
-      end if
-   end subroutine evaluate_width
 
    !> Slope of ln p, which falls from one edge to the other.
    pure subroutine evaluate_peak(self, x, value, slope)
@@ -440,82 +333,6 @@ contains
          slope = -((0.5_dp - wave%eta)/sin(angles(1))**2 + (0.5_dp + wave%eta)/sin(angles(2))**2 + 1/sin(angles(3))**2)/2
       end associate
    end subroutine evaluate_peak
-
-   !> A cylinder under its load.
-   pure type(coupled_cylinder_t) function coupled_cylinder(m, stress, radius, modulus, load) result(contact)
-      !> m = mu beta [-], and beta tau [unit of the modulus].
-      real(dp), intent(in) :: m, stress
-      !> Radius, contact modulus E*, and load per length, >= 0.
-      real(dp), intent(in) :: radius, modulus, load
-      real(dp) :: square
-      logical :: is_found
-
-      contact%eta = atan(m)/pi
-      contact%radius = radius
-      contact%modulus = modulus
-      contact%load = load
-      associate (eta => contact%eta, w => contact%half_width)
-         w = sqrt(4*(load/modulus)*radius/(pi*(1 - 4*eta**2)))
-         contact%centre = -2*eta*w - 2*(stress/modulus)*radius
-         contact%slope_friction = load*(-(8*eta/3)*(w/radius) - 2*(stress/modulus))
-         contact%peak_pressure = (modulus/(2*radius))*cos(pi*eta)*w*(1 - 2*eta)**(0.5_dp - eta)*(1 + 2*eta)**(0.5_dp + eta)
-         call integrate(cylinder_term_t(1 - 2*eta, 1 + 2*eta, 2*w, .true.), 2*w, square, is_found)
-         contact%friction_of_energy = -2*tan(pi*eta)*modulus*(cos(pi*eta)/(2*radius))**2*square - 2*(stress/modulus)*load
-         if (.not. is_found) contact%friction_of_energy = not_a_number()
-      end associate
-   end function coupled_cylinder
-
-   !> Pressure at a position.
-   pure real(dp) function cylinder_pressure_at(self, x) result(pressure)
-      class(coupled_cylinder_t), intent(in) :: self
-      !> Position from the lowest line.
-      real(dp), intent(in) :: x
-
-      pressure = 0
-      associate (y => x - self%centre, w => self%half_width, eta => self%eta)
-         if (abs(y) < w) pressure = (self%modulus/(2*self%radius))*cos(pi*eta)*(w + y)**(0.5_dp - eta)*(w - y)**(0.5_dp + eta)
-      end associate
-   end function cylinder_pressure_at
-
-   !> Gap at a position. A constant shear stress leaves it as it is of a parabola that is shifted, up to the line that it adds.
-   pure real(dp) function cylinder_gap_at(self, x) result(gap)
-      class(coupled_cylinder_t), intent(in) :: self
-      !> Position from the lowest line.
-      real(dp), intent(in) :: x
-      real(dp) :: y, length, tilt
-      logical :: is_found
-
-      y = x - self%centre
-      gap = 0
-      length = abs(y) - self%half_width
-      if (.not. length > 0) return
-      associate (eta => sign(self%eta, y*self%eta))
-         call integrate(cylinder_term_t(0.5_dp + eta, 0.5_dp - eta, 2*self%half_width, .false.), length, gap, is_found)
-      end associate
-      ! s = 2 beta tau/E*
-      tilt = -(self%centre + 2*self%eta*self%half_width)/self%radius
-      gap = gap/self%radius - sign(tilt, y*tilt)*length
-      if (.not. is_found) gap = not_a_number()
-   end function cylinder_gap_at
-
-   !> Powers of the distances from both edges.
-   pure real(dp) function evaluate_cylinder(self, from_left, from_right) result(value)
-      class(cylinder_term_t), intent(in) :: self
-      real(dp), intent(in) :: from_left, from_right
-
-      value = from_left**self%near*merge(from_right, self%length + from_left, self%is_inside)**self%far
-   end function evaluate_cylinder
-
-   !> Pressure below a flat punch that slides, with a load per length.
-   elemental real(dp) function coupled_punch_pressure(m, half_width, load, x) result(pressure)
-      !> m = mu beta [-], half-width, load per length, and the position from the middle.
-      real(dp), intent(in) :: m, half_width, load, x
-      real(dp) :: eta
-
-      eta = atan(m)/pi
-      pressure = 0
-      if (abs(x) < half_width) pressure = load*(cos(pi*eta)/pi)*(half_width + x)**(-0.5_dp - eta)*(half_width - x)**(-0.5_dp + eta)
-   end function coupled_punch_pressure
 
    !> Relative length at the leading edge on which a constant shear stress would make the gap below 0.
    elemental real(dp) function error_of_cut(stress, peak_pressure) result(error)
