@@ -118,7 +118,7 @@ contains
             & poisson_ratio_of_solid(values), .true., problems)
          if (.not. is_coupled(values(s_coupling))) return
          if (has_adhesion(values(s_adhesion:s_last_adhesion))) call problems%add(row%group, row%name, &
-            & 'stands beside &adhesion, with which the contact is that of frictionless faces')
+            & 'stands beside adhesion, with which the contact is that of frictionless faces')
          if (.not. is_set(values(s_base))) return
          if (nint(values(s_base)) == base_frictionless) call problems%add(row%group, row%name, &
             & 'stands beside base = ''frictionless'', which cannot carry the shear stress')

@@ -124,7 +124,7 @@ contains
          call check_coupling(row, value, interface_of(values), values(in%poisson_ratio), .false., problems)
          if (.not. is_coupled(value)) return
          if (has_adhesion(values(in%adhesion:in%turning_pressure))) call problems%add(row%group, row%name, &
-            & 'stands beside &adhesion, with which the contact is that of frictionless faces')
+            & 'stands beside adhesion, with which the contact is that of frictionless faces')
          if (is_set(values(in%second_young_modulus))) call problems%add(row%group, row%name, &
             & 'stands beside second_young_modulus; the body that slides is rigid')
          call require(variables, values, [in%velocity], problems)
