@@ -182,6 +182,14 @@ class Coupling(Runs):
         self.write("&job output = 'run.h5' /\n" + SCENES["relaxing"] + FRICTION.format(0.5))
         page, _ = self.run_program("check", "run.nml")
         self.assertIn("surface_sliding", page)
+        self.assertNotIn("the only one", page)
+        thin = SCENES["layer"].replace("poisson_ratio = 0.4", "poisson_ratio = 0.49, young_moduli = 9e9, relaxation_times = 2e-2")
+        for text, is_doubted in ((thin + FRICTION.format(1.5), True), (thin + FRICTION.format(0.05), False)):
+            self.write("&job output = 'run.h5' /\n" + text)
+            page, _ = self.run_program("check", "run.nml")
+            self.assertEqual("nothing proves that the contact is the only one" in page, is_doubted, page)
+            found, _ = self.run_scene(text)
+            self.assertEqual(found["smallest_stiffness_ratio"] < 0, is_doubted)
 
     def test_refused(self):
         """One line, status 2."""
