@@ -95,6 +95,7 @@ AREAS = {
         one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"),
         one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),
         one("wave_1d_interface"),
+        one("wave_1d_coupling", options="--y friction_coefficient hysteretic_friction_stress contact_shift"),
         one("wave_1d_adhesive_sliding", options="--x velocity --y friction_stress friction_stress_without_adhesion pull_off_pressure"),
         one("wave_2d_elastic"), one("wave_2d_contact"),
         one("lecture_wave_cuts", options="--cut y=0 y=x"), one("wave_2d_sliding"),

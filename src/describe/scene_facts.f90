@@ -43,6 +43,7 @@ module adfric_describe_scene_facts
       & 'shear friction%shear_strength friction%law', &
       & 'strength friction%shear_strength', &
       & 'coulomb friction%coulomb_coefficient', &
+      & 'coupled friction%coupling', &
       & 'tangential operating%tangential_force operating%tangential_displacement operating%tangential_stress '// &
       & 'operating%base_displacement history%tangential_forces history%tangential_displacements', &
       & 'path history%loads history%approaches history%tangential_forces history%tangential_displacements', &

@@ -23,6 +23,9 @@ module adfric_describe_scene_rules
       & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter', &
       & sums = 'hertz,wave_1d,wavy_sliding,surface_sliding'
 
+   !> Solvers of contacts that shear stress may move.
+   character(*), parameter :: couples = 'hertz,wave_1d,surface_sliding'
+
    !> Variables. A group stands for all its variables that no rule before it names.
    character(*), parameter :: variable_rules(*) = [character(120) :: &
       & 'wavy_sliding surface%slope surface%slope_approximation', &
@@ -46,6 +49,7 @@ module adfric_describe_scene_rules
       & in_elastic//' solid%second_young_modulus - relaxing', &
       & in_elastic//' solid%second_poisson_ratio - relaxing', &
       & in_elastic//' material% - !relaxing', &
+      & in_elastic//' friction%coupling - relaxing', &
       & in_elastic//' material%poisson_ratio - contact_curve', &
       & '* material% solid%', &
       & '* adhesion%surface_energy adhesion%work_of_adhesion', &
@@ -212,7 +216,10 @@ module adfric_describe_scene_rules
       & 'hertz friction_force - !slides', &
       & 'hertz friction_coefficient - !slides', &
       & 'hertz,wave_1d contact_shift - !slides', &
-      & 'hertz,wave_1d dissipation - !slides', &
+      & 'wave_1d dissipation - !slides', &
+      & 'wave_1d dissipation - coupled', &
+      & 'hertz dissipation - !relaxing', &
+      & 'surface_sliding dissipation - coupled layer', &
       & 'hertz,wave_1d energy_imbalance - !slides', &
       & 'hertz largest_shear_stress - slides', &
       & 'hertz largest_shear_depth - slides', &
@@ -258,17 +265,21 @@ module adfric_describe_scene_rules
       & 'line_load,strip_load stress_yy stress_zz', &
       & 'line_load,strip_load stress_xy stress_xz', &
       & 'line_load displacement_y displacement_z', &
-      & 'wave_1d hysteretic_friction_stress - !relaxing', &
+      & 'wave_1d hysteretic_friction_stress - !relaxing !coupled', &
       & 'hertz,wavy_sliding hysteretic_friction_force - !shear', &
       & 'hertz,wavy_sliding interfacial_friction_force - !shear', &
       & 'wave_1d,surface_sliding hysteretic_friction_stress - !shear', &
       & 'wave_1d,surface_sliding interfacial_friction_stress - !shear', &
-      & 'wave_1d interfacial_share - !relaxing', &
+      & 'wave_1d interfacial_share - !relaxing !coupled', &
       & 'wavy_sliding hysteretic_friction_force hysteretic_friction_stress', &
       & 'wavy_sliding interfacial_friction_force interfacial_friction_stress', &
       & sums//' interfacial_share - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !shear', &
       & 'surface_sliding velocity_slope -', &
+      & couples//' largest_coupling - !coupled', &
+      & couples//' smallest_stiffness_ratio - !coupled', &
+      & couples//' coupling_left_out - coupled', &
+      & couples//' coupling_left_out - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves']
 
    !> Profiles.

@@ -53,6 +53,8 @@ module adfric_describe_scene_solvers
       & 'wave_1d,wave_product,cosines,profile,heights foundation none,adhesion press,slide wavy_sliding exact', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer shear,adhesion+shear press,slide surface_sliding numerical', &
       & 'wave_1d,wave_product,cosines,profile,heights foundation shear,adhesion+shear press,slide wavy_sliding exact', &
+      & 'cylinder half_space shear slide hertz exact', &
+      & 'wave_1d,wave_2d,profile,heights half_space shear press,slide surface_sliding numerical', &
       & 'line half_space none press,tangential line_load exact', &
       & 'strip half_space none press strip_load exact', &
       & 'point half_space none press,tangential point_load exact']

@@ -157,7 +157,7 @@ contains
       if (.not. is_set(poisson_ratio)) return
       if (.not. coupling_of(poisson_ratio) > 0) return
       write (line, '(a, f6.3, a, f6.3, a)') 'shear stress moves the contact where Poisson''s ratio is below 0.5, here', &
-         & poisson_ratio, ': by m =', coupling_of(poisson_ratio), ' times the friction coefficient; this coupling is left out'
+         & poisson_ratio, ': by m =', coupling_of(poisson_ratio), ' times mu; coupling_left_out is how much is left out'
       text = trim(line)//new_line('a')
    end function doubt_coupling
 

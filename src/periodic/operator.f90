@@ -48,6 +48,7 @@ module adfric_periodic_operator
    contains
       procedure :: is_stopped
       procedure :: mean_stiffness
+      procedure :: smallest_ratio
       procedure :: resist_mean
       procedure :: apply_stiffness
       procedure :: apply_compliance
@@ -154,6 +155,20 @@ contains
       end do
       mean = mean*self%filter%gain/n_rows
    end function mean_stiffness
+
+   !> Least real part of the stiffness of a wave over its size; 1 where all are real.
+   pure real(dp) function smallest_ratio(self) result(ratio)
+      class(periodic_operator_t), intent(in) :: self
+      integer :: i, j
+
+      ratio = 1
+      if (self%is_symmetric) return
+      do i = 1, size(self%stiffness, 2)
+         do j = 1, size(self%stiffness, 1)
+            if (i > 1 .or. j > 1) ratio = min(ratio, self%stiffness(j, i)/hypot(self%stiffness(j, i), self%lag(j, i)))
+         end do
+      end do
+   end function smallest_ratio
 
    !> Are the cells longer, or wider, than can be?
    pure logical function is_too_long(n_cells, period)

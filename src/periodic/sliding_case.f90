@@ -4,16 +4,20 @@ module adfric_periodic_sliding_case
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
    use adfric_base_unset, only: is_set
+   use adfric_interface_friction_law_rows, only: i_pressure_factor
+   use adfric_interface_shear_coupling, only: is_coupled
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_prony, only: prony_t
    use adfric_solid_spectrum_rows, only: get_spectrum, poisson_ratio_of, shift_factor_of, n_spectrum_rows
+   use adfric_periodic_coupled_kernel, only: shear_coupling_t
    use adfric_periodic_layer_kernel, only: layer_kernel_t
    use adfric_periodic_point, only: periodic_surface_t
-   use adfric_periodic_sliding_variables, only: s_thickness, s_base, s_poisson_ratio, s_velocity, base_bonded
+   use adfric_periodic_sliding_variables, only: s_coupling, s_friction, s_thickness, s_base, s_poisson_ratio, s_velocity, &
+      & base_bonded
    use adfric_periodic_viscoelastic_solid, only: motion_t, viscoelastic_solid_t, set_viscoelastic_solid
    implicit none (type, external)
    private
-   public :: set_sliding_solid, frequencies_of, is_direction, speed_of
+   public :: set_sliding_solid, frequencies_of, is_direction, poisson_ratio_of_solid, speed_of
 
    !> Directions are multiples of it [degrees].
    real(dp), parameter :: half_right_angle = 45
@@ -30,24 +34,38 @@ contains
       !> In: with periods and cells. Out: also with `solid`.
       type(periodic_surface_t), intent(inout) :: surface
       type(viscoelastic_solid_t), allocatable :: solid
-      type(layer_kernel_t) :: layer
+      type(layer_kernel_t), allocatable :: layer
+      type(shear_coupling_t), allocatable :: coupling
       type(motion_t) :: motion
       type(prony_t) :: prony
 
       call get_spectrum(values(:n_spectrum_rows), spectrum, prony)
       motion = motion_t(speed_of(values, spectrum), steps_of(direction), surface%n_cells > 1)
       allocate (solid)
+      ! what is not allocated is absent
       if (is_set(values(s_thickness))) then
+         allocate (layer)
          layer%thickness = values(s_thickness)
          layer%is_bonded = nint(values(s_base)) == base_bonded
-         if (is_set(poisson_ratio_of(values(:n_spectrum_rows)))) layer%poisson_ratio = poisson_ratio_of(values(:n_spectrum_rows))
-         if (is_set(values(s_poisson_ratio))) layer%poisson_ratio = values(s_poisson_ratio)
-         call set_viscoelastic_solid(solid, prony, motion, surface%period(1), layer)
-      else
-         call set_viscoelastic_solid(solid, prony, motion, surface%period(1))
+         if (is_set(poisson_ratio_of_solid(values))) layer%poisson_ratio = poisson_ratio_of_solid(values)
       end if
+      if (is_coupled(values(s_coupling))) then
+         allocate (coupling)
+         coupling%friction_coefficient = values(s_friction + i_pressure_factor - 1)
+         coupling%poisson_ratio = poisson_ratio_of_solid(values)
+      end if
+      call set_viscoelastic_solid(solid, prony, motion, surface%period(1), layer, coupling)
       call move_alloc(solid, surface%solid)
    end subroutine set_sliding_solid
+
+   !> Poisson's ratio, of the layer or of the material [-], or unset.
+   pure real(dp) function poisson_ratio_of_solid(values) result(poisson_ratio)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      poisson_ratio = poisson_ratio_of(values(:n_spectrum_rows))
+      if (is_set(values(s_poisson_ratio))) poisson_ratio = values(s_poisson_ratio)
+   end function poisson_ratio_of_solid
 
    !> Velocity times the factor of all relaxation times [m/s].
    pure real(dp) function speed_of(values, spectrum) result(speed)

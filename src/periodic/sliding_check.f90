@@ -4,17 +4,18 @@ module adfric_periodic_sliding_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_interface_adhesion_rows, only: check_adhesion
-   use adfric_interface_friction_law_rows, only: given_law_t
+   use adfric_interface_adhesion_rows, only: check_adhesion, has_adhesion
+   use adfric_interface_friction_law_rows, only: given_law_t, n_interface_rows
+   use adfric_interface_shear_coupling, only: check_coupling, is_coupled
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
    use adfric_describe_check, only: require, refuse_given, refuse_swept
    use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
-   use adfric_periodic_sliding_case, only: is_direction, speed_of
+   use adfric_periodic_sliding_case, only: is_direction, poisson_ratio_of_solid, speed_of
    use adfric_periodic_sliding_interface, only: check_surface_interface, without_temperature
    use adfric_periodic_sliding_variables, only: base_frictionless, cells_of, kind_heights, kind_wave_2d, s_adhesion, s_base, &
-      & s_last_adhesion, s_poisson_ratio, s_thickness, s_velocity, in => sliding_input
+      & s_coupling, s_friction, s_last_adhesion, s_poisson_ratio, s_thickness, s_velocity, in => sliding_input
    use adfric_periodic_variables, only: is_wanted, prescribed => periodic_input
    implicit none (type, external)
    private
@@ -101,9 +102,30 @@ contains
       end if
       if (problems%count() == before) call check_surface_interface(rows, values, spectrum, given_law, problems)
       call check_layer(rows, values, length, is_swept, problems)
+      if (problems%count() == before) call check_coupled(rows, values, problems)
    end subroutine check_sliding_solid
 
-   !> Add to `problems` a load that nothing pulls, and a penetration beside adhesion.
+   !> Add to `problems` what does not go with a contact that the shear stress moves.
+   subroutine check_coupled(rows, values, problems)
+      !> Rows of the solid; their names stand in the messages.
+      type(variable_t), intent(in) :: rows(:)
+      !> Values of the rows; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      associate (row => rows(s_coupling))
+         call check_coupling(row, values(s_coupling), values(s_friction:s_friction + n_interface_rows - 1), &
+            & poisson_ratio_of_solid(values), .true., problems)
+         if (.not. is_coupled(values(s_coupling))) return
+         if (has_adhesion(values(s_adhesion:s_last_adhesion))) call problems%add(row%group, row%name, &
+            & 'stands beside adhesion, with which the contact is that of frictionless faces')
+         if (.not. is_set(values(s_base))) return
+         if (nint(values(s_base)) == base_frictionless) call problems%add(row%group, row%name, &
+            & 'stands beside base = ''frictionless'', which cannot carry the shear stress')
+      end associate
+   end subroutine check_coupled
+
+   !> Add to `problems` a load that nothing pulls, and switches of adhesion.
    subroutine check_pull(variables, values, before_prescribed, switches, problems)
       !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)

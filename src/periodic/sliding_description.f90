@@ -13,11 +13,12 @@ module adfric_periodic_sliding_description
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_sliding_case, only: frequencies_of
-   use adfric_periodic_sliding_interface, only: doubt_surface_coupling
+   use adfric_periodic_sliding_interface, only: doubt_surface_coupling, has_surface_interface
+   use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_sliding_variables, only: cells_of, kind_heights, kind_wave_2d, s_velocity, in => sliding_input
    implicit none (type, external)
    private
-   public :: derive_surface, doubt_surface, slope_of_surface
+   public :: derive_surface, doubt_one_contact, doubt_surface, slope_of_surface
 
 contains
 
@@ -61,11 +62,53 @@ contains
       character(:), allocatable :: text
 
       text = ''
-      if (of_solid(s_velocity) > 0) text = doubt_spectrum(of_solid(:n_spectrum_rows), spectrum, &
+      ! over an elastic solid the interface rubs
+      if (of_solid(s_velocity) > 0 .and. has_losses(of_solid, spectrum)) text = &
+         & doubt_spectrum(of_solid(:n_spectrum_rows), spectrum, &
          & frequencies_of(of_solid(s_velocity), values(in%direction), nint(values(in%kind)) == kind_heights, surface))
       if (nint(values(in%kind)) == kind_heights) text = text//heights%doubt()
       text = text//doubt_surface_coupling(of_solid, surface%period(1))
    end function doubt_surface
+
+   !> A line where shear moves the contact and the real part of some stiffness is below 0, so that nothing proves that there is one
+   !> contact; else nothing. Waves along the motion tell, which couple most.
+   function doubt_one_contact(surface) result(text)
+      !> The surface with its cells and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      character(:), allocatable :: text
+      character(200) :: line
+      complex(dp) :: stiffness(1, 1)
+      real(dp) :: ratio, waves(2)
+      integer :: i
+
+      text = ''
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         if (.not. allocated(solid%coupling)) return
+         ratio = 1
+         do i = 1, maxval(surface%n_cells)/2
+            waves = i*solid%motion%steps*merge(surface%period(1)/surface%period, 0.0_dp, solid%motion%varies)
+            if (.not. any(abs(waves) > 0)) return
+            call solid%kernel%get_stiffness(waves(1:1), waves(2:2), surface%cell_sizes()/surface%period(1), stiffness)
+            ratio = min(ratio, real(stiffness(1, 1), dp)/abs(stiffness(1, 1)))
+         end do
+         if (ratio > 0) return
+         write (line, '(a, f7.3, a)') 'losses and shear stress make the real part of a stiffness', ratio, &
+            & ' of its size: nothing proves that the contact is the only one, and maps are not solved'
+         text = trim(line)//new_line('a')
+      end select
+   end function doubt_one_contact
+
+   !> Is there something to be said of the losses? Not of an elastic solid beside a law of the interface.
+   logical function has_losses(of_solid, spectrum)
+      !> Values of the rows of the solid.
+      real(dp), intent(in) :: of_solid(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(prony_t) :: prony
+
+      call get_spectrum(of_solid(:n_spectrum_rows), spectrum, prony)
+      has_losses = size(prony%moduli) > 0 .or. .not. has_surface_interface(of_solid)
+   end function has_losses
 
    !> The steepest slope of waves, the mean one of heights [-].
    real(dp) function slope_of_surface(values, heights) result(slope)

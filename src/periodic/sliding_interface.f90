@@ -11,22 +11,23 @@ module adfric_periodic_sliding_interface
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_interface, n_interface_rows, needs_temperature
-   use adfric_interface_total_friction, only: coupling_of, doubt_coupling, get_shear_of_area, &
-      & interface_tractions, sliding_friction_t
+   use adfric_interface_total_friction, only: doubt_coupling, get_shear_of_area, interface_tractions, sliding_friction_t
+   use adfric_interface_shear_coupling, only: is_coupled
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_spectrum_rows, only: n_spectrum_rows, poisson_ratio_of, solid_shift_of
+   use adfric_solid_spectrum_rows, only: n_spectrum_rows, solid_shift_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_table, only: variable_t
-   use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_friction, s_last_adhesion, s_poisson_ratio, &
+   use adfric_periodic_coupled_kernel, only: coupling_of_layer, shear_coupling_t
+   use adfric_periodic_sliding_heat, only: change_on_cells
+   use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
+   use adfric_periodic_sliding_case, only: poisson_ratio_of_solid
+   use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_coupling, s_friction, s_last_adhesion, &
       & s_temperature, s_thickness, s_velocity, out => sliding_output
    use adfric_periodic_variables, only: periodic_output
    implicit none (type, external)
    private
    public :: has_surface_interface, without_temperature, check_surface_interface, add_surface_interface, set_shear_map
-   public :: doubt_surface_coupling
-
-   !> Above this product of wave number and thickness a layer couples as a half-space does.
-   real(dp), parameter :: deep = 40.0_dp
+   public :: add_left_out, doubt_surface_coupling
 
 contains
 
@@ -187,6 +188,39 @@ contains
       end do
    end subroutine set_shear_map
 
+   !> Add the change of the friction by a coupling that is left out, where Poisson's ratio is known.
+   subroutine add_left_out(values, spectrum, given, solid, pressure, is_contact, period, results)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      type(viscoelastic_solid_t), intent(in) :: solid
+      !> Pressure in the cells, below 0 where adhesion pulls [Pa], and where the faces touch; shape `(nx, ny)`.
+      real(dp), intent(in), contiguous :: pressure(:, :)
+      logical, intent(in) :: is_contact(:, :)
+      !> Periods along x and y [m].
+      real(dp), intent(in) :: period(2)
+      !> In: with the friction. Out: with what is left out; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      type(shear_coupling_t) :: coupling
+      real(dp), allocatable :: shear(:, :)
+
+      if (.not. has_surface_interface(values) .or. is_coupled(values(s_coupling))) return
+      if (.not. (is_set(poisson_ratio_of_solid(values)) .and. abs(results(out%friction_stress)) > 0)) return
+      coupling%friction_coefficient = 1
+      coupling%poisson_ratio = poisson_ratio_of_solid(values)
+      coupling%direction = solid%motion%direction()
+      if (is_set(values(s_thickness))) then
+         ! a base that slips cannot carry the shear stress
+         if (nint(values(s_base)) /= base_bonded) return
+         coupling%thickness = values(s_thickness)/period(1)
+      end if
+      allocate (shear, mold=pressure)
+      call set_shear_map(values, spectrum, given, pressure, is_contact, shear)
+      results(out%coupling_left_out) = change_on_cells(solid%kernel, coupling, pressure, shear, period/period(1)) &
+         & /solid%modulus/abs(results(out%friction_stress))
+   end subroutine add_left_out
+
    !> A line on the shear stress that would move the contact; nothing where it does not.
    function doubt_surface_coupling(values, period) result(text)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
@@ -198,33 +232,19 @@ contains
       real(dp) :: poisson_ratio
 
       text = ''
-      if (.not. has_surface_interface(values)) return
-      poisson_ratio = poisson_ratio_of(values(:n_spectrum_rows))
-      if (is_set(values(s_poisson_ratio))) poisson_ratio = values(s_poisson_ratio)
+      if (.not. has_surface_interface(values) .or. is_coupled(values(s_coupling))) return
+      poisson_ratio = poisson_ratio_of_solid(values)
       if (.not. is_set(values(s_thickness))) then
          text = doubt_coupling(poisson_ratio)
       else if (nint(values(s_base)) == base_bonded) then
          write (line, '(a, f7.3, a)') 'shear stress moves the contact on a bonded layer: for the longest wave by m =', &
             & coupling_of_layer(poisson_ratio, two_pi*values(s_thickness)/period), &
-            & ' times the friction coefficient; this coupling is left out'
+            & ' times mu; coupling_left_out is how much is left out'
          text = trim(line)//new_line('a')
       else
          text = 'a layer that slips on its base cannot carry the shear stress there: something else has to keep it in place' &
             & //new_line('a')
       end if
    end function doubt_surface_coupling
-
-   !> kappa(Q) of a wave on a bonded layer, what beta is on a half-space [-].
-   pure real(dp) function coupling_of_layer(poisson_ratio, q) result(kappa)
-      !> Poisson's ratio [-], and Q = k H [-].
-      real(dp), intent(in) :: poisson_ratio, q
-
-      kappa = coupling_of(poisson_ratio)
-      if (q > deep) return
-      associate (c => 3 - 4*poisson_ratio, beta => coupling_of(poisson_ratio))
-         ! cosh 2Q - 1 = 2 sinh^2 Q
-         kappa = (4*c*beta*sinh(q)**2 - 4*(1 - beta)*q**2)/(2*c*sinh(2*q) - 4*q)
-      end associate
-   end function coupling_of_layer
 
 end module adfric_periodic_sliding_interface

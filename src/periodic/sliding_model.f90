@@ -24,8 +24,8 @@ module adfric_periodic_sliding_model
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_sliding_case, only: set_sliding_solid
    use adfric_periodic_sliding_check, only: check_pull, check_sliding_surface, check_sliding_solid
-   use adfric_periodic_sliding_description, only: derive_surface, doubt_surface, slope_of_surface
-   use adfric_periodic_sliding_interface, only: add_surface_interface, has_surface_interface, set_shear_map
+   use adfric_periodic_sliding_description, only: derive_surface, doubt_one_contact, doubt_surface, slope_of_surface
+   use adfric_periodic_sliding_interface, only: add_left_out, add_surface_interface, has_surface_interface, set_shear_map
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
@@ -370,6 +370,11 @@ contains
       end select
       call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, &
          & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, results, is_valid)
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         if (is_valid) call add_left_out(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, solid, &
+            & solution%pressure*solid%modulus, .not. solution%gap > 0, surface%period, results)
+      end select
       ! so large an error is that of a point which is not solved
       if (.not. is_valid) error_estimate = huge(error_estimate)
    end subroutine finish_point
@@ -438,10 +443,10 @@ contains
 
       call self%get_cells(values, surface)
       text = doubt_surface(values, values(self%first_of_solid:self%last_of_solid), self%spectrum, self%heights, surface)
-      law = self%adhesion_of(values)
-      if (.not. law%stress > 0) return
       call self%set_solid(values, surface)
-      text = text//doubt_zone(law, surface)
+      text = text//doubt_one_contact(surface)
+      law = self%adhesion_of(values)
+      if (law%stress > 0) text = text//doubt_zone(law, surface)
    end function describe_doubts
 
    !> See `model_t`: the steepest slope of waves, the mean one of heights.

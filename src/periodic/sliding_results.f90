@@ -8,6 +8,8 @@ module adfric_periodic_sliding_results
    use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, cells_per_zone, error_of_edge, least_cells, regime_of
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_contact_centre, only: contact_centre
+   use adfric_periodic_coupled_kernel, only: coupled_kernel_t
+   use adfric_periodic_sliding_heat, only: heat_of_half_space
    use adfric_periodic_sliding_variables, only: kind_heights, kind_wave_2d, in => sliding_input, sliding_output
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: branches_differ, branches_unknown, periodic_solution_t
@@ -59,7 +61,37 @@ contains
       if (is_wave .and. results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) error_estimate &
          & = 4*epsilon(1.0_dp)
       if (law%stress > 0) call set_adhesive_results(law, surface, solid, solution, results, error_estimate)
+      if (allocated(solid%coupling)) call set_coupled_results(surface, solid, solution, results)
    end subroutine set_sliding_results
+
+   !> Set what is known where shear moves the surface. What a layer loses is not.
+   subroutine set_coupled_results(surface, solid, solution, results)
+      !> Periods and cells of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
+      type(viscoelastic_solid_t), intent(in) :: solid
+      !> Solution of the point; pressures in E0.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: with those of the pressure alone. Out: with those of the coupling; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      integer :: along, i
+
+      results(sliding_output%smallest_stiffness_ratio) = solution%stiffness_ratio
+      results(sliding_output%largest_coupling) = 0
+      associate (coupling => solid%coupling, period => surface%period/surface%period(1))
+         do along = 1, 2
+            do i = 1, surface%n_cells(along)/2
+               results(sliding_output%largest_coupling) = max(results(sliding_output%largest_coupling), &
+                  & abs(coupling%coupling_of_wave(i/period(along))))
+            end do
+         end do
+         results(sliding_output%dissipation) = not_a_number()
+         if (coupling%thickness > 0) return
+         select type (kernel => solid%kernel)
+         type is (coupled_kernel_t)
+            results(sliding_output%dissipation) = solid%modulus*heat_of_half_space(kernel, solution%pressure, period)
+         end select
+      end associate
+   end subroutine set_coupled_results
 
    !> Set what adhesion adds.
    subroutine set_adhesive_results(law, surface, solid, solution, results, error_estimate)
@@ -108,21 +140,24 @@ contains
    pure real(dp) function error_of(solid, solution) result(error)
       type(viscoelastic_solid_t), intent(in) :: solid
       type(periodic_solution_t), intent(in) :: solution
-      real(dp) :: loss, coarse(size(solution%coarse_losses, 2))
+      real(dp) :: loss, whole, coarse(size(solution%coarse_losses, 2))
       integer :: k
 
       loss = solid%forward(solution%friction%loss)
+      ! of a coupled contact the shear stress has no error, and the force on the slopes may be below 0
+      whole = loss
+      if (allocated(solid%coupling)) whole = whole + solid%coupling%friction_coefficient*solution%mean_pressure
       error = 1
       if (.not. max(abs(loss), abs(solid%forward(solution%friction%direct))) > 0) error = relative_error_of(solution%area)
-      if (.not. loss > 0) return
+      if (.not. whole > 0 .or. .not. max(abs(loss), abs(solid%forward(solution%friction%direct))) > 0) return
       error = abs(solid%forward(solution%friction%direct) - loss)
       coarse = [(solid%forward(solution%coarse_losses(:, k)), k=1, size(coarse))]
       if (solution%n_coarse_losses < size(coarse)) then
-         error = max(error, loss)
+         error = max(error, abs(loss))
       else
          error = max(error, abs(coarse(1) - loss), abs(coarse(2) - coarse(1))/2)
       end if
-      error = error/max(loss, error)
+      error = error/max(whole, error)
    end function error_of
 
    !> Shift of the contact from the crest towards the leading side [periods], -1/2 to 1/2; NaN where there is no contact or no gap,

@@ -16,6 +16,7 @@ module adfric_periodic_solver
    use adfric_periodic_gap_solver, only: gap_solver_t, new_gap_solver
    use adfric_periodic_grids, only: coarsen, refine, n_grids_of
    use adfric_periodic_kernel, only: kernel_t
+   use adfric_periodic_line_contact, only: solve_line
    use adfric_periodic_maps, only: sum_of
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    implicit none (type, external)
@@ -69,6 +70,8 @@ module adfric_periodic_solver
       integer :: branches = branches_unknown
       !> Friction of the same load without adhesion, from the loss, along x and along y [E*]; not allocated where it is not wanted.
       real(dp), allocatable :: loss_without_adhesion(:)
+      !> Least real part of the stiffness of a wave on these cells over its size.
+      real(dp) :: stiffness_ratio = 1
       !> Largest violation of the conditions of contact, see `adfric_periodic_contact`.
       real(dp) :: residual = huge(1.0_dp)
       !> Iterations and applied operators on the finest grid.
@@ -209,6 +212,7 @@ contains
       type(periodic_solution_t), intent(inout) :: solution
 
       solution%gap = shape - penetration
+      solution%stiffness_ratio = self%grids(size(self%grids))%operator%smallest_ratio()
       call set_full_pressure(self%grids(size(self%grids))%operator, shape, solution)
       solution%pressure = 0*shape
       solution%penetration = penetration
@@ -231,8 +235,13 @@ contains
       type(periodic_solution_t), intent(inout) :: solution
       type(contact_state_t), allocatable :: states(:)
       integer :: k, n, first
+      logical :: is_definite
 
       n = size(self%grids)
+      solution%stiffness_ratio = self%grids(n)%operator%smallest_ratio()
+      is_definite = solution%stiffness_ratio > 0
+      ! the steps over maps and at a mean gap are for definite stiffnesses alone
+      if (.not. is_definite .and. (size(shape, 2) > 1 .or. goal%has_fixed_mean)) return
       allocate (states(n), source=goal)
       states(n)%shape = shape
       first = n
@@ -247,7 +256,11 @@ contains
             call grid%operator%resist_mean(goal%resists_mean)
             if (k == first) call start_contact(states(k), grid%operator)
             if (k > first) call start_from_coarse(states(k), states(k - 1), grid%operator)
-            call solve_contact(states(k), grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, k == n))
+            if (is_definite) then
+               call solve_contact(states(k), grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, k == n))
+            else
+               call solve_line(states(k), grid%operator, merge(tolerance, coarse_tolerance, k == n))
+            end if
             call grid%operator%resist_mean(.false.)
             if (grid%operator%is_stopped()) return
             if (k == n) call set_full_pressure(grid%operator, shape, solution)

@@ -2,11 +2,13 @@
 !> The viscoelastic half-space or layer over which a rough surface slides, with what is known of it in closed form.
 !>
 !> The wave exp(ik.x) of displacements has the pressure E(-k.V) |k|/2F, with the complex modulus E(omega) and the factor F of the
-!> solid's thickness (`adfric_periodic_layer_kernel`). In full contact displacements are heights, and so all is known.
+!> solid's thickness (`adfric_periodic_layer_kernel`), and over that of the coupling where shear moves the surface
+!> (`adfric_periodic_coupled_kernel`). In full contact displacements are heights, and so all is known.
 module adfric_periodic_viscoelastic_solid
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_solid_prony, only: prony_t, new_prony
+   use adfric_periodic_coupled_kernel, only: coupled_kernel_t, shear_coupling_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_layer_kernel, only: layer_kernel_t
@@ -36,6 +38,8 @@ module adfric_periodic_viscoelastic_solid
       type(motion_t) :: motion
       !> Elastic solid of unit modulus, with lengths in periods along x.
       class(kernel_t), allocatable :: elastic
+      !> What shear does to the surface, with lengths in periods along x; not allocated: nothing.
+      type(shear_coupling_t), allocatable :: coupling
    contains
       procedure :: stiffness_of_wave
       procedure :: losses_of_wave
@@ -46,7 +50,7 @@ module adfric_periodic_viscoelastic_solid
 contains
 
    !> Set up a solid.
-   subroutine set_viscoelastic_solid(self, prony, motion, length, layer)
+   subroutine set_viscoelastic_solid(self, prony, motion, length, layer, coupling)
       !> Receives the solid, with its kernel.
       type(viscoelastic_solid_t), intent(out) :: self
       !> Spectrum of the contact modulus [Pa, s].
@@ -56,6 +60,8 @@ contains
       real(dp), intent(in) :: length
       !> Thickness [m], base and Poisson's ratio of the layer; absent: a half-space.
       type(layer_kernel_t), intent(in), optional :: layer
+      !> Friction coefficient and Poisson's ratio where shear moves the surface; absent: it does not.
+      type(shear_coupling_t), intent(in), optional :: coupling
       type(layer_kernel_t) :: reduced
       type(sliding_kernel_t), allocatable :: kernel
       real(dp) :: velocity
@@ -84,7 +90,29 @@ contains
       end if
       self%numbers = [reduced%thickness, reduced%poisson_ratio, merge(1.0_dp, 0.0_dp, [present(layer), reduced%is_bonded, &
          & motion%varies]), real(motion%steps, dp), self%motion%velocity, self%prony%moduli, self%prony%times]
+      if (present(coupling)) call couple(self, coupling, reduced)
    end subroutine set_viscoelastic_solid
+
+   !> Let shear move the surface.
+   subroutine couple(self, coupling, layer)
+      !> In: the solid with its kernel. Out: with that of the coupling around it.
+      type(viscoelastic_solid_t), intent(inout) :: self
+      !> Friction coefficient and Poisson's ratio.
+      type(shear_coupling_t), intent(in) :: coupling
+      !> The layer with lengths in periods along x; counts where it is bonded.
+      type(layer_kernel_t), intent(in) :: layer
+      type(coupled_kernel_t), allocatable :: kernel
+
+      self%coupling = coupling
+      self%coupling%thickness = 0
+      if (layer%is_bonded) self%coupling%thickness = layer%thickness
+      self%coupling%direction = self%motion%direction()
+      allocate (kernel)
+      call move_alloc(self%kernel, kernel%solid)
+      kernel%coupling = self%coupling
+      call move_alloc(kernel, self%kernel)
+      self%numbers = [self%numbers, coupling%friction_coefficient, coupling%poisson_ratio]
+   end subroutine couple
 
    !> Stiffness of a wave, whatever the cells [E0/period along x].
    pure complex(dp) function stiffness_of_wave(self, waves) result(stiffness)
@@ -98,6 +126,7 @@ contains
       along = self%forward(waves)
       call self%prony%get_complex_modulus(two_pi*abs(along)*self%motion%velocity, storage, loss)
       stiffness = elastic(1, 1)*cmplx(storage, -sign(loss, along), dp)
+      if (allocated(self%coupling)) stiffness = stiffness*self%coupling%factor_of(waves, [0.0_dp, 0.0_dp])
    end function stiffness_of_wave
 
    !> Stress along x and y that a wave holds the body back with in full contact, k (-Im A) D^2/2 [E0].

@@ -99,10 +99,22 @@ contains
       solution%full_pressure = wave_pressure_of_full_contact(solid, amplitude/period, is_2d)
       solution%friction%loss = losses_of_full_contact(solid, amplitude/period, is_2d)
       solution%friction%direct = solution%friction%loss
+      solution%stiffness_ratio = ratio_of(along_x)
+      if (is_2d) solution%stiffness_ratio = min(solution%stiffness_ratio, ratio_of(along_y))
       solution%residual = 0
       solution%status = contact_solved
 
    contains
+
+      !> Real part of the stiffness of a wave over its size.
+      pure real(dp) function ratio_of(waves)
+         !> Number of waves along x and y, one of them 1.
+         real(dp), intent(in) :: waves(2)
+
+         associate (stiffness => solid%stiffness_of_wave(waves))
+            ratio_of = real(stiffness, dp)/abs(stiffness)
+         end associate
+      end function ratio_of
 
       !> Pressure of a wave in the middles of the cells of a period, without its mean.
       pure function pressure_along(waves, n) result(pressure)

@@ -8,7 +8,7 @@ module adfric_plane_contact_shear
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    implicit none (type, external)
    private
-   public :: contact_nodes, integrate_shear, n_contact_nodes
+   public :: contact_nodes, integrate_over_contact, integrate_shear, n_contact_nodes
 
    !> Panels on which a law of the pressure is integrated, and the nodes of all.
    integer, parameter :: n_panels = 4, n_contact_nodes = n_panels*size(gauss_nodes)
@@ -67,5 +67,20 @@ contains
          end associate
       end do
    end subroutine integrate_shear
+
+   !> Integral over the contact of what is known at the nodes.
+   pure real(dp) function integrate_over_contact(half_width, values) result(integral)
+      !> Half-width of the contact, in any unit of length.
+      real(dp), intent(in) :: half_width
+      !> Values at the nodes; shape `(n_contact_nodes)`.
+      real(dp), intent(in) :: values(:)
+      integer :: k
+
+      integral = 0
+      do k = 1, n_panels
+         integral = integral + half_width*half_pi/n_panels*sum(gauss_weights*cos(angles(k)) &
+            & *values((k - 1)*size(gauss_nodes) + 1:k*size(gauss_nodes)))
+      end do
+   end function integrate_over_contact
 
 end module adfric_plane_contact_shear

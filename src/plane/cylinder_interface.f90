@@ -7,11 +7,12 @@ module adfric_plane_cylinder_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
    use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
+   use adfric_plane_left_out_coupling, only: left_out_of_line, modulus_of_contact
    use adfric_plane_hertz_variables, only: in => hertz_input, out => hertz_output
    use adfric_plane_sliding_cylinder_point, only: cylinder_point_t
    use adfric_plane_sliding_cylinder_units, only: cylinder_slide_state_t, cylinder_slide_t, new_cylinder_slide
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_spectrum_rows, only: shift_factor_of, solid_shift_of
+   use adfric_solid_spectrum_rows, only: poisson_ratio_of, shift_factor_of, solid_shift_of
    implicit none (type, external)
    private
    public :: add_cylinder_interface, set_cylinder_tractions
@@ -67,7 +68,32 @@ contains
       call friction%get_results(values(in%velocity), results(out%friction_force), &
          & results(out%hysteretic_friction_force:out%velocity_slope))
       if (values(in%load) > 0) results(out%friction_coefficient) = results(out%friction_force)/values(in%load)
+      call add_left_out(values, law, spectrum, point, results)
    end subroutine add_cylinder_interface
+
+   !> Add what the cylinder leaves out by a contact of frictionless faces.
+   pure subroutine add_left_out(values, law, spectrum, point, results)
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t), intent(in) :: law
+      type(given_spectrum_t), intent(in) :: spectrum
+      !> The point, which has been solved.
+      type(cylinder_point_t), intent(in) :: point
+      !> In: with the friction. Out: with what is left out; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes)
+      integer :: i
+
+      associate (state => point%contact, material => values(in%material(1):in%temperature))
+         if (.not. state%half_width > 0) return
+         x = contact_nodes(state%contact_shift, state%half_width)
+         do i = 1, n_contact_nodes
+            pressure(i) = point%slide%pressure_at(state, x(i))
+         end do
+         results(out%coupling_left_out) = left_out_of_line(law, abs(values(in%velocity)), values(in%temperature), pressure, &
+            & state%half_width, 0.0_dp, poisson_ratio_of(material), modulus_of_contact(point%prony, abs(values(in%velocity)) &
+            & *shift_factor_of(material, spectrum), state%half_width), results(out%friction_force))
+      end associate
+   end subroutine add_left_out
 
    !> Shear of a contact per length.
    pure subroutine get_shear(values, law, slide, state, shear, slope, is_valid)

@@ -6,6 +6,7 @@ module adfric_plane_hertz_check
    use adfric_base_unset, only: is_set, unset
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, has_interface, needs_temperature
+   use adfric_interface_shear_coupling, only: check_coupling, is_coupled
    use adfric_plane_hertz_ellipse, only: find_curvatures
    use adfric_plane_hertz_variables, only: kind_line, kind_elliptical, in => hertz_input
    use adfric_plane_hertz_slip, only: check_slip, refuse_slip
@@ -38,7 +39,7 @@ contains
          call check_material(variables, values, given, given_law, problems)
          call refuse_slip(variables, values, problems)
       else
-         call check_solid(variables, values, problems)
+         call check_solid(variables, values, given_law, problems)
          call check_slip(variables, values, problems)
       end if
       if (.not. is_set(values(in%kind))) return
@@ -55,20 +56,54 @@ contains
          & 'is too small or too large for the radius, the load and the relaxation times')
    end subroutine check_hertz
 
-   !> Add to `problems` what is wrong with elastic solids, over which no velocity counts.
-   subroutine check_solid(variables, values, problems)
+   !> Add to `problems` what is wrong with elastic solids, over which a velocity counts for a law of the interface alone.
+   subroutine check_solid(variables, values, given_law, problems)
       type(variable_t), intent(in) :: variables(:)
       real(dp), intent(in) :: values(:)
+      type(given_law_t), intent(in) :: given_law
       type(problems_t), intent(inout) :: problems
-      integer :: k
+      real(dp) :: others(size(values))
 
       call check_contact_modulus(variables(in%contact_modulus:in%second_poisson_ratio), &
          & values(in%contact_modulus:in%second_poisson_ratio), problems, .true.)
-      call refuse_sliding(variables(in%material(1):in%velocity), values(in%material(1):in%velocity), problems)
-      k = findloc(is_set(values(in%friction)), .true., 1)
-      if (k > 0) call problems%add('friction', variables(in%friction(k))%name, &
-         & 'has no meaning without &material; over elastic bodies it is for waves, surfaces and round contacts')
+      call check_coupling(variables(in%coupling), values(in%coupling), values(in%friction), values(in%poisson_ratio), .false., &
+         & problems)
+      others = values
+      if (has_interface(values(in%friction))) then
+         call check_sliding_cylinder(variables, values, given_law, problems)
+         others(in%velocity) = unset
+         if (needs_temperature(values(in%friction))) others(in%temperature) = unset
+      end if
+      call refuse_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), problems)
    end subroutine check_solid
+
+   !> Add to `problems` what does not go with a law of the interface between a cylinder and an elastic solid.
+   subroutine check_sliding_cylinder(variables, values, given_law, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      type(given_law_t), intent(in) :: given_law
+      type(problems_t), intent(inout) :: problems
+      type(time_temperature_t) :: none
+      integer :: k
+
+      if (is_set(values(in%kind))) then
+         if (nint(values(in%kind)) /= kind_line) then
+            k = findloc(is_set(values(in%friction)), .true., 1)
+            call problems%add('friction', variables(in%friction(k))%name, 'has no meaning for this kind without &material; over ' &
+               & //'elastic bodies it is for cylinders, waves, surfaces and round contacts')
+            return
+         end if
+      end if
+      if (is_coupled(values(in%coupling))) call require(variables, values, [in%velocity], problems)
+      call check_interface(variables, values, in%friction, [in%temperature, in%velocity], given_law, none, 0.0_dp, problems)
+      do k = in%tangential_force, in%coefficient
+         if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
+            & 'stands beside a shear stress of sliding, in which nothing sticks')
+      end do
+      if (is_coupled(values(in%coupling)) .and. is_set(values(in%second_young_modulus))) call problems%add( &
+         & variables(in%coupling)%group, variables(in%coupling)%name, 'stands beside second_young_modulus; the body that slides ' &
+         & //'is rigid')
+   end subroutine check_sliding_cylinder
 
    !> Add to `problems` what is wrong with a viscoelastic material.
    subroutine check_material(variables, values, given, given_law, problems)
@@ -89,6 +124,8 @@ contains
       k = findloc(is_set(values(in%contact_modulus:in%second_poisson_ratio)), .true., 1)
       if (k > 0) call problems%add('solid', variables(in%contact_modulus - 1 + k)%name, &
          & 'stands beside &material, over which a rigid cylinder slides; give &solid for elastic solids, or &material')
+      if (is_set(values(in%coupling))) call problems%add(variables(in%coupling)%group, variables(in%coupling)%name, &
+         & 'stands beside &material; a wave or a surface on cells has both')
       of_solid = solid_shift_of(values(in%material(1):in%temperature), given)
       others = values
       ! a solid without shift has no use for the temperature of the interface

@@ -7,9 +7,11 @@ module adfric_plane_hertz_model
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_friction_law_rows, only: has_interface
+   use adfric_interface_shear_coupling, only: doubt_left_out
    use adfric_interface_shear_strength_rows, only: n_shear_rows
-   use adfric_interface_total_friction, only: doubt_coupling
+   use adfric_plane_coupled_cylinder_point, only: coupled_cylinder_point_t, get_coupled_cylinder_profiles, solve_coupled_cylinder
    use adfric_plane_cylinder_interface, only: add_cylinder_interface, set_cylinder_tractions
    use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
    use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
@@ -24,7 +26,7 @@ module adfric_plane_hertz_model
       & get_cylinder_frequency
    use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
    use adfric_solid_contact_modulus, only: contact_modulus_of, derive_contact_modulus
-   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum, poisson_ratio_of
+   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
    use adfric_describe_doubt, only: doubt_contact_too_wide
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_derived, only: derived_t
@@ -163,13 +165,19 @@ contains
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
-      real(dp) :: frequency
+      class(point_state_t), allocatable :: state
+      real(dp) :: frequency, results(size(self%results)), error_estimate, counts(0)
+      integer :: status
 
       text = ''
-      if (.not. is_sliding(values)) return
-      call get_cylinder_frequency(values, self%given, frequency)
-      text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
-      if (has_interface(values(in%friction))) text = text//doubt_coupling(poisson_ratio_of(values(in%material(1):in%temperature)))
+      if (is_sliding(values)) then
+         call get_cylinder_frequency(values, self%given, frequency)
+         text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
+      end if
+      if (.not. has_interface(values(in%friction))) return
+      results = not_a_number()
+      call self%solve_point(values, state, results, error_estimate, status, counts)
+      if (status == status_solved) text = text//doubt_left_out(results(out%coupling_left_out), error_estimate)
    end function describe_doubts
 
    !> E* [Pa].
@@ -200,7 +208,8 @@ contains
       error_estimate = 0
       if (.not. allocated(state)) then
          if (is_sliding(values)) allocate (cylinder_point_t :: state)
-         if (.not. is_sliding(values)) allocate (hertz_state_t :: state)
+         if (has_interface(values(in%friction)) .and. .not. allocated(state)) allocate (coupled_cylinder_point_t :: state)
+         if (.not. allocated(state)) allocate (hertz_state_t :: state)
       end if
       select type (state)
       type is (cylinder_point_t)
@@ -209,6 +218,8 @@ contains
             call add_cylinder_interface(values, self%given, self%given_law, state, results, is_valid)
             if (.not. is_valid) status = status_not_converged
          end if
+      type is (coupled_cylinder_point_t)
+         call solve_coupled_cylinder(values, self%given_law, state, results, error_estimate, status)
       type is (hertz_state_t)
          if (nint(values(in%kind)) == kind_line) then
             call solve_line(values, state, results, error_estimate, status)
@@ -344,6 +355,8 @@ contains
             if (size(profiles, 3) == p_shear_stress) call set_cylinder_tractions(values, self%given, self%given_law, &
                & profiles(:, j, 1), profiles(:, j, p_shear_stress))
          end do
+      type is (coupled_cylinder_point_t)
+         call get_coupled_cylinder_profiles(values, self%given_law, state, axes(2)%coordinates, profiles)
       type is (hertz_state_t)
          associate (s => state%ellipse, y => axes(1)%coordinates, x => axes(2)%coordinates)
             do j = 1, size(y)

@@ -16,6 +16,7 @@ module adfric_plane_wave_check
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_interface_shear_strength_rows, only: n_shear_rows
    use adfric_interface_friction_law_check, only: check_interface
+   use adfric_interface_shear_coupling, only: check_coupling, is_coupled
    use adfric_interface_friction_law_rows, only: given_law_t, has_interface, has_law_of_speed, i_pressure_volume, &
       & n_interface_rows, needs_temperature
    use adfric_solid_spectrum_rows, only: has_spectrum, solid_shift_of
@@ -95,7 +96,7 @@ contains
       coulomb = values(in%tangential_stress:in%coefficient)
       friction = interface_of(values)
       call check_contact_modulus(variables(in%contact_modulus:in%second_poisson_ratio), &
-         & values(in%contact_modulus:in%second_poisson_ratio), problems, has_coulomb(coulomb))
+         & values(in%contact_modulus:in%second_poisson_ratio), problems, has_coulomb(coulomb) .or. is_coupled(values(in%coupling)))
       if (needs_poisson_ratio(coulomb, .true.) .and. is_set(values(in%contact_modulus)) &
          & .and. .not. is_set(values(in%poisson_ratio))) call problems%add('solid', 'poisson_ratio', &
          & 'is missing [-]; the displacement along y needs it')
@@ -107,10 +108,28 @@ contains
          & variables(in%law(i_pressure_volume - n_shear_rows))%name, 'stands beside &adhesion; over the tension at its edges the ' &
          & //'law is not integrated')
       others = values
-      if (has_law_of_speed(friction)) others(in%velocity) = unset
+      call check_coupled(variables, values, problems)
+      if (has_law_of_speed(friction) .or. is_coupled(values(in%coupling))) others(in%velocity) = unset
       if (needs_temperature(friction)) others(in%temperature) = unset
       call refuse_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), problems)
    end subroutine check_solid
+
+   !> Add to `problems` what does not go with a contact that the shear stress moves.
+   subroutine check_coupled(variables, values, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      associate (row => variables(in%coupling), value => values(in%coupling))
+         call check_coupling(row, value, interface_of(values), values(in%poisson_ratio), .false., problems)
+         if (.not. is_coupled(value)) return
+         if (has_adhesion(values(in%adhesion:in%turning_pressure))) call problems%add(row%group, row%name, &
+            & 'stands beside adhesion, with which the contact is that of frictionless faces')
+         if (is_set(values(in%second_young_modulus))) call problems%add(row%group, row%name, &
+            & 'stands beside second_young_modulus; the body that slides is rigid')
+         call require(variables, values, [in%velocity], problems)
+      end associate
+   end subroutine check_coupled
 
    !> Add to `problems` what is wrong with the friction of the interface.
    subroutine check_friction(variables, values, given_law, of_solid, tension, problems)
@@ -149,6 +168,8 @@ contains
       ! a solid without shift has no use for the temperature of the interface
       if (needs_temperature(interface_of(values)) .and. of_solid%law == shift_none) others(in%temperature) = unset
       call check_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), given, problems)
+      if (is_set(values(in%coupling))) call problems%add(variables(in%coupling)%group, variables(in%coupling)%name, &
+         & 'stands beside &material; a wave on cells has both')
       do k = in%tangential_stress, in%coefficient
          if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
             & 'stands beside &material; what slides over a viscoelastic solid has no partial slip')

@@ -9,16 +9,18 @@ module adfric_plane_wave_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, n_interface_rows
    use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
+   use adfric_plane_left_out_coupling, only: left_out_of_line, modulus_of_contact
    use adfric_plane_elastic_wave_point, only: get_elastic_wave_profiles
    use adfric_plane_sliding_wave_point, only: slide_point_t
    use adfric_plane_sliding_wave_units, only: new_wave_slide, wave_slide_state_t, wave_slide_t
    use adfric_plane_wave_variables, only: in => wave_input, out => wave_output
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_spectrum_rows, only: shift_factor_of, solid_shift_of
+   use adfric_solid_contact_modulus, only: contact_modulus_of
+   use adfric_solid_spectrum_rows, only: poisson_ratio_of, shift_factor_of, solid_shift_of
    use adfric_solid_time_temperature, only: time_temperature_t
    implicit none (type, external)
    private
-   public :: interface_of, add_slide_interface, add_elastic_interface, wave_tractions
+   public :: interface_of, add_slide_interface, add_elastic_interface, add_left_out, wave_tractions
 
 contains
 
@@ -70,7 +72,52 @@ contains
          friction%neighbours(k) = friction%direction*state%friction_stress + shear
       end do
       call store(friction, values, results)
+      call add_left_out_of_slide(values, law, spectrum, point, results)
    end subroutine add_slide_interface
+
+   !> Add what a sliding wave leaves out by a contact of frictionless faces.
+   pure subroutine add_left_out_of_slide(values, law, spectrum, point, results)
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t), intent(in) :: law
+      type(given_spectrum_t), intent(in) :: spectrum
+      !> The point, which has been solved.
+      type(slide_point_t), intent(in) :: point
+      !> In: with the friction. Out: with what is left out; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), half_width
+      integer :: i
+
+      if (.not. point%contact%contact_fraction > 0) return
+      half_width = point%contact%contact_fraction*values(in%period)/2
+      x = contact_nodes(merge(0.0_dp, point%contact%contact_shift, point%contact%is_full), half_width)
+      do i = 1, n_contact_nodes
+         pressure(i) = point%slide%pressure_at(point%contact, x(i))
+      end do
+      associate (material => values(in%material(1):in%temperature))
+         results(out%coupling_left_out) = left_out_of_line(law, abs(values(in%velocity)), values(in%temperature), pressure, &
+            & half_width, values(in%period), poisson_ratio_of(material), modulus_of_contact(point%prony, abs(values(in%velocity)) &
+            & *shift_factor_of(material, spectrum), half_width), results(out%friction_stress))
+      end associate
+   end subroutine add_left_out_of_slide
+
+   !> Add what a wave on an elastic half-plane without adhesion leaves out by a contact of frictionless faces.
+   pure subroutine add_left_out(values, given, results)
+      real(dp), intent(in) :: values(:)
+      type(given_law_t), intent(in) :: given
+      !> In: with the friction. Out: with what is left out; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      type(friction_law_t) :: law
+      type(time_temperature_t) :: none
+      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), gap(n_contact_nodes)
+
+      if (.not. results(out%contact_fraction) > 0 .or. is_set(values(in%second_young_modulus))) return
+      call get_friction_law(interface_of(values), given, none, law)
+      x = contact_nodes(0.0_dp, results(out%contact_width)/2)
+      call get_elastic_wave_profiles(values, results, x, pressure, gap)
+      results(out%coupling_left_out) = left_out_of_line(law, abs(values(in%velocity)), values(in%temperature), pressure, &
+         & results(out%contact_width)/2, values(in%period), values(in%poisson_ratio), &
+         & contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio)), results(out%friction_stress))
+   end subroutine add_left_out
 
    !> Shear of a sliding wave over nominal area [Pa].
    pure subroutine get_slide_shear(values, law, slide, state, shear, slope, is_valid)

@@ -6,22 +6,25 @@ module adfric_plane_wave_model
    use adfric_base_constants, only: two_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
    use adfric_plane_adhesive_sliding_point, only: adhesive_slide_point_t, derive_adhesive_slide, solve_adhesive_slide, &
       & get_adhesive_slide_profiles
    use adfric_plane_adhesive_wave_point, only: adhesive_point_t, derive_adhesion, solve_adhesion, get_adhesive_profiles
+   use adfric_plane_coupled_wave_point, only: coupled_point_t, get_coupled_profiles, solve_coupled_point
    use adfric_plane_elastic_wave_point, only: solve_elastic_wave, get_elastic_wave_profiles
    use adfric_plane_sliding_wave_point, only: slide_point_t, solve_slide, get_slide_profiles
    use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
    use adfric_plane_wave_check, only: check_wave, is_adhesive, is_adhesive_slide, is_sliding
-   use adfric_plane_wave_interface, only: add_elastic_interface, add_slide_interface, interface_of, wave_tractions
+   use adfric_plane_wave_interface, only: add_elastic_interface, add_left_out, add_slide_interface, interface_of, &
+      & wave_tractions
    use adfric_plane_wave_slip_point, only: add_slip, slip_tractions
    use adfric_plane_wave_variables, only: get_wave_variables, get_wave_results, in => wave_input, out => wave_output
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_interface_coulomb_rows, only: has_coulomb
    use adfric_interface_friction_law_rows, only: has_interface, has_law_of_speed
+   use adfric_interface_shear_coupling, only: doubt_left_out, is_coupled
    use adfric_interface_shear_strength_rows, only: get_friction_of_area, has_shear, p_shear_stress, shear_profiles, shear_stress
-   use adfric_interface_total_friction, only: doubt_coupling
-   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum, poisson_ratio_of
+   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
    use adfric_describe_derived, only: derived_t
    use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_pointwise, only: point_state_t
@@ -105,14 +108,19 @@ contains
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
-      real(dp) :: frequency
+      class(point_state_t), allocatable :: state
+      real(dp) :: frequency, results(size(self%results)), counts(0), error_estimate
+      integer :: status
 
       text = ''
-      if (.not. is_sliding(values)) return
-      frequency = two_pi*abs(values(in%velocity))/values(in%period)
-      text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
-      if (has_interface(interface_of(values))) text = text &
-         & //doubt_coupling(poisson_ratio_of(values(in%material(1):in%temperature)))
+      if (is_sliding(values)) then
+         frequency = two_pi*abs(values(in%velocity))/values(in%period)
+         text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
+      end if
+      if (.not. has_interface(interface_of(values)) .or. is_coupled(values(in%coupling))) return
+      results = not_a_number()
+      call self%solve_point(values, state, results, error_estimate, status, counts)
+      if (status == status_solved) text = text//doubt_left_out(results(out%coupling_left_out), error_estimate)
    end function describe_doubts
 
    !> See `model_t`: the steepest slope of the wave.
@@ -175,10 +183,21 @@ contains
          type is (adhesive_point_t)
             call solve_adhesion(values, state, results, error_estimate, status)
          end select
+      else if (is_coupled(values(in%coupling))) then
+         if (.not. allocated(state)) allocate (coupled_point_t :: state)
+         status = status_not_converged
+         error_estimate = 0
+         select type (state)
+         type is (coupled_point_t)
+            call solve_coupled_point(values, self%given_law, state, results, error_estimate, status)
+         end select
       else
          call solve_elastic_wave(values, results, error_estimate, status)
       end if
-      if (status == status_solved .and. .not. is_sliding(values)) call store_friction(self, values, results, status)
+      if (status == status_solved .and. .not. (is_sliding(values) .or. is_coupled(values(in%coupling)))) &
+         & call store_friction(self, values, results, status)
+      if (status == status_solved .and. has_interface(interface_of(values)) .and. .not. (is_sliding(values) .or. &
+         & is_adhesive(values) .or. is_coupled(values(in%coupling)))) call add_left_out(values, self%given_law, results)
       if (status == status_solved .and. has_coulomb(values(in%tangential_stress:in%coefficient))) then
          call add_slip(values, results, is_sustained)
          if (.not. is_sustained) status = status_no_equilibrium
@@ -209,6 +228,7 @@ contains
       call get_friction_of_area(values(in%shear_strength:in%pressure_factor), results(out%contact_fraction), &
          & results(out%mean_pressure), tension, results(out%friction_stress), results(out%friction_coefficient))
       if (.not. has_shear(values(in%shear_strength:in%pressure_factor))) return
+      if (is_set(values(in%coupling))) results(out%hysteretic_friction_stress) = 0
       results([out%interfacial_friction_stress, out%velocity_slope]) = [results(out%friction_stress), 0.0_dp]
       if (results(out%friction_stress) > 0) results(out%interfacial_share) = 1
    end subroutine store_friction
@@ -244,7 +264,7 @@ contains
       if (size(profiles, 3) < p_shear_stress) return
       if (has_coulomb(values(in%tangential_stress:in%coefficient))) then
          profiles(:, 1, p_shear_stress) = slip_tractions(values, results, axes(1)%coordinates)
-      else if (is_sliding(values) .or. has_law_of_speed(interface_of(values))) then
+      else if (is_sliding(values) .or. has_law_of_speed(interface_of(values)) .or. is_coupled(values(in%coupling))) then
          profiles(:, 1, p_shear_stress) = wave_tractions(values, self%given, self%given_law, profiles(:, 1, 1), &
             & results(out%contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
       else
@@ -277,6 +297,13 @@ contains
          select type (state)
          type is (adhesive_point_t)
             call get_adhesive_profiles(state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
+         end select
+         return
+      end if
+      if (is_coupled(values(in%coupling))) then
+         select type (state)
+         type is (coupled_point_t)
+            call get_coupled_profiles(values, state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
          end select
          return
       end if

@@ -7,6 +7,7 @@ module adfric_plane_wave_variables
    use adfric_solid_contact_modulus, only: set_modulus_rows
    use adfric_interface_coulomb_rows, only: set_coulomb_rows, slip_results
    use adfric_interface_friction_law_rows, only: set_law_rows, n_law_rows
+   use adfric_interface_shear_coupling, only: coupling_results, coupling_row
    use adfric_interface_shear_strength_rows, only: set_shear_rows, n_shear_rows
    use adfric_interface_total_friction, only: total_friction_results
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
@@ -23,7 +24,7 @@ module adfric_plane_wave_variables
          & second_young_modulus = 0, second_poisson_ratio = 0, adhesion = 0, surface_energy = 0, adhesion_range = 0, &
          & branch = 0, turning_pressure = 0, material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, &
          & mean_pressure = 0, penetration = 0, shear_strength = 0, pressure_factor = 0, tangential_stress = 0, &
-         & tangential_axis = 0, coefficient = 0, law(n_law_rows) = 0
+         & tangential_axis = 0, coefficient = 0, law(n_law_rows) = 0, coupling = 0
    end type wave_input_t
    type(wave_input_t), parameter, public :: wave_input = transfer(counting, wave_input_t())
    !> Results in the order of their rows; a component is the index of its row.
@@ -37,7 +38,8 @@ module adfric_plane_wave_variables
          & branches_differ = 0, order_margin = 0, zone_leading = 0, zone_trailing = 0, friction_without_adhesion = 0, &
          & adhesive_friction_stress = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, hysteretic_friction_stress = 0, interfacial_friction_stress = 0, &
-         & interfacial_share = 0, velocity_slope = 0
+         & interfacial_share = 0, velocity_slope = 0, largest_coupling = 0, smallest_stiffness_ratio = 0, &
+         & coupling_left_out = 0
    end type wave_output_t
    type(wave_output_t), parameter, public :: wave_output = transfer(counting, wave_output_t())
    !> Number of results.
@@ -72,6 +74,7 @@ contains
       call set_shear_rows(v(wave_input%shear_strength:wave_input%pressure_factor))
       call set_coulomb_rows(v(wave_input%tangential_stress:wave_input%coefficient))
       call set_law_rows(v(wave_input%law(1):wave_input%law(n_law_rows)))
+      v(wave_input%coupling) = coupling_row()
    end function get_wave_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -131,6 +134,7 @@ contains
       call set_sliding_adhesion_results(r)
       r(wave_output%stick_fraction:wave_output%cycle_energy) = slip_results()
       r(wave_output%hysteretic_friction_stress:wave_output%velocity_slope) = total_friction_results('stress', 'Pa')
+      r(wave_output%largest_coupling:wave_output%coupling_left_out) = coupling_results()
    end function get_wave_results
 
    !> Rows of results of adhesion while the wave slides.

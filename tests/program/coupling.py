@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shear stress that moves the contact, through the program: the tables, both directions, units, what is left out, and refusals."""
+
+import csv
+import os
+import re
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from runs import Runs, main  # noqa: E402
+
+REFERENCE = Path(os.environ["ADFRIC_SOURCE"])/"tests/reference"
+# the wave of these scenes, and its contact modulus: E* k D is 2 pi 1e7 Pa
+PERIOD, AMPLITUDE, MODULUS = 1e-3, 1e-5, 1e9
+SLOPE = 2*np.pi*AMPLITUDE/PERIOD
+WAVE = f"&surface kind = 'wave_1d', period = {PERIOD}, amplitude = {AMPLITUDE} /\n"
+FRICTION = "&friction shear_strength = 0.0, pressure_factor = {}, coupling = .true. /\n"
+# scenes with a coupling, of every solver
+SCENES = {
+    "wave_1d": WAVE + "&solid young_modulus = 1e9, poisson_ratio = 0.2 /\n&operating mean_pressure = 1e7, velocity = 0.01 /\n",
+    "hertz": "&surface kind = 'cylinder', radius = 1e-3 /\n&solid young_modulus = 1e9, poisson_ratio = 0.2 /\n"
+             "&operating load = 1e3, velocity = 0.01 /\n",
+    "surface_sliding": WAVE.replace("wave_1d", "wave_2d") + "&solid young_modulus = 1e9, poisson_ratio = 0.2 /\n"
+                       "&operating mean_pressure = 1e7, velocity = 0.01 /\n&numerics cells = 64 /\n",
+    "relaxing": WAVE + "&solid young_modulus = 1e8, poisson_ratio = 0.2, young_moduli = 9e8, relaxation_times = 1e-2 /\n"
+                "&operating mean_pressure = 4e6, velocity = 0.01 /\n&numerics cells = 512 /\n",
+    "layer": WAVE + "&solid young_modulus = 1e9, poisson_ratio = 0.4, extent = 'layer', thickness = 1e-4, base = 'bonded' /\n"
+             "&operating mean_pressure = 1e7, velocity = 0.01 /\n&numerics cells = 512 /\n"}
+
+
+def table(name):
+    """The rows of a reference table."""
+    with open(REFERENCE/f"{name}.csv", newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def solid(nu):
+    return f"&solid young_modulus = {MODULUS*(1 - nu**2):.17g}, poisson_ratio = {nu:.17g} /\n"
+
+
+class Coupling(Runs):
+    def run_scene(self, scene):
+        """The results of a scene, and its solver."""
+        self.write("&job output = 'run.h5' /\n" + scene)
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        with h5py.File(self.folder/"run.h5") as file:
+            self.assertTrue(np.all(file["status"][()] == 0), scene)
+            return {name: item[()] for name, item in file.items()
+                    if isinstance(item, h5py.Dataset) and item.dtype.kind == "f"}, file.attrs["model"]
+
+    def test_waves(self):
+        """Every row of waves, under a mean pressure and at the penetration that belongs to it."""
+        rows = [row for row in table("int_coupling") if row["case"] == "wave_1d"]
+        self.assertEqual(len(rows), 21)
+        unit = MODULUS*SLOPE
+        for mu, nu in sorted({(float(row["mu"]), float(row["nu"])) for row in rows}):
+            some = [row for row in rows if (float(row["mu"]), float(row["nu"])) == (mu, nu)]
+            values = {name: np.array([float(row[name]) for row in some])
+                      for name in ("contact_fraction", "centre_m", "mean_pressure_or_load", "slope_friction_T_s")}
+            scene = WAVE + solid(nu) + FRICTION.format(mu) + "&operating velocity = 1e-3 /\n"
+            loads = ", ".join(f"{q*unit:.17g}" for q in values["mean_pressure_or_load"])
+            found, model = self.run_scene(scene + f"&sweep variable = 'mean_pressure', values = {loads} /\n")
+            self.assertEqual(model, "wave_1d")
+            depths = ", ".join(f"{depth:.17g}" for depth in found["penetration"])
+            again, _ = self.run_scene(scene + f"&sweep variable = 'penetration', values = {depths} /\n")
+            for results, accuracy in ((found, 1e-11), (again, 1e-6)):
+                np.testing.assert_allclose(results["contact_fraction"], values["contact_fraction"], rtol=accuracy)
+                np.testing.assert_allclose(results["contact_shift"], values["centre_m"]*PERIOD/(2*np.pi), rtol=accuracy)
+                force = values["slope_friction_T_s"]*unit*SLOPE
+                np.testing.assert_allclose(results["hysteretic_friction_stress"], force, rtol=accuracy)
+                np.testing.assert_allclose(results["friction_stress"], force + mu*values["mean_pressure_or_load"]*unit, rtol=accuracy)
+
+    def test_cylinders(self):
+        """Every row of cylinders, also with a constant shear stress."""
+        rows = [row for row in table("int_coupling") if row["case"].startswith("cylinder")]
+        self.assertEqual(len(rows), 7)
+        for row in rows:
+            nu, mu, tau = (float(row[name] or 0) for name in ("nu", "mu", "tau_over_Estar"))
+            friction = FRICTION.format(mu).replace("shear_strength = 0.0", f"shear_strength = {tau*MODULUS}")
+            load = float(row["mean_pressure_or_load"])*MODULUS
+            found, model = self.run_scene("&surface kind = 'cylinder', radius = 1.0 /\n" + solid(nu) + friction
+                                          + f"&operating load = {load:.17g}, velocity = 1e-3 /\n")
+            self.assertEqual(model, "hertz")
+            self.assertAlmostEqual(float(found["contact_half_width"]), 0.1, delta=1e-13)
+            np.testing.assert_allclose(found["contact_shift"], float(row["centre_m"]), rtol=1e-12)
+            np.testing.assert_allclose(found["hysteretic_friction_force"], float(row["slope_friction_T_s"])*MODULUS, rtol=1e-12)
+            np.testing.assert_allclose(found["interfacial_friction_force"], mu*load + 0.2*tau*MODULUS, rtol=1e-12)
+
+    def test_viscoelastic_waves(self):
+        """Every row of viscoelastic waves, which cells answer: friction, and the heat of the bulk and of the interface."""
+        for row in table("int_visco_coupled"):
+            r, a, mu, beta, q = (float(row[name]) for name in ("r", "a", "mu", "beta", "mean_pressure"))
+            nu = (1 - 2*beta)/(2*(1 - beta))
+            scene = WAVE + solid(nu).replace(" /", f", young_moduli = {(r - 1)*MODULUS*(1 - nu**2):.17g}, relaxation_times = 1.0 /")
+            found, model = self.run_scene(scene + FRICTION.format(mu) + f"&operating mean_pressure = {q*MODULUS*SLOPE:.17g}, "
+                                          f"velocity = {a*PERIOD/(2*np.pi):.17g} /\n&numerics cells = 2048 /\n")
+            self.assertEqual(model, "surface_sliding")
+            accuracy = max(3*float(row["uncertainty"]), 2e-5)
+            unit = MODULUS*SLOPE**2
+            force, heat = found["hysteretic_friction_stress"]/unit, found["dissipation"]/unit
+            self.assertAlmostEqual(float(force), float(row["slope_friction_direct"]), delta=accuracy)
+            self.assertAlmostEqual(float(heat), float(row["bulk_heat_per_distance"]), delta=accuracy)
+            self.assertAlmostEqual(float(mu*q + force - heat), float(row["interface_heat_per_distance"]), delta=accuracy)
+            self.assertAlmostEqual(float(found["contact_fraction"]), float(row["area_fraction"]), delta=2e-3)
+
+    def test_reversal(self):
+        """The other way all is the same, but for the signs of what is along the motion; and in other units of length, too."""
+        for name, scene in SCENES.items():
+            with self.subTest(scene=name):
+                forward, _ = self.run_scene(scene + FRICTION.format(0.8))
+                backward, _ = self.run_scene(scene.replace("velocity = ", "velocity = -") + FRICTION.format(0.8))
+                self.assertEqual(forward.keys(), backward.keys())
+                for key, value in forward.items():
+                    signed = "friction" in key or key in ("contact_shift", "velocity")
+                    if "error" not in key and key not in ("energy_imbalance", "contact_violation", "lateral_friction_stress"):
+                        np.testing.assert_allclose(backward[key], -value if signed else value, rtol=1e-12, err_msg=f"{name}: {key}")
+                self.assertGreater(forward["friction_force" if name == "hertz" else "friction_stress"], 0)
+                large = re.sub(r"(period|amplitude|radius|thickness|load|velocity) = ([\d.e-]+)",
+                               lambda found: f"{found[1]} = {float(found[2])*1e3!r}", scene)
+                scaled, _ = self.run_scene(large + FRICTION.format(0.8))
+                np.testing.assert_allclose(scaled["friction_coefficient"], forward["friction_coefficient"], rtol=1e-10)
+
+    def test_energy(self):
+        """T_s of an elastic wave follows from its own pressure, and the interface takes all of the friction."""
+        found, _ = self.run_scene(SCENES["wave_1d"] + FRICTION.format(1.0) + f"&output profiles = .true., x_min = {-PERIOD/2}, "
+                                  f"x_max = {PERIOD/2}, n_x = 4001 /\n")
+        pressure, shear = found["pressure"].ravel()[:-1], found["shear_stress"].ravel()[:-1]
+        x = np.linspace(-PERIOD/2, PERIOD/2, 4001)[:-1]
+        m, modulus = 0.6/1.6, 1e9/(1 - 0.2**2)
+        by_energy = -2*m/modulus*(np.mean(pressure**2) - np.mean(pressure)**2)
+        on_slopes = np.mean(pressure*SLOPE*np.sin(2*np.pi*x/PERIOD))
+        np.testing.assert_allclose(found["hysteretic_friction_stress"], by_energy, rtol=1e-5)
+        np.testing.assert_allclose(found["hysteretic_friction_stress"], on_slopes, rtol=1e-4)
+        np.testing.assert_allclose(shear, pressure)
+        self.assertLess(abs(found["energy_imbalance"]), 1e-12)
+        self.assertGreater(found["interfacial_share"], 1)
+
+    def test_off(self):
+        """With coupling = .false. the numbers are those without the name, and what is left out is what the coupling adds."""
+        for name in ("wave_1d", "hertz", "surface_sliding", "relaxing", "layer"):
+            with self.subTest(scene=name):
+                scene = SCENES[name]
+                friction = FRICTION.format(0.05)
+                if name == "wave_1d":
+                    scene = scene.replace(", velocity = 0.01", "")
+                off, model = self.run_scene(scene + friction.replace(".true.", ".false."))
+                on, _ = self.run_scene(SCENES[name] + friction)
+                bare = scene.replace("&numerics cells = 512 /\n", "")
+                if name == "surface_sliding":
+                    bare = bare.replace(", velocity = 0.01", "")
+                plain, other = self.run_scene(bare + friction.replace(", coupling = .true.", ""))
+                if model == other and "cells" not in SCENES[name]:
+                    for key in off.keys() & plain.keys():
+                        np.testing.assert_array_equal(off[key], plain[key], err_msg=key)
+                key = "friction_force" if name == "hertz" else "friction_stress"
+                change = (on[key] - off[key])/off[key]
+                self.assertNotIn("coupling_left_out", on)
+                # of a viscoelastic solid the change of the pressure is not in the number
+                left_out = plain if model == other else off
+                if "coupling_left_out" in left_out:
+                    np.testing.assert_allclose(left_out["coupling_left_out"], change, rtol=0.5 if name == "relaxing" else 0.02)
+
+    def test_check(self):
+        """`check` says what is left out, and by how much; nothing where it is taken in or 0."""
+        for name in ("wave_1d", "hertz"):
+            scene = SCENES[name] if name == "hertz" else SCENES[name].replace(", velocity = 0.01", "")
+            friction = FRICTION.format(0.5).replace(", coupling = .true.", "")
+            self.write("&job output = 'run.h5' /\n" + scene + friction)
+            page, _ = self.run_program("check", "run.nml")
+            found, _ = self.run_scene(scene + friction)
+            said = re.search(r"it changes the friction by +(\S+) of it to first order, beside an error of", page)
+            self.assertIsNotNone(said, page)
+            np.testing.assert_allclose(float(said[1]), found["coupling_left_out"], rtol=0.06)
+            for text in (SCENES[name] + FRICTION.format(0.5), scene.replace("0.2", "0.5") + friction):
+                self.write("&job output = 'run.h5' /\n" + text)
+                page, _ = self.run_program("check", "run.nml")
+                self.assertNotIn("changes the friction", page)
+        self.write("&job output = 'run.h5' /\n" + SCENES["relaxing"] + FRICTION.format(0.5))
+        page, _ = self.run_program("check", "run.nml")
+        self.assertIn("surface_sliding", page)
+        self.assertNotIn("the only one", page)
+        thin = SCENES["layer"].replace("poisson_ratio = 0.4", "poisson_ratio = 0.49, young_moduli = 9e9, relaxation_times = 2e-2")
+        for text, is_doubted in ((thin + FRICTION.format(1.5), True), (thin + FRICTION.format(0.05), False)):
+            self.write("&job output = 'run.h5' /\n" + text)
+            page, _ = self.run_program("check", "run.nml")
+            self.assertEqual("nothing proves that the contact is the only one" in page, is_doubted, page)
+            found, _ = self.run_scene(text)
+            self.assertEqual(found["smallest_stiffness_ratio"] < 0, is_doubted)
+
+    def test_refused(self):
+        """One line, status 2."""
+        friction = FRICTION.format(0.5)
+        wave = SCENES["wave_1d"]
+        columns = WAVE + ("&solid extent = 'foundation', stiffness = 1e13, relaxation_time = 1e-3, retardation_ratio = 5.0 /\n"
+                          "&operating mean_pressure = 1e6, velocity = 0.01 /\n")
+        for text, message in (
+                (wave.replace("young_modulus = 1e9, poisson_ratio = 0.2", "contact_modulus = 1e9") + friction, "poisson_ratio"),
+                (wave.replace(", velocity = 0.01", "") + friction, "velocity"),
+                (wave + "&friction coupling = .true. /\n", "nothing solves"),
+                (wave + "&friction coulomb_coefficient = 0.3, coupling = .true. /\n", "nothing solves"),
+                (columns + friction, "coupling"),
+                (wave + friction.replace("strength = 0.0", "strength = 1e6") + "&adhesion work_of_adhesion = 0.05, adhesion_stress = 1e6 /\n", "beside adhesion"),
+                (SCENES["layer"].replace("bonded", "frictionless") + friction, "coupling"),
+                (SCENES["surface_sliding"] + friction.replace("shear_strength = 0.0", "shear_strength = 1e5"), "shear_strength = 0"),
+                (SCENES["hertz"].replace("cylinder", "paraboloid").replace("velocity = 0.01", "state = 'sliding'")
+                 + "&friction shear_strength = 1e5, coupling = .true. /\n", "coupling")):
+            with self.subTest(text=text):
+                self.write("&job output = 'run.h5' /\n" + text)
+                _, errors = self.run_program("run", "--quiet", "--force", "run.nml", status=2)
+                self.assertIn(message, errors)
+
+
+if __name__ == "__main__":
+    main()
