@@ -70,7 +70,8 @@ AREAS = {
         one("edge_rule_fig5"), one("edge_rule_fig6"), one("edge_rule_front")),
     "Rough lines and real materials": (
         one("rubber_velocity"), one("rubber_master_curve"), one("line_scan"), one("rubber_map"),
-        one("edge_rules_continuous", "edge_rules_instantaneous", "edge_rules_front")),
+        one("edge_rules_continuous", "edge_rules_instantaneous", "edge_rules_front"),
+        one("layer_limit_columns", "layer_limit_thin", "layer_limit_thick", options="--y friction_stress contact_fraction")),
     "A sphere": (
         one("johnson1997_fig3"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
         one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"), one("johnson1997_fig11"),
