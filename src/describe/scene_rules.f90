@@ -21,7 +21,7 @@ module adfric_describe_scene_rules
    character(*), parameter :: in_elastic = 'hertz,wave_1d', &
       & slips = 'hertz,indenter,wave_1d,wave_2d_elastic,surface_elastic', with_depth = 'rigid_punch,line_load,strip_load', &
       & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter', &
-      & sums = 'hertz,wave_1d,wavy_sliding,surface_sliding'
+      & sums = 'hertz,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,surface_sliding'
 
    !> Variables. A group stands for all its variables that no rule before it names.
    character(*), parameter :: variable_rules(*) = [character(120) :: &
@@ -268,7 +268,16 @@ module adfric_describe_scene_rules
       & sums//' interfacial_share - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !shear', &
       & 'surface_sliding velocity_slope -', &
-      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves']
+      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
+      & heats//' contact_temperature - !heat', &
+      & heats//' flash_temperature - !heat', &
+      & heats//' peak_flash_temperature - !heat', &
+      & heats//' background_temperature_rise - !heat', &
+      & heats//' thermal_gain - !heat', &
+      & heats//' thermal_states - !heat', &
+      & heats//' heat_share - !heat', &
+      & heats//' bulk_heat - !heat', &
+      & heats//' interface_heat - !heat']
 
    !> Profiles.
    character(*), parameter :: profile_rules(*) = [character(120) :: &

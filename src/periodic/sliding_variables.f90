@@ -5,6 +5,7 @@ module adfric_periodic_sliding_variables
    use adfric_base_counting, only: counting
    use adfric_base_unset, only: unset
    use adfric_interface_friction_law_rows, only: n_interface_rows, set_law_rows
+   use adfric_interface_heat_rows, only: heat_results, n_heat_results, n_heat_rows, set_heat_rows
    use adfric_interface_shear_strength_rows, only: n_shear_rows, set_shear_rows
    use adfric_interface_total_friction, only: total_friction_results
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
@@ -34,10 +35,12 @@ module adfric_periodic_sliding_variables
    integer, parameter, public :: s_thickness = n_spectrum_rows + 1, s_base = n_spectrum_rows + 2, &
       & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4, &
       & s_temperature = n_spectrum_rows, s_friction = n_spectrum_rows + 5
-   !> Indices of the last row of the interface, of the first and last one of adhesion, and number of all.
+   !> Indices of the last row of the interface, and of the first and last one of adhesion.
    integer, parameter, public :: s_last_friction = s_friction + n_interface_rows - 1, s_adhesion = s_last_friction + 1, &
       & s_last_adhesion = s_last_friction + n_adhesion_rows
-   integer, parameter, public :: n_solid_rows = s_last_adhesion
+   !> Indices of the first and last row of heat, and number of all.
+   integer, parameter, public :: s_heat = s_last_adhesion + 1, s_last_heat = s_last_adhesion + n_heat_rows
+   integer, parameter, public :: n_solid_rows = s_last_heat
    !> Bases of the layer, in the order of the choice.
    integer, parameter, public :: base_frictionless = 1, base_bonded = 2
 
@@ -48,7 +51,7 @@ module adfric_periodic_sliding_variables
          & contact_shift = 0, dissipation = 0, energy_imbalance = 0, regime = 0, smooth_fraction = 0, &
          & hysteretic_friction_stress = 0, interfacial_friction_stress = 0, interfacial_share = 0, velocity_slope = 0, &
          & adhesion_fraction = 0, cells_per_zone = 0, friction_without_adhesion = 0, &
-         & adhesive_friction_stress = 0, order_margin = 0
+         & adhesive_friction_stress = 0, order_margin = 0, heat(n_heat_results) = 0
    end type sliding_output_t
    type(sliding_output_t), parameter, public :: sliding_output = transfer(counting(n_periodic_results + 1:), sliding_output_t())
    integer, parameter, public :: n_sliding_results = n_periodic_results + storage_size(sliding_output)/storage_size(1)
@@ -80,7 +83,7 @@ contains
       v(sliding_input%cells)%default = unset
    end subroutine set_surface_rows
 
-   !> Rows of the material, the layer, the velocity and the interface.
+   !> Rows of the material, the layer, the velocity, the interface, adhesion and heat.
    subroutine set_solid_rows(v)
       !> Receives the rows; shape `(n_solid_rows)`.
       type(variable_t), intent(inout) :: v(:)
@@ -97,6 +100,7 @@ contains
       call set_shear_rows(v(s_friction:s_friction + n_shear_rows - 1))
       call set_law_rows(v(s_friction + n_shear_rows:s_last_friction))
       call set_adhesion_rows(v(s_adhesion:s_last_adhesion))
+      call set_heat_rows(v(s_heat:s_last_heat))
    end subroutine set_solid_rows
 
    !> Cells along a period of a wave.
@@ -146,6 +150,7 @@ contains
          & long_name='the rest of the friction stress')
       r(sliding_output%order_margin) = result_row(name='order_margin', unit='-', &
          & long_name='least value of the kernel of memory over its largest; where >= 0, branches bound all states on a half-plane')
+      r(sliding_output%heat(1):) = heat_results('W/m^2')
    end function get_sliding_results
 
 end module adfric_periodic_sliding_variables

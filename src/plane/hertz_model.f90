@@ -10,7 +10,7 @@ module adfric_plane_hertz_model
    use adfric_interface_friction_law_rows, only: has_interface
    use adfric_interface_shear_strength_rows, only: n_shear_rows
    use adfric_interface_total_friction, only: doubt_coupling
-   use adfric_plane_cylinder_interface, only: add_cylinder_interface, set_cylinder_tractions
+   use adfric_plane_cylinder_interface, only: add_cylinder_interface, doubt_cylinder_heat, set_cylinder_tractions
    use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
    use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
@@ -162,14 +162,20 @@ contains
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
-      real(dp) :: frequency
+      character(:), allocatable :: text, of_heat
+      real(dp) :: frequency, unused(size(self%results)), error
+      type(cylinder_point_t) :: point
+      integer :: status
 
       text = ''
       if (.not. is_sliding(values)) return
       call get_cylinder_frequency(values, self%given, frequency)
       text = doubt_spectrum(values(in%material(1):in%temperature), self%given, [frequency, frequency])
       if (has_interface(values(in%friction))) text = text//doubt_coupling(poisson_ratio_of(values(in%material(1):in%temperature)))
+      call solve_cylinder(values, self%given, point, unused, error, status)
+      if (status /= status_solved) return
+      call doubt_cylinder_heat(values, self%given, self%given_law, point, of_heat)
+      text = text//of_heat
    end function describe_doubts
 
    !> E* [Pa].
@@ -327,7 +333,7 @@ contains
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What `solve_block` found for this point, not used here.
+      !> What `solve_block` found for this point.
       real(dp), intent(in) :: results(:)
       !> The contact of the point.
       class(point_state_t), allocatable, intent(in) :: state
@@ -341,7 +347,7 @@ contains
       type is (cylinder_point_t)
          do j = 1, size(axes(1)%coordinates)
             call get_cylinder_profiles(state, axes(2)%coordinates, profiles(:, j, 1), profiles(:, j, 2))
-            if (size(profiles, 3) == p_shear_stress) call set_cylinder_tractions(values, self%given, self%given_law, &
+            if (size(profiles, 3) == p_shear_stress) call set_cylinder_tractions(values, self%given, self%given_law, results, &
                & profiles(:, j, 1), profiles(:, j, p_shear_stress))
          end do
       type is (hertz_state_t)
@@ -360,8 +366,6 @@ contains
             end do
          end associate
       end select
-      associate (unused_results => results)
-      end associate
    end subroutine fill_profiles
 
    !> Shear tractions along a line of x.

@@ -1,0 +1,153 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Heat of a periodic surface that slides: the temperature of its contact, which the law of friction has, and the map of it.
+!>
+!> Heat of the interface is made where it rubs, and makes flashes. That of the losses in the solid is made below, and counts for the
+!> background alone. The relaxation times of the solid have the given temperature: what a flash heats is thinner than what is dented.
+module adfric_periodic_sliding_heat
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_interface_friction_law, only: friction_law_t
+   use adfric_interface_heat_rows, only: get_heat, h_background, h_bulk, h_contact, h_flash, h_gain, h_interface, h_peak, h_share, &
+      & h_states, heat_t
+   use adfric_interface_thermal_states, only: heated_contact_t, thermal_states_t
+   use adfric_interface_total_friction, only: interface_tractions
+   use adfric_periodic_flash_cells, only: flash_cells_t, heated_bodies_t, new_flash_cells
+   use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_sliding_variables, only: s_heat, s_last_heat, s_temperature, s_thickness, s_velocity
+   use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
+   use adfric_base_unset, only: is_set
+   implicit none (type, external)
+   private
+   public :: find_contact_temperature, set_temperature_map
+
+contains
+
+   !> The temperature of the contact, and all results of heat.
+   subroutine find_contact_temperature(values, law, surface, pressure, is_contact, losses, temperature, results, is_valid)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t), intent(in) :: law
+      !> Periods and cells of the surface [m], and the solid with the direction of the motion.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Pressure in the cells, below 0 where adhesion pulls [Pa], and where the faces touch; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+      logical, intent(in) :: is_contact(:, :)
+      !> Friction of the losses in the solid, over nominal area [Pa].
+      real(dp), intent(in) :: losses
+      !> Mean temperature of the contact [K].
+      real(dp), intent(out) :: temperature
+      !> Receives the results; shape `(n_heat_results)`.
+      real(dp), intent(out) :: results(:)
+      !> Were the states and the partition of the heat found?
+      logical, intent(out) :: is_valid
+      type(flash_cells_t) :: flash
+      type(heat_t) :: heat
+      type(heated_contact_t) :: contact
+      type(thermal_states_t) :: states
+      real(dp), allocatable :: weights(:, :), rise(:, :), tractions(:, :)
+      integer :: n
+
+      results = not_a_number()
+      temperature = values(s_temperature)
+      call get_heat(values(s_heat:s_last_heat), values(s_thickness), heat)
+      n = count(is_contact)
+      associate (speed => values(s_velocity))
+         is_valid = .true.
+         results([h_bulk, h_background]) = speed*losses*[1.0_dp, heat%background]
+         temperature = temperature + results(h_background)
+         results(h_interface) = 0
+         if (n == 0) return
+         allocate (weights(size(pressure, 1), size(pressure, 2)), source=0.0_dp)
+         if (speed > 0) call set_flash(heat, values, surface, flash, is_valid)
+         if (speed > 0 .and. is_valid) call flash%get_weights(is_contact, weights, is_valid)
+         if (.not. is_valid) return
+         contact = heated_contact_t(law=law, speed=speed, base=temperature, pressure=pack(pressure, is_contact), &
+            & weights=speed*(pack(weights, is_contact) + heat%background/size(is_contact)))
+         call contact%find_states(states, is_valid)
+         if (.not. is_valid) return
+         n = merge(states%n, 1, heat%is_hot)
+         temperature = states%temperature(n)
+         results([h_contact, h_gain, h_states]) = [temperature, states%gain(n), real(states%n, dp)]
+         call set_tractions(law, speed, temperature, pressure, is_contact, tractions)
+         results(h_interface) = speed*sum(tractions)/size(tractions)
+         results(h_background) = results(h_background) + heat%background*results(h_interface)
+         results(h_flash) = speed*sum(weights*tractions)
+         results([h_peak, h_share]) = [0.0_dp, not_a_number()]
+         if (.not. results(h_interface) > 0) return
+         allocate (rise, mold=weights)
+         call flash%get_temperature(is_contact, speed*tractions, rise, results(h_share), is_valid)
+         results(h_peak) = maxval(rise)
+      end associate
+   end subroutine find_contact_temperature
+
+   !> The waves of the surface.
+   subroutine set_flash(heat, values, surface, flash, is_valid)
+      type(heat_t), intent(in) :: heat
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t), intent(in) :: surface
+      type(flash_cells_t), intent(out) :: flash
+      !> Is there memory for them?
+      logical, intent(out) :: is_valid
+      type(heated_bodies_t) :: bodies
+      type(error_t), allocatable :: error
+
+      bodies = heated_bodies_t(conductivity=heat%conductivity, diffusivity=heat%diffusivity, &
+         & second_conductivity=heat%second_conductivity)
+      if (is_set(values(s_thickness))) bodies%thickness = values(s_thickness)
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         bodies%velocity = values(s_velocity)*solid%motion%direction()
+      end select
+      call new_flash_cells(flash, bodies, surface%n_cells, surface%period, error)
+      is_valid = .not. allocated(error)
+   end subroutine set_flash
+
+   !> Shear stress of all cells.
+   subroutine set_tractions(law, speed, temperature, pressure, is_contact, tractions)
+      type(friction_law_t), intent(in) :: law
+      real(dp), intent(in) :: speed, temperature
+      real(dp), intent(in) :: pressure(:, :)
+      logical, intent(in) :: is_contact(:, :)
+      !> Receives the shear stress [Pa].
+      real(dp), allocatable, intent(out) :: tractions(:, :)
+      integer :: j
+
+      allocate (tractions(size(pressure, 1), size(pressure, 2)))
+      do j = 1, size(pressure, 2)
+         tractions(:, j) = interface_tractions(law, speed, temperature, pressure(:, j), is_contact(:, j))
+      end do
+   end subroutine set_tractions
+
+   !> Set the map of the temperature of the surface.
+   subroutine set_temperature_map(values, surface, is_contact, tractions, rise, map)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and cells of the surface [m], and the solid with the direction of the motion.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Where the faces touch, and the shear stress [Pa]; shape `(nx, ny)`.
+      logical, intent(in) :: is_contact(:, :)
+      real(dp), intent(in) :: tractions(:, :)
+      !> Rise of the background [K].
+      real(dp), intent(in) :: rise
+      !> Receives the temperature [K]; NaN where it is not known; shape `(nx, ny)`.
+      real(dp), intent(out) :: map(:, :)
+      type(flash_cells_t) :: flash
+      type(heat_t) :: heat
+      real(dp), allocatable :: heat_of_cells(:, :)
+      real(dp) :: share
+      logical :: is_valid
+
+      call get_heat(values(s_heat:s_last_heat), values(s_thickness), heat)
+      map = 0
+      is_valid = .true.
+      if (values(s_velocity) > 0 .and. any(tractions > 0)) then
+         call set_flash(heat, values, surface, flash, is_valid)
+         heat_of_cells = values(s_velocity)*tractions
+         if (is_valid) call flash%get_temperature(is_contact, heat_of_cells, map, share, is_valid)
+      end if
+      map = map + values(s_temperature) + rise
+      if (.not. is_valid) map = not_a_number()
+   end subroutine set_temperature_map
+
+end module adfric_periodic_sliding_heat
