@@ -77,6 +77,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> Thickness of the layer [m], or unset.
       real(dp), intent(in) :: thickness
+      !> Receives the heat.
       type(heat_t), intent(out) :: heat
 
       heat%conductivity = values(conductivity)
@@ -113,6 +114,7 @@ contains
       real(dp), intent(in) :: thickness
       !> Is the contact a single one along a line, which has no nominal area?
       logical, intent(in) :: is_line
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -128,9 +130,10 @@ contains
             & //'background = ''slab''')
          if (is_set(values(time)) .and. background_of(values) /= of_time) call refuse(time, 'has no meaning without ' &
             & //'background = ''time''')
-         if (background_of(values) == of_slab .and. .not. is_set(thickness)) call require(table, values_of_table, &
-            & [first - 1 + slab], problems)
-         if (background_of(values) == of_time) call require(table, values_of_table, [first - 1 + time], problems)
+         if (background_of(values) == of_slab .and. .not. is_set(thickness) .and. .not. is_line) call require(table, &
+            & values_of_table, [first - 1 + slab], problems)
+         if (background_of(values) == of_time .and. .not. is_line) call require(table, values_of_table, [first - 1 + time], &
+            & problems)
          if (is_line .and. background_of(values) /= as_prescribed) then
             call refuse(background, 'is not ''prescribed''; one line on a half-space has no nominal area whose heat would count')
          else if (background_of(values) /= as_prescribed .and. values(second) > 0 .and. is_set(values(second))) then
@@ -185,6 +188,7 @@ contains
    subroutine doubt_heat(values, law, temperature, half_width, text)
       !> Values of the rows, which have been checked; shape `(n_heat_rows)`.
       real(dp), intent(in) :: values(:)
+      !> The law of the interface.
       type(friction_law_t), intent(in) :: law
       !> Temperature without heat [K].
       real(dp), intent(in) :: temperature

@@ -1,17 +1,22 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The temperature of a contact that heats itself: states of T = T0 + sum of w_i tau(p_i, v, T).
 !>
-!> The shear stress tau makes the heat v tau where it acts, and heat raises the temperature in proportion. So the weights w_i [K/Pa] tell
-!> by how much a shear stress at each position, or in each cell, warms the contact in the mean. The law has the mean temperature of the
+!> The shear stress tau makes the heat v tau where it acts, and heat raises the temperature in proportion. So the weights w_i [K/Pa]
+!> tell
+!> by how much a shear stress at each position, or in each cell, warms the contact in the mean. The law has the mean temperature of
+!> the
 !> contact everywhere.
 !>
-!> A law that falls with the temperature has one state. One that rises with it, as rubber does that is colder than at the maximum of its
+!> A law that falls with the temperature has one state. One that rises with it, as rubber does that is colder than at the maximum of
+!> its
 !> law, may have several: cold with little friction, hot with more, and between both one that is not stable. States are where
-!> f(T) = T - T0 - sum of w_i tau is 0. f is below 0 at T0, and above 0 at T0 + sum of w_i times the largest stress. Between nodes it is
+!> f(T) = T - T0 - sum of w_i tau is 0. f is below 0 at T0, and above 0 at T0 + sum of w_i times the largest stress. Between nodes
+!> it is
 !> looked for changes of sign, and for a least or largest value on the other side of 0.
 !>
 !> Of the law log_gaussian no state is missed. y = log10(v a_T/v_p) is linear in 1/T (Arrhenius) or 1/(T - T0 + c2) (WLF), and rises
-!> from the value y0 of hot contacts as these cool. d2 tau/dT2 has the sign of 2 c y^3 - 2 c y0 y^2 - 3 y + y0, which changes at most
+!> from the value y0 of hot contacts as these cool. d2 tau/dT2 has the sign of 2 c y^3 - 2 c y0 y^2 - 3 y + y0, which changes at
+!> most
 !> twice at y > y0. These changes are nodes, and between nodes f is convex or concave. So there are at most three states.
 module adfric_interface_thermal_states
    use adfric_base_kinds, only: dp
@@ -78,7 +83,7 @@ contains
 
       call self%get_excess(self%base, value, slope, is_converged)
       if (.not. is_converged) return
-      if (.not. value < 0) then
+      if (.not. -value > spacing(self%base)/2) then
          ! no heat, or so little that it is below round-off
          call self%add_state(self%base, states, is_converged)
          return
@@ -98,7 +103,9 @@ contains
       class(heated_contact_t), intent(in) :: self
       !> Temperature [K].
       real(dp), intent(in) :: x
+      !> f [K], or its slope [-].
       real(dp), intent(out) :: value
+      !> Change of it with T.
       real(dp), intent(out) :: slope
       real(dp) :: other
       logical :: is_valid
@@ -118,6 +125,7 @@ contains
       class(heated_contact_t), intent(in) :: self
       !> T [K].
       real(dp), intent(in) :: temperature
+      !> f [K], and its slope [-].
       real(dp), intent(out) :: value, slope
       !> Does the law hold there? Else the value is that without heat.
       logical, intent(out) :: is_valid
@@ -143,7 +151,9 @@ contains
       class(heated_contact_t), intent(in) :: self
       !> T [K].
       real(dp), intent(in) :: temperature
+      !> The sum [K], and its change with T [-].
       real(dp), intent(out) :: rise, change
+      !> Does the law hold there?
       logical, intent(out) :: is_valid
       type(friction_law_t) :: without
       real(dp) :: stress, slope
@@ -271,7 +281,9 @@ contains
       class(heated_contact_t), intent(in) :: self
       !> Temperatures, rising [K].
       real(dp), intent(in) :: nodes(:)
+      !> Receives the states.
       type(thermal_states_t), intent(inout) :: states
+      !> Was each of them found?
       logical, intent(inout) :: is_converged
       real(dp) :: ends(2), values(2), slopes(2)
       integer :: k
@@ -298,7 +310,9 @@ contains
       class(heated_contact_t), intent(in) :: self
       !> Temperatures at its ends [K], f there, and the slopes of f.
       real(dp), intent(in) :: ends(2), values(2), slopes(2)
+      !> Receives the states.
       type(thermal_states_t), intent(inout) :: states
+      !> Was each of them found?
       logical, intent(out) :: is_converged
       type(heated_contact_t) :: derivative
       real(dp) :: x, turn, value, slope
@@ -333,6 +347,7 @@ contains
       class(heated_contact_t), intent(in) :: self
       !> Its temperature [K].
       real(dp), intent(in) :: temperature
+      !> Receives the state.
       type(thermal_states_t), intent(inout) :: states
       !> Does the law hold there, and is there space for the state?
       logical, intent(out) :: is_converged

@@ -1,15 +1,19 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Flash temperatures on the cells of a periodic surface.
 !>
-!> A wave exp(ik.x) of the flux into a solid that moves at -V below the body has the temperature T = q/(lambda s), s^2 = k^2 - i k.V/kappa,
-!> Re s > 0, with the conductivity lambda and the diffusivity kappa; of a layer on a base of fixed temperature times tanh(s H). The body
-!> rests in this frame: T = q/(lambda_2 |k|). The mean, k = 0, has no steady state on a half-space and is left out: flash temperatures have
+!> A wave exp(ik.x) of the flux into a solid that moves at -V below the body has the temperature T = q/(lambda s), s^2 = k^2 - i
+!> k.V/kappa,
+!> Re s > 0, with the conductivity lambda and the diffusivity kappa; of a layer on a base of fixed temperature times tanh(s H). The
+!> body
+!> rests in this frame: T = q/(lambda_2 |k|). The mean, k = 0, has no steady state on a half-space and is left out: flash
+!> temperatures have
 !> no mean over the surface.
 !>
 !> Fluxes are constant in cells, and temperatures are means over cells. So a wave of the cells stands for all its aliases k + K, K a
 !> multiple of 2 pi over the length of a cell, with the factor sinc^2 of each. The first ones are summed, and the rest estimated.
 !>
-!> In contact both bodies have one temperature, and share the heat Q: A1 q = A2 (Q - q) in the cells of contact, and no flux in gaps.
+!> In contact both bodies have one temperature, and share the heat Q: A1 q = A2 (Q - q) in the cells of contact, and no flux in
+!> gaps.
 !> A1 is not symmetric.
 module adfric_periodic_flash_cells
    use adfric_base_kinds, only: dp
@@ -44,6 +48,7 @@ module adfric_periodic_flash_cells
    !> Temperatures of a surface. Not to be copied.
    type, extends(linear_map_t) :: flash_cells_t
       private
+      !> Transforms of the cells.
       type(spectral_filter_t) :: filter
       !> Temperature over flux of each wave of the solid, and of the body, over the gain of the transforms; shape
       !> `(n_modes(2), n_modes(1))`.
@@ -115,7 +120,7 @@ contains
       complex(dp) :: of_wave(2)
       real(dp) :: share(2), k(2)
       integer :: m1, m2, last(2), first(2)
-      logical :: is_middle(2)
+      logical :: is_middle(2), is_own(2)
 
       last = merge(aliases_of_map, 0, n_cells > 1)
       if (n_cells(2) == 1) last(1) = aliases_of_line
@@ -132,9 +137,12 @@ contains
             k = two_pi*(waves + [m1, m2]*n_cells)/period
             call get_wave(bodies, k, of_wave)
             sums = sums + product(share)*of_wave
-            ! beyond the last ones terms fall with the third power
-            if (m1 == last(1) .and. m2 == 0 .and. waves(1) /= 0) sums = sums + product(share)*real(of_wave, dp)*rest_of(last(1))
-            if (m2 == last(2) .and. m1 == 0 .and. waves(2) /= 0) sums = sums + product(share)*real(of_wave, dp)*rest_of(last(2))
+            ! beyond the last ones, on the axes of the wave itself
+            is_own = [m1, m2] == 0 .or. (is_middle .and. [m1, m2] == -1)
+            if (waves(1) /= 0 .and. is_own(2) .and. any(m1 == [first(1), last(1)])) sums = sums &
+               & + product(share)*rest_of(bodies, k, 1, period/n_cells)*of_wave
+            if (waves(2) /= 0 .and. is_own(1) .and. any(m2 == [first(2), last(2)])) sums = sums &
+               & + product(share)*rest_of(bodies, k, 2, period/n_cells)*of_wave
          end do
       end do
       ! the two waves of two cells are one real wave
@@ -154,11 +162,25 @@ contains
       if (wave /= 0) share = (sin(pi*wave/n)/(pi*(wave + real(alias, dp)*n)/n))**2
    end function share_of
 
-   !> Terms beyond the last alias on both sides, over its own.
-   pure real(dp) function rest_of(last)
-      integer, intent(in) :: last
+   !> Terms beyond the last alias on a side, over its own: they fall with a power between 5/2 and 3.
+   pure real(dp) function rest_of(bodies, k, axis, lengths)
+      type(heated_bodies_t), intent(in) :: bodies
+      !> Wave vector of the alias [1/m].
+      real(dp), intent(in) :: k(2)
+      !> 1 for x, 2 for y.
+      integer, intent(in) :: axis
+      !> Lengths of a cell [m].
+      real(dp), intent(in) :: lengths(2)
+      real(dp) :: power
+      complex(dp) :: s_squared
 
-      rest_of = last**3/(last + 0.5_dp)**2
+      associate (along => bodies%velocity/bodies%diffusivity)
+         s_squared = cmplx(sum(k**2), -dot_product(k, along), dp)
+         power = 2 + real(cmplx(2*k(axis)**2, -k(axis)*along(axis), dp)/(2*s_squared), dp)
+      end associate
+      associate (last => abs(k(axis))*lengths(axis)/two_pi)
+         rest_of = last/(power - 1)*(last/(last + 0.5_dp))**(power - 1)
+      end associate
    end function rest_of
 
    !> Temperature over flux of a wave.

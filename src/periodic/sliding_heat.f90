@@ -2,7 +2,8 @@
 !> Heat of a periodic surface that slides: the temperature of its contact, which the law of friction has, and the map of it.
 !>
 !> Heat of the interface is made where it rubs, and makes flashes. That of the losses in the solid is made below, and counts for the
-!> background alone. The relaxation times of the solid have the given temperature: what a flash heats is thinner than what is dented.
+!> background alone. The relaxation times of the solid have the given temperature: what a flash heats is thinner than what is
+!> dented.
 module adfric_periodic_sliding_heat
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
