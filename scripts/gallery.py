@@ -97,7 +97,7 @@ AREAS = {
         one("wave_1d_interface"),
         one("wave_1d_adhesive_sliding", options="--x velocity --y friction_stress friction_stress_without_adhesion pull_off_pressure"),
         one("wave_2d_elastic"), one("wave_2d_contact"),
-        one("lecture_wave_cuts", options="--cut y=0 y=x"), one("wave_2d_sliding"),
+        one("lecture_wave_cuts", options="--cut y=0 y=x"), one("wave_2d_sliding"), one("rubber_flash_temperature"),
         one("wave_2d_sliding_adhesion", options="--y friction_stress friction_stress_without_adhesion contact_fraction"),
         one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
         one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),
