@@ -164,7 +164,9 @@ module adfric_describe_scene_rules
       & 'sphere friction_force tangential_force', &
       & 'indenter friction_force friction_force slides', &
       & 'indenter friction_force -', &
+      & 'indenter tangential_force - moves', &
       & 'indenter tangential_force - !driven', &
+      & 'indenter velocity_slope - !moves', &
       & round//' sliding_force - slides', &
       & round//' sliding_force - !lateral', &
       & round//' sliding_force friction_force', &
