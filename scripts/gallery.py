@@ -80,7 +80,7 @@ AREAS = {
         one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"), one("lecture_jkr"),
         one("sphere_pull_off_edge"), one("sphere_sample"), one("sphere_uncertain")),
     "Fits of measured data": (
-        one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_map"), one("force_map")),
+        one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_interface"), one("fit_map"), one("force_map")),
     "Indenters": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
         one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial"), one("indenter_slip"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"), one("indenter_peeling", options="--y contact_radius tangential_displacement"), one("indenter_hysteresis"), one("indenter_fretting"), one("indenter_spring"), one("indenter_pull_off"),

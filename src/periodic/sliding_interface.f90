@@ -2,6 +2,7 @@
 !> Friction of `surface_sliding` with a law of the interface, as a sum with what the solid loses. The contact is that of frictionless
 !> faces: exact on a half-space of Poisson's ratio 1/2.
 module adfric_periodic_sliding_interface
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_not_a_number, only: not_a_number
@@ -206,7 +207,7 @@ contains
 
       call law_of_surface(values, spectrum, given, law)
       temperature = values(s_temperature)
-      if (has_surface_heat(values) .and. results(out%heat(h_contact)) > 0) temperature = results(out%heat(h_contact))
+      if (has_surface_heat(values) .and. .not. ieee_is_nan(results(out%heat(h_contact)))) temperature = results(out%heat(h_contact))
       do j = 1, size(maps, 2)
          maps(:, j, p_shear_stress) = interface_tractions(law, values(s_velocity), temperature, maps(:, j, 1), &
             & .not. maps(:, j, 2) > 0)

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of a cylinder that slides over a viscoelastic half-plane with a law of the interface: the sum with what the solid loses.
 module adfric_plane_cylinder_interface
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_friction_law, only: friction_law_t
@@ -163,7 +164,8 @@ contains
 
       call law_of_cylinder(values, spectrum, given, law)
       temperature = values(in%temperature)
-      if (has_heat(values(in%heat)) .and. results(out%heat(h_contact)) > 0) temperature = results(out%heat(h_contact))
+      if (has_heat(values(in%heat)) .and. .not. ieee_is_nan(results(out%heat(h_contact)))) &
+         & temperature = results(out%heat(h_contact))
       shear = interface_tractions(law, values(in%velocity), temperature, pressure, pressure > 0)
    end subroutine set_cylinder_tractions
 
