@@ -6,6 +6,7 @@ import copy
 import numpy as np
 from matplotlib.lines import Line2D
 
+from . import heat
 from .curves import add_key, draw_curves, draw_profiles, find_curves
 from .labels import axis_label, scale_of, scales_of
 from .results import Field
@@ -51,8 +52,10 @@ def draw_beside_full(panel, results, along, curves):
 
 
 def draw_contacts(results):
-    """Pressure on the surface; that of a wave with its crest in the middle, that of a line as a curve."""
+    """Pressure on the surface, or with heat its temperature; that of a wave with its crest in the middle, that of a line as a curve."""
     shown = centre_crest(results) if results.words.get("kind") != "heights" else results
+    if heat.has_temperature(shown):
+        return heat.draw_flashes(shown)
     if len(shown.profile_axes) == 2:
         return draw_pressure_maps(shown)
     return draw_profiles(shown, "pressure")[0]

@@ -42,6 +42,7 @@ module adfric_describe_scene_facts
       & 'range adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda job%units', &
       & 'shear friction%shear_strength friction%law', &
       & 'strength friction%shear_strength', &
+      & 'heat heat%conductivity heat%density heat%heat_capacity heat%second_conductivity', &
       & 'coulomb friction%coulomb_coefficient', &
       & 'coupled friction%coupling', &
       & 'tangential operating%tangential_force operating%tangential_displacement operating%tangential_stress '// &

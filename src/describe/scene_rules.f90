@@ -21,7 +21,7 @@ module adfric_describe_scene_rules
    character(*), parameter :: in_elastic = 'hertz,wave_1d', &
       & slips = 'hertz,indenter,wave_1d,wave_2d_elastic,surface_elastic', with_depth = 'rigid_punch,line_load,strip_load', &
       & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter', &
-      & sums = 'hertz,wave_1d,wavy_sliding,surface_sliding'
+      & sums = 'hertz,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,surface_sliding'
 
    !> Solvers of contacts that shear stress may move.
    character(*), parameter :: couples = 'hertz,wave_1d,surface_sliding'
@@ -168,7 +168,9 @@ module adfric_describe_scene_rules
       & 'sphere friction_force tangential_force', &
       & 'indenter friction_force friction_force slides', &
       & 'indenter friction_force -', &
+      & 'indenter tangential_force - moves', &
       & 'indenter tangential_force - !driven', &
+      & 'indenter velocity_slope - !moves', &
       & round//' sliding_force - slides', &
       & round//' sliding_force - !lateral', &
       & round//' sliding_force friction_force', &
@@ -280,7 +282,16 @@ module adfric_describe_scene_rules
       & couples//' smallest_stiffness_ratio - !coupled', &
       & couples//' coupling_left_out - coupled', &
       & couples//' coupling_left_out - !shear', &
-      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves']
+      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
+      & heats//' contact_temperature - !heat', &
+      & heats//' flash_temperature - !heat', &
+      & heats//' peak_flash_temperature - !heat', &
+      & heats//' background_temperature_rise - !heat', &
+      & heats//' thermal_gain - !heat', &
+      & heats//' thermal_states - !heat', &
+      & heats//' heat_share - !heat', &
+      & heats//' bulk_heat - !heat', &
+      & heats//' interface_heat - !heat']
 
    !> Profiles.
    character(*), parameter :: profile_rules(*) = [character(120) :: &

@@ -21,7 +21,7 @@ module adfric_interface_heat_sources
    use adfric_numerics_scaled_bessel, only: scaled_i0, scaled_k0, scaled_k1
    implicit none (type, external)
    private
-   public :: temperature_at, find_largest_temperature, mean_temperature
+   public :: temperature_at, band_temperature, find_largest_temperature, mean_temperature, largest_of_disc
    public :: source_band, source_square, source_disc, source_hertz
 
    !> Sources: a band across the motion, a square along it, a disc, and a disc under Hertz's pressure, q(r) = (3/2) sqrt(1 - r^2).
@@ -60,7 +60,7 @@ contains
 
       if (has_asserts) call assert(peclet > 0 .and. abs(x) < 1, 'temperature_at: peclet > 0, |x| < 1')
       if (source == source_band) then
-         temperature = (integral_behind(peclet*(1 + x)) + integral_ahead(peclet*(1 - x)))/(pi*peclet)
+         temperature = band_temperature(peclet, x)
          return
       end if
       call get_graded_nodes([0.0_dp, kinks_of(source, x), pi], levels_of(n_levels, peclet), f, weights)
@@ -69,6 +69,30 @@ contains
          temperature = temperature + weights(i)*from_direction(source, peclet, x, f(i))/pi
       end do
    end function temperature_at
+
+   !> Temperature of a band, under it and beside it.
+   pure real(dp) function band_temperature(peclet, x) result(temperature)
+      !> P [-], > 0.
+      real(dp), intent(in) :: peclet
+      !> Position [a].
+      real(dp), intent(in) :: x
+
+      if (x > 1) then
+         temperature = (integral_behind(peclet*(x + 1)) - integral_behind(peclet*(x - 1)))/(pi*peclet)
+      else if (x < -1) then
+         temperature = (integral_ahead(peclet*(1 - x)) - integral_ahead(peclet*(-1 - x)))/(pi*peclet)
+      else
+         temperature = (integral_behind(peclet*(1 + x)) + integral_ahead(peclet*(1 - x)))/(pi*peclet)
+      end if
+   end function band_temperature
+
+   !> Largest temperature of a disc, 2/sqrt(pi (4/pi + P)): exact at rest and at high speeds, and within 2.3 % between.
+   pure real(dp) function largest_of_disc(peclet) result(temperature)
+      !> P [-], >= 0.
+      real(dp), intent(in) :: peclet
+
+      temperature = 2/sqrt(4 + pi*peclet)
+   end function largest_of_disc
 
    !> Directions in which the distance of the rim changes fast.
    pure function kinks_of(source, x) result(kinks)

@@ -6,6 +6,7 @@ module adfric_periodic_sliding_check
    use adfric_base_unset, only: is_set
    use adfric_interface_adhesion_rows, only: check_adhesion, has_adhesion
    use adfric_interface_friction_law_rows, only: given_law_t, n_interface_rows
+   use adfric_interface_heat_rows, only: has_heat
    use adfric_interface_shear_coupling, only: check_coupling, is_coupled
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
@@ -15,7 +16,8 @@ module adfric_periodic_sliding_check
    use adfric_periodic_sliding_case, only: is_direction, poisson_ratio_of_solid, speed_of
    use adfric_periodic_sliding_interface, only: check_surface_interface, without_temperature
    use adfric_periodic_sliding_variables, only: base_frictionless, cells_of, kind_heights, kind_wave_2d, s_adhesion, s_base, &
-      & s_coupling, s_friction, s_last_adhesion, s_poisson_ratio, s_thickness, s_velocity, in => sliding_input
+      & s_coupling, s_friction, s_heat, s_last_adhesion, s_last_heat, s_poisson_ratio, s_thickness, s_velocity, &
+      & in => sliding_input
    use adfric_periodic_variables, only: is_wanted, prescribed => periodic_input
    implicit none (type, external)
    private
@@ -119,6 +121,8 @@ contains
          if (.not. is_coupled(values(s_coupling))) return
          if (has_adhesion(values(s_adhesion:s_last_adhesion))) call problems%add(row%group, row%name, &
             & 'stands beside adhesion, with which the contact is that of frictionless faces')
+         if (has_heat(values(s_heat:s_last_heat))) call problems%add(row%group, row%name, &
+            & 'stands beside &heat, with which the contact is that of frictionless faces')
          if (.not. is_set(values(s_base))) return
          if (nint(values(s_base)) == base_frictionless) call problems%add(row%group, row%name, &
             & 'stands beside base = ''frictionless'', which cannot carry the shear stress')

@@ -1,113 +1,156 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a viscoelastic half-space loses per distance where shear stress q = mu p moves its surface, and what the friction changes by
-!> where it does not.
+!> Heat of a periodic surface that slides: the temperature of its contact, which the law of friction has, and the map of it.
 !>
-!> With the stiffness A of a wave below frictionless faces, the angle phi of its wave vector from the direction of sliding, and constant
-!> Poisson's ratio nu, the surface has the displacements
-!>
-!>     u_z = (p - i beta cos phi q)/A,   u_x = [(1 - nu cos^2 phi)/(1 - nu) q + i beta cos phi p]/A,
-!>
-!> so that a distance takes the work -mean(p du_z/dx + q du_x/dx), in which the terms with beta cancel:
-!>
-!>     sum over all waves of k_x (-Im A)/|A|^2 [1 + mu^2 (1 - nu cos^2 phi)/(1 - nu)] |p_k|^2.
-!>
-!> A shear stress q that is left out would change the friction by -mean(p du_z/dx) of its u_z to first order, here without what the
-!> pressure changes by: minus the sum over all waves of k_x kappa cos phi Re(1/A) p_k q_k*, kappa that of a layer where there is one.
+!> Heat of the interface is made where it rubs, and makes flashes. That of the losses in the solid is made below, and counts for the
+!> background alone. The relaxation times of the solid have the given temperature: what a flash heats is thinner than what is
+!> dented.
 module adfric_periodic_sliding_heat
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
-   use adfric_periodic_coupled_kernel, only: coupled_kernel_t, shear_coupling_t
-   use adfric_periodic_kernel, only: kernel_t
+   use adfric_interface_friction_law, only: friction_law_t
+   use adfric_interface_heat_rows, only: get_heat, h_background, h_bulk, h_contact, h_flash, h_gain, h_interface, h_peak, h_share, &
+      & h_states, heat_t
+   use adfric_interface_thermal_states, only: heated_contact_t, thermal_states_t
+   use adfric_interface_total_friction, only: interface_tractions
+   use adfric_periodic_flash_cells, only: flash_cells_t, heated_bodies_t, new_flash_cells
+   use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_sliding_variables, only: s_heat, s_last_heat, s_temperature, s_thickness, s_velocity
+   use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
+   use adfric_base_unset, only: is_set
    implicit none (type, external)
    private
-   public :: heat_of_half_space, change_on_cells
+   public :: find_contact_temperature, set_temperature_map, set_tractions
 
 contains
 
-   !> Energy lost in a half-space per nominal area and distance, in the unit of the pressure; NaN where there is no memory.
-   real(dp) function heat_of_half_space(kernel, pressure, period) result(heat)
-      !> The half-space with its coupling.
-      type(coupled_kernel_t), intent(in) :: kernel
-      !> Pressure in the middles of the cells; shape `(nx, ny)`.
-      real(dp), intent(in), contiguous :: pressure(:, :)
-      !> Periods along x and y, in the unit of all lengths of the kernel.
-      real(dp), intent(in) :: period(2)
-      type(spectral_filter_t) :: filter
+   !> The temperature of the contact, and all results of heat.
+   subroutine find_contact_temperature(values, law, surface, pressure, is_contact, losses, temperature, results, is_valid)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t), intent(in) :: law
+      !> Periods and cells of the surface [m], and the solid with the direction of the motion.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Pressure in the cells, below 0 where adhesion pulls [Pa], and where the faces touch; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+      logical, intent(in) :: is_contact(:, :)
+      !> Friction of the losses in the solid, over nominal area [Pa].
+      real(dp), intent(in) :: losses
+      !> Mean temperature of the contact [K].
+      real(dp), intent(out) :: temperature
+      !> Receives the results; shape `(n_heat_results)`.
+      real(dp), intent(out) :: results(:)
+      !> Were the states and the partition of the heat found?
+      logical, intent(out) :: is_valid
+      type(flash_cells_t) :: flash
+      type(heat_t) :: heat
+      type(heated_contact_t) :: contact
+      type(thermal_states_t) :: states
+      real(dp), allocatable :: weights(:, :), rise(:, :), tractions(:, :)
+      integer :: n
+
+      results = not_a_number()
+      temperature = values(s_temperature)
+      call get_heat(values(s_heat:s_last_heat), values(s_thickness), heat)
+      n = count(is_contact)
+      associate (speed => values(s_velocity))
+         is_valid = .true.
+         results([h_bulk, h_background]) = speed*losses*[1.0_dp, heat%background]
+         temperature = temperature + results(h_background)
+         results(h_interface) = 0
+         if (n == 0) return
+         allocate (weights(size(pressure, 1), size(pressure, 2)), source=0.0_dp)
+         if (speed > 0) call set_flash(heat, values, surface, flash, is_valid)
+         if (speed > 0 .and. is_valid) call flash%get_weights(is_contact, weights, is_valid)
+         if (.not. is_valid) return
+         contact = heated_contact_t(law=law, speed=speed, base=temperature, pressure=pack(pressure, is_contact), &
+            & weights=speed*(pack(weights, is_contact) + heat%background/size(is_contact)))
+         call contact%find_states(states, is_valid)
+         if (.not. is_valid) return
+         n = merge(states%n, 1, heat%is_hot)
+         temperature = states%temperature(n)
+         results([h_contact, h_gain, h_states]) = [temperature, states%gain(n), real(states%n, dp)]
+         call set_tractions(law, speed, temperature, pressure, is_contact, tractions)
+         results(h_interface) = speed*sum(tractions)/size(tractions)
+         results(h_background) = results(h_background) + heat%background*results(h_interface)
+         results(h_flash) = speed*sum(weights*tractions)
+         results([h_peak, h_share]) = [0.0_dp, not_a_number()]
+         if (.not. results(h_interface) > 0) return
+         allocate (rise, mold=weights)
+         call flash%get_temperature(is_contact, speed*tractions, rise, results(h_share), is_valid)
+         results(h_peak) = maxval(rise)
+      end associate
+   end subroutine find_contact_temperature
+
+   !> The waves of the surface.
+   subroutine set_flash(heat, values, surface, flash, is_valid)
+      type(heat_t), intent(in) :: heat
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t), intent(in) :: surface
+      type(flash_cells_t), intent(out) :: flash
+      !> Is there memory for them?
+      logical, intent(out) :: is_valid
+      type(heated_bodies_t) :: bodies
       type(error_t), allocatable :: error
-      complex(dp), allocatable :: stiffness(:, :)
-      real(dp), allocatable :: factors(:, :), product(:, :)
-      real(dp) :: n(2), along
-      integer :: i, j
 
-      heat = not_a_number()
-      call new_spectral_filter(filter, size(pressure, 1), size(pressure, 2), .false., .false., error)
-      if (allocated(error)) return
-      allocate (stiffness(filter%n_modes(2), filter%n_modes(1)), factors(filter%n_modes(2), filter%n_modes(1)))
-      allocate (product, mold=pressure)
-      call kernel%solid%get_stiffness([((i - 1)/period(1), i=1, size(stiffness, 2))], &
-         & [(folded(j - 1, size(pressure, 2))/period(2), j=1, size(stiffness, 1))], period/shape(pressure), stiffness)
-      factors = 0
-      do i = 1, size(factors, 2)
-         do j = 1, size(factors, 1)
-            n = [real(i - 1, dp), folded(j - 1, size(pressure, 2))]/period
-            if (.not. any(abs(n) > 0)) cycle
-            along = dot_product(kernel%coupling%direction, n)
-            associate (mu => kernel%coupling%friction_coefficient, nu => kernel%coupling%poisson_ratio)
-               factors(j, i) = -two_pi*along*aimag(stiffness(j, i))/abs(stiffness(j, i))**2 &
-                  & *(1 + mu**2*(1 - nu*(along/norm2(n))**2)/(1 - nu))
-            end associate
-         end do
+      bodies = heated_bodies_t(conductivity=heat%conductivity, diffusivity=heat%diffusivity, &
+         & second_conductivity=heat%second_conductivity)
+      if (is_set(values(s_thickness))) bodies%thickness = values(s_thickness)
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         bodies%velocity = values(s_velocity)*solid%motion%direction()
+      end select
+      call new_flash_cells(flash, bodies, surface%n_cells, surface%period, error)
+      is_valid = .not. allocated(error)
+   end subroutine set_flash
+
+   !> Shear stress of all cells.
+   subroutine set_tractions(law, speed, temperature, pressure, is_contact, tractions)
+      type(friction_law_t), intent(in) :: law
+      !> Speed [m/s], and temperature of the contact [K].
+      real(dp), intent(in) :: speed, temperature
+      !> Pressure in the cells [Pa], and where the faces touch; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+      logical, intent(in) :: is_contact(:, :)
+      !> Receives the shear stress [Pa].
+      real(dp), allocatable, intent(out) :: tractions(:, :)
+      integer :: j
+
+      allocate (tractions(size(pressure, 1), size(pressure, 2)))
+      do j = 1, size(pressure, 2)
+         tractions(:, j) = interface_tractions(law, speed, temperature, pressure(:, j), is_contact(:, j))
       end do
-      call filter%apply(factors/filter%gain, pressure, product, heat)
-      heat = heat/size(pressure)
-   end function heat_of_half_space
+   end subroutine set_tractions
 
-   !> Change of the friction over nominal area by a coupling, to first order, in the unit of the pressure; NaN where there is no memory.
-   real(dp) function change_on_cells(kernel, coupling, pressure, shear, period) result(change)
-      !> The solid below frictionless faces.
-      class(kernel_t), intent(in) :: kernel
-      !> Poisson's ratio, layer and direction of sliding, with a friction coefficient of 1.
-      type(shear_coupling_t), intent(in) :: coupling
-      !> Pressure and shear stress in the middles of the cells; shape `(nx, ny)`.
-      real(dp), intent(in), contiguous :: pressure(:, :), shear(:, :)
-      !> Periods along x and y, in the unit of all lengths of the kernel.
-      real(dp), intent(in) :: period(2)
-      type(spectral_filter_t) :: filter
-      type(error_t), allocatable :: error
-      complex(dp), allocatable :: stiffness(:, :)
-      real(dp), allocatable :: factors(:, :), product(:, :)
-      real(dp) :: n(2), along
-      integer :: i, j
+   !> Set the map of the temperature of the surface.
+   subroutine set_temperature_map(values, surface, is_contact, tractions, rise, map)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and cells of the surface [m], and the solid with the direction of the motion.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Where the faces touch, and the shear stress [Pa]; shape `(nx, ny)`.
+      logical, intent(in) :: is_contact(:, :)
+      real(dp), intent(in) :: tractions(:, :)
+      !> Rise of the background [K].
+      real(dp), intent(in) :: rise
+      !> Receives the temperature [K]; NaN where it is not known; shape `(nx, ny)`.
+      real(dp), intent(out) :: map(:, :)
+      type(flash_cells_t) :: flash
+      type(heat_t) :: heat
+      real(dp), allocatable :: heat_of_cells(:, :)
+      real(dp) :: share
+      logical :: is_valid
 
-      change = not_a_number()
-      call new_spectral_filter(filter, size(pressure, 1), size(pressure, 2), .false., .false., error)
-      if (allocated(error)) return
-      allocate (stiffness(filter%n_modes(2), filter%n_modes(1)), factors(filter%n_modes(2), filter%n_modes(1)))
-      allocate (product, mold=pressure)
-      call kernel%get_stiffness([((i - 1)/period(1), i=1, size(stiffness, 2))], &
-         & [(folded(j - 1, size(pressure, 2))/period(2), j=1, size(stiffness, 1))], period/shape(pressure), stiffness)
-      factors = 0
-      do i = 1, size(factors, 2)
-         do j = 1, size(factors, 1)
-            n = [real(i - 1, dp), folded(j - 1, size(pressure, 2))]/period
-            if (.not. any(abs(n) > 0)) cycle
-            along = dot_product(coupling%direction, n)
-            factors(j, i) = -two_pi*along**2/norm2(n)*coupling%coupling_of_wave(norm2(n))*real(1/stiffness(j, i), dp)
-         end do
-      end do
-      call filter%apply(factors/filter%gain, shear, product)
-      change = sum(pressure*product)/size(pressure)
-   end function change_on_cells
-
-   !> Number of waves of a mode along the second direction, below 0 for those that run the other way.
-   pure real(dp) function folded(mode, n_points)
-      !> Number of the mode, from 0, and number of cells.
-      integer, intent(in) :: mode, n_points
-
-      folded = merge(mode, mode - n_points, 2*mode <= n_points)
-   end function folded
+      call get_heat(values(s_heat:s_last_heat), values(s_thickness), heat)
+      map = 0
+      is_valid = .true.
+      if (values(s_velocity) > 0 .and. any(tractions > 0)) then
+         call set_flash(heat, values, surface, flash, is_valid)
+         heat_of_cells = values(s_velocity)*tractions
+         if (is_valid) call flash%get_temperature(is_contact, heat_of_cells, map, share, is_valid)
+      end if
+      map = map + values(s_temperature) + rise
+      if (.not. is_valid) map = not_a_number()
+   end subroutine set_temperature_map
 
 end module adfric_periodic_sliding_heat

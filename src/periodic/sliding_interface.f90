@@ -2,6 +2,7 @@
 !> Friction of `surface_sliding` with a law of the interface, as a sum with what the solid loses. The contact is that of frictionless
 !> faces: exact on a half-space of Poisson's ratio 1/2.
 module adfric_periodic_sliding_interface
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_not_a_number, only: not_a_number
@@ -11,23 +12,27 @@ module adfric_periodic_sliding_interface
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_interface, n_interface_rows, needs_temperature
-   use adfric_interface_total_friction, only: doubt_coupling, get_shear_of_area, interface_tractions, sliding_friction_t
+   use adfric_interface_heat_rows, only: check_heat, doubt_heat, h_background, h_contact, h_interface, has_heat, n_heat_results
    use adfric_interface_shear_coupling, only: is_coupled
+   use adfric_interface_shear_strength_rows, only: p_shear_stress
+   use adfric_interface_total_friction, only: doubt_coupling, get_shear_of_area, sliding_friction_t
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: n_spectrum_rows, solid_shift_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_table, only: variable_t
    use adfric_periodic_coupled_kernel, only: coupling_of_layer, shear_coupling_t
-   use adfric_periodic_sliding_heat, only: change_on_cells
+   use adfric_periodic_coupled_losses, only: change_on_cells
+   use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_sliding_case, only: poisson_ratio_of_solid
-   use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_coupling, s_friction, s_last_adhesion, &
-      & s_temperature, s_thickness, s_velocity, out => sliding_output
+   use adfric_periodic_sliding_heat, only: find_contact_temperature, set_temperature_map, set_tractions
+   use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_coupling, s_friction, s_heat, s_last_adhesion, &
+      & s_last_heat, s_temperature, s_thickness, s_velocity, out => sliding_output
    use adfric_periodic_variables, only: periodic_output
    implicit none (type, external)
    private
-   public :: has_surface_interface, without_temperature, check_surface_interface, add_surface_interface, set_shear_map
-   public :: add_left_out, doubt_surface_coupling
+   public :: has_surface_interface, without_temperature, check_surface_interface, add_surface_interface, set_interface_maps
+   public :: add_left_out, doubt_surface_coupling, has_surface_heat, doubt_surface_heat
 
 contains
 
@@ -47,6 +52,14 @@ contains
 
       has_surface_interface = has_interface(interface_of(values))
    end function has_surface_interface
+
+   !> Does heat count?
+   pure logical function has_surface_heat(values)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      has_surface_heat = has_heat(values(s_heat:s_last_heat))
+   end function has_surface_heat
 
    !> The law of the interface.
    pure subroutine law_of_surface(values, spectrum, given, law)
@@ -78,7 +91,8 @@ contains
 
       of_solid = values
       shift = solid_shift_of(values(:n_spectrum_rows), spectrum)
-      if (shift%law == shift_none .and. needs_temperature(interface_of(values))) of_solid(s_temperature) = unset
+      if (shift%law == shift_none .and. (needs_temperature(interface_of(values)) .or. has_surface_heat(values))) &
+         & of_solid(s_temperature) = unset
    end function without_temperature
 
    !> Add to `problems` what is wrong with the friction of the interface.
@@ -92,44 +106,52 @@ contains
       type(problems_t), intent(inout) :: problems
       integer :: k
 
+      call check_heat(rows, values, s_heat, s_temperature, has_surface_interface(values), values(s_thickness), .false., problems)
       if (.not. has_surface_interface(values)) return
       call check_interface(rows, values, [(k, k=s_friction, s_friction + n_interface_rows - 1)], [s_temperature, s_velocity], &
          & given, solid_shift_of(values(:n_spectrum_rows), spectrum), tension_of(values), problems)
    end subroutine check_surface_interface
 
-   !> Add the interface to the friction of a point.
-   pure subroutine add_surface_interface(values, spectrum, given, pressure, is_contact, results, is_valid)
+   !> Add the interface to the friction of a point, and its heat.
+   subroutine add_surface_interface(values, spectrum, given, surface, pressure, is_contact, results, is_valid)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
       !> Pressure in the cells, below 0 where adhesion pulls [Pa], and where the faces touch; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
       logical, intent(in) :: is_contact(:, :)
       !> In: results of the frictionless contact. Out: with both parts of the friction; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      !> Does the law hold at this velocity and temperature?
+      !> Does the law hold at this velocity and temperature, and is that of the contact known?
       logical, intent(out) :: is_valid
       type(friction_law_t) :: law
       type(sliding_friction_t) :: friction
-      real(dp) :: carried
+      real(dp) :: carried, temperature
 
       is_valid = .true.
       if (.not. has_surface_interface(values)) return
       call law_of_surface(values, spectrum, given, law)
       friction%hysteretic = results(out%friction_stress)
+      temperature = values(s_temperature)
+      if (has_surface_heat(values)) call find_contact_temperature(values, law, surface, pressure, is_contact, &
+         & friction%hysteretic, temperature, results(out%heat(1):out%heat(n_heat_results)), is_valid)
+      if (.not. is_valid) return
       associate (area => results(periodic_output%contact_fraction))
          if (law%depends_on_pressure() .and. area > 0) then
-            call get_mean_of_cells(law, values, pressure, is_contact, friction%interfacial, is_valid)
+            call get_mean_of_cells(law, values(s_velocity), temperature, pressure, is_contact, friction%interfacial, is_valid)
             friction%interfacial = area*friction%interfacial
          else
             carried = results(periodic_output%mean_pressure)
             if (tension_of(values) > 0) carried = carried + tension_of(values)*results(out%adhesion_fraction)
-            call get_shear_of_area(law, values(s_velocity), values(s_temperature), area, carried, friction%interfacial, &
+            call get_shear_of_area(law, values(s_velocity), temperature, area, carried, friction%interfacial, &
                & friction%interfacial_slope, is_valid)
          end if
       end associate
       if (.not. is_valid) return
+      if (has_surface_heat(values)) results(out%heat(h_interface)) = values(s_velocity)*friction%interfacial
       ! the slope of a contact on cells is not known
       friction%neighbours = not_a_number()
       call friction%get_results(values(s_velocity), results(out%friction_stress), &
@@ -139,9 +161,10 @@ contains
    end subroutine add_surface_interface
 
    !> Mean shear stress of the cells in contact.
-   pure subroutine get_mean_of_cells(law, values, pressure, is_contact, mean, is_valid)
+   pure subroutine get_mean_of_cells(law, speed, temperature, pressure, is_contact, mean, is_valid)
       type(friction_law_t), intent(in) :: law
-      real(dp), intent(in) :: values(:)
+      !> Speed [m/s], and temperature of the contact [K].
+      real(dp), intent(in) :: speed, temperature
       !> Pressure in the cells [Pa].
       real(dp), intent(in) :: pressure(:, :)
       !> Do the faces touch? Shape of `pressure`.
@@ -158,7 +181,7 @@ contains
       do j = 1, size(pressure, 2)
          do i = 1, size(pressure, 1)
             if (.not. is_contact(i, j)) cycle
-            call law%get_stress(values(s_velocity), pressure(i, j), values(s_temperature), stress, slope, is_valid)
+            call law%get_stress(speed, pressure(i, j), temperature, stress, slope, is_valid)
             if (.not. is_valid) return
             mean = mean + stress
             n = n + 1
@@ -167,26 +190,55 @@ contains
       mean = mean/max(n, 1)
    end subroutine get_mean_of_cells
 
-   !> Set the map of the shear stress.
-   pure subroutine set_shear_map(values, spectrum, given, pressure, is_contact, shear)
+   !> Set the map of the shear stress, and with heat that of the temperature.
+   subroutine set_interface_maps(values, spectrum, given, surface, results, maps)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given
-      !> Pressure in the cells [Pa]; shape `(nx, ny)`.
-      real(dp), intent(in) :: pressure(:, :)
-      !> Do the faces touch? Shape of `pressure`.
-      logical, intent(in) :: is_contact(:, :)
-      !> Receives the shear stress [Pa]; shape `(nx, ny)`.
-      real(dp), intent(out) :: shear(:, :)
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Results of the point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: pressure [Pa] and gap [m]. Out: with shear stress [Pa] and temperature [K]; shape `(nx, ny, n_profiles)`.
+      real(dp), intent(inout) :: maps(:, :, :)
       type(friction_law_t) :: law
-      integer :: j
+      real(dp), allocatable :: shear(:, :)
 
       call law_of_surface(values, spectrum, given, law)
-      do j = 1, size(pressure, 2)
-         shear(:, j) = interface_tractions(law, values(s_velocity), values(s_temperature), pressure(:, j), is_contact(:, j))
-      end do
-   end subroutine set_shear_map
+      call set_tractions(law, values(s_velocity), temperature_of(values, results), maps(:, :, 1), .not. maps(:, :, 2) > 0, shear)
+      maps(:, :, p_shear_stress) = shear
+      if (size(maps, 3) > p_shear_stress) call set_temperature_map(values, surface, .not. maps(:, :, 2) > 0, &
+         & maps(:, :, p_shear_stress), results(out%heat(h_background)), maps(:, :, p_shear_stress + 1))
+   end subroutine set_interface_maps
+
+   !> Temperature of the contact [K]: with heat that of the slip.
+   pure real(dp) function temperature_of(values, results) result(temperature)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+
+      temperature = values(s_temperature)
+      if (has_surface_heat(values) .and. .not. ieee_is_nan(results(out%heat(h_contact)))) temperature = results(out%heat(h_contact))
+   end function temperature_of
+
+   !> A line on the velocity above which heat matters; nothing without heat.
+   subroutine doubt_surface_heat(values, spectrum, given, half_width, text)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      !> Half-width of a contact [m].
+      real(dp), intent(in) :: half_width
+      character(:), allocatable, intent(out) :: text
+      type(friction_law_t) :: law
+
+      text = ''
+      if (.not. has_surface_heat(values)) return
+      call law_of_surface(values, spectrum, given, law)
+      call doubt_heat(values(s_heat:s_last_heat), law, values(s_temperature), half_width, text)
+   end subroutine doubt_surface_heat
 
    !> Add the change of the friction by a coupling that is left out, where Poisson's ratio is known.
    subroutine add_left_out(values, spectrum, given, solid, pressure, is_contact, period, results)
@@ -203,6 +255,7 @@ contains
       !> In: with the friction. Out: with what is left out; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       type(shear_coupling_t) :: coupling
+      type(friction_law_t) :: law
       real(dp), allocatable :: shear(:, :)
 
       if (.not. has_surface_interface(values) .or. is_coupled(values(s_coupling))) return
@@ -215,8 +268,8 @@ contains
          if (nint(values(s_base)) /= base_bonded) return
          coupling%thickness = values(s_thickness)/period(1)
       end if
-      allocate (shear, mold=pressure)
-      call set_shear_map(values, spectrum, given, pressure, is_contact, shear)
+      call law_of_surface(values, spectrum, given, law)
+      call set_tractions(law, values(s_velocity), temperature_of(values, results), pressure, is_contact, shear)
       results(out%coupling_left_out) = change_on_cells(solid%kernel, coupling, pressure, shear, period/period(1)) &
          & /solid%modulus/abs(results(out%friction_stress))
    end subroutine add_left_out

@@ -16,7 +16,7 @@ module adfric_periodic_sliding_model
    use adfric_describe_derived, only: derived_t
    use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_pointwise, only: point_state_t
-   use adfric_describe_table, only: profile_axis_t, variable_t
+   use adfric_describe_table, only: profile_axis_t, profile_t, variable_t
    use adfric_periodic_adhesion_cells, only: are_sizes_possible, doubt_zone
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_given_heights, only: given_heights_t
@@ -25,7 +25,8 @@ module adfric_periodic_sliding_model
    use adfric_periodic_sliding_case, only: set_sliding_solid
    use adfric_periodic_sliding_check, only: check_pull, check_sliding_surface, check_sliding_solid
    use adfric_periodic_sliding_description, only: derive_surface, doubt_one_contact, doubt_surface, slope_of_surface
-   use adfric_periodic_sliding_interface, only: add_left_out, add_surface_interface, has_surface_interface, set_shear_map
+   use adfric_periodic_sliding_interface, only: add_left_out, add_surface_interface, doubt_surface_heat, has_surface_heat, &
+      & has_surface_interface, set_interface_maps
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
@@ -88,7 +89,8 @@ contains
          & summary='a rigid rough surface or wave that slides over a viscoelastic half-space or layer: friction, area and pressure')
       self%references = 'S. C. Hunter, J. Appl. Mech. 28 (1961) 611; B. N. J. Persson, J. Chem. Phys. 115 (2001) 3840'
       self%results = get_sliding_results()
-      self%profiles = shear_profiles()
+      self%profiles = [shear_profiles(), profile_t(name='temperature', unit='K', &
+         & long_name='temperature of the surface of the solid, with flashes')]
    end subroutine new_sliding_model
 
    !> See `model_t`.
@@ -368,7 +370,7 @@ contains
          call set_sliding_results(values, self%adhesion_of(values), surface, solid, solution, results, error_estimate)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
       end select
-      call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, &
+      call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, surface, &
          & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, results, is_valid)
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
@@ -379,7 +381,7 @@ contains
       if (.not. is_valid) error_estimate = huge(error_estimate)
    end subroutine finish_point
 
-   !> See `model_t`: the shear stress belongs to friction of the interface.
+   !> See `model_t`: the shear stress belongs to friction of the interface, the temperature to heat.
    pure integer function count_profiles(self, values)
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
@@ -387,25 +389,31 @@ contains
 
       count_profiles = merge(p_shear_stress, p_shear_stress - 1, &
          & has_surface_interface(values(self%first_of_solid:self%last_of_solid)))
+      if (has_surface_heat(values(self%first_of_solid:self%last_of_solid))) count_profiles = size(self%profiles)
    end function count_profiles
 
-   !> See `pointwise_model_t`: the maps of pressure and gap, and with friction of the interface that of its shear stress.
+   !> See `pointwise_model_t`: the maps of pressure and gap, with friction of the interface that of its shear stress, and with heat that
+   !> of the temperature.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Results of the point, not used here; shape `(n_results)`.
+      !> Results of the point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
       !> What `solve_point` has left.
       class(point_state_t), allocatable, intent(in) :: state
       !> Axes of the maps.
       type(profile_axis_t), intent(in) :: axes(:)
-      !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
+      !> Receives the maps of pressure [Pa], gap [m], shear stress [Pa] and temperature [K]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
+      type(periodic_surface_t) :: surface
 
       call self%fill_contact_maps(values, results, state, axes, profiles)
-      if (size(profiles, 3) == p_shear_stress) call set_shear_map(values(self%first_of_solid:self%last_of_solid), self%spectrum, &
-         & self%given_law, profiles(:, :, 1), .not. profiles(:, :, 2) > 0, profiles(:, :, p_shear_stress))
+      if (size(profiles, 3) < p_shear_stress) return
+      call self%get_cells(values, surface)
+      call self%set_solid(values, surface)
+      call set_interface_maps(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, surface, results, &
+         & profiles)
    end subroutine fill_profiles
 
    !> See `periodic_model_t`: moduli and shift factor, the frequencies of the surface, and the cells of a wave.
@@ -437,12 +445,16 @@ contains
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
+      character(:), allocatable :: text, of_heat
       type(periodic_surface_t) :: surface
       type(adhesion_law_t) :: law
 
       call self%get_cells(values, surface)
       text = doubt_surface(values, values(self%first_of_solid:self%last_of_solid), self%spectrum, self%heights, surface)
+      ! a contact is at most as wide as half of the period
+      call doubt_surface_heat(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, surface%period(1)/4, &
+         & of_heat)
+      text = text//of_heat
       call self%set_solid(values, surface)
       text = text//doubt_one_contact(surface)
       law = self%adhesion_of(values)

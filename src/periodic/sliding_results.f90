@@ -9,7 +9,7 @@ module adfric_periodic_sliding_results
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_contact_centre, only: contact_centre
    use adfric_periodic_coupled_kernel, only: coupled_kernel_t
-   use adfric_periodic_sliding_heat, only: heat_of_half_space
+   use adfric_periodic_coupled_losses, only: heat_of_half_space
    use adfric_periodic_sliding_variables, only: kind_heights, kind_wave_2d, in => sliding_input, sliding_output
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: branches_differ, branches_unknown, periodic_solution_t

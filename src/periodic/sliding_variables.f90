@@ -6,6 +6,7 @@ module adfric_periodic_sliding_variables
    use adfric_base_unset, only: unset
    use adfric_interface_friction_law_rows, only: n_interface_rows, set_law_rows
    use adfric_interface_shear_coupling, only: coupling_results, coupling_row
+   use adfric_interface_heat_rows, only: heat_results, n_heat_results, n_heat_rows, set_heat_rows
    use adfric_interface_shear_strength_rows, only: n_shear_rows, set_shear_rows
    use adfric_interface_total_friction, only: total_friction_results
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
@@ -36,11 +37,11 @@ module adfric_periodic_sliding_variables
       & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4, &
       & s_temperature = n_spectrum_rows, s_friction = n_spectrum_rows + 5
    !> Indices of the last row of the interface, of the first and last one of adhesion, of the switches of the pull-off and of the
-   !> other branch, of the coupling, and number of all.
+   !> other branch, of the coupling, of the first and last row of heat, and number of all.
    integer, parameter, public :: s_last_friction = s_friction + n_interface_rows - 1, s_adhesion = s_last_friction + 1, &
       & s_last_adhesion = s_last_friction + n_adhesion_rows, s_pull_off = s_last_adhesion + 1, s_other_branch = s_pull_off + 1, &
-      & s_coupling = s_other_branch + 1
-   integer, parameter, public :: n_solid_rows = s_coupling
+      & s_coupling = s_other_branch + 1, s_heat = s_coupling + 1, s_last_heat = s_coupling + n_heat_rows
+   integer, parameter, public :: n_solid_rows = s_last_heat
    !> Bases of the layer, in the order of the choice.
    integer, parameter, public :: base_frictionless = 1, base_bonded = 2
 
@@ -52,7 +53,7 @@ module adfric_periodic_sliding_variables
          & hysteretic_friction_stress = 0, interfacial_friction_stress = 0, interfacial_share = 0, velocity_slope = 0, &
          & adhesion_fraction = 0, cells_per_zone = 0, friction_without_adhesion = 0, &
          & adhesive_friction_stress = 0, order_margin = 0, pull_off_pressure = 0, branches_differ = 0, &
-         & largest_coupling = 0, smallest_stiffness_ratio = 0, coupling_left_out = 0
+         & largest_coupling = 0, smallest_stiffness_ratio = 0, coupling_left_out = 0, heat(n_heat_results) = 0
    end type sliding_output_t
    type(sliding_output_t), parameter, public :: sliding_output = transfer(counting(n_periodic_results + 1:), sliding_output_t())
    integer, parameter, public :: n_sliding_results = n_periodic_results + storage_size(sliding_output)/storage_size(1)
@@ -84,7 +85,7 @@ contains
       v(sliding_input%cells)%default = unset
    end subroutine set_surface_rows
 
-   !> Rows of the material, the layer, the velocity and the interface.
+   !> Rows of the material, the layer, the velocity, the interface, adhesion and heat.
    subroutine set_solid_rows(v)
       !> Receives the rows; shape `(n_solid_rows)`.
       type(variable_t), intent(inout) :: v(:)
@@ -105,6 +106,7 @@ contains
       v(s_other_branch) = switch(group='output', name='compare_branches', &
          & meaning='solve the other branch too, and say whether it has another state', default=.false.)
       v(s_coupling) = coupling_row()
+      call set_heat_rows(v(s_heat:s_last_heat))
    end subroutine set_solid_rows
 
    !> Cells along a period of a wave.
@@ -157,6 +159,7 @@ contains
       r(sliding_output%pull_off_pressure) = pull_off_pressure_row()
       r(sliding_output%branches_differ) = branches_differ_row()
       r(sliding_output%largest_coupling:sliding_output%coupling_left_out) = coupling_results()
+      r(sliding_output%heat(1):) = heat_results('W/m^2')
    end function get_sliding_results
 
 end module adfric_periodic_sliding_variables

@@ -8,7 +8,7 @@ module adfric_plane_contact_shear
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    implicit none (type, external)
    private
-   public :: contact_nodes, integrate_over_contact, integrate_shear, n_contact_nodes
+   public :: contact_nodes, contact_weights, integrate_over_contact, integrate_shear, n_contact_nodes
 
    !> Panels on which a law of the pressure is integrated, and the nodes of all.
    integer, parameter :: n_panels = 4, n_contact_nodes = n_panels*size(gauss_nodes)
@@ -26,6 +26,16 @@ contains
          x((k - 1)*size(gauss_nodes) + 1:k*size(gauss_nodes)) = middle + half_width*sin(angles(k))
       end do
    end function contact_nodes
+
+   !> Weights of the nodes on a contact of half-width 1.
+   pure function contact_weights() result(weights)
+      real(dp) :: weights(n_contact_nodes)
+      integer :: k
+
+      do k = 1, n_panels
+         weights((k - 1)*size(gauss_nodes) + 1:k*size(gauss_nodes)) = half_pi/n_panels*gauss_weights*cos(angles(k))
+      end do
+   end function contact_weights
 
    !> The nodes of a panel as angles from -pi/2 to pi/2, of which the sines are the positions.
    pure function angles(panel)

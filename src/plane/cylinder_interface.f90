@@ -1,13 +1,16 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of a cylinder that slides over a viscoelastic half-plane with a law of the interface: the sum with what the solid loses.
 module adfric_plane_cylinder_interface
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
+   use adfric_interface_heat_rows, only: doubt_heat, h_bulk, h_contact, has_heat, n_heat_results
    use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
    use adfric_plane_left_out_coupling, only: left_out_of_line, modulus_of_contact
+   use adfric_plane_cylinder_heat, only: find_cylinder_temperature
    use adfric_plane_hertz_variables, only: in => hertz_input, out => hertz_output
    use adfric_plane_sliding_cylinder_point, only: cylinder_point_t
    use adfric_plane_sliding_cylinder_units, only: cylinder_slide_state_t, cylinder_slide_t, new_cylinder_slide
@@ -15,7 +18,10 @@ module adfric_plane_cylinder_interface
    use adfric_solid_spectrum_rows, only: poisson_ratio_of, shift_factor_of, solid_shift_of
    implicit none (type, external)
    private
-   public :: add_cylinder_interface, set_cylinder_tractions
+   public :: add_cylinder_interface, set_cylinder_tractions, doubt_cylinder_heat
+
+   !> Cells of a contact in which the largest temperature is looked for, where the heat goes with the pressure.
+   integer, parameter :: n_fine = 400
 
 contains
 
@@ -29,7 +35,51 @@ contains
       call get_friction_law(values(in%friction), given, solid_shift_of(values(in%material(1):in%temperature), spectrum), law)
    end subroutine law_of_cylinder
 
-   !> Add the interface to the friction of a sliding cylinder.
+   !> The temperature of the contact.
+   pure subroutine set_temperature(values, law, point, temperature, results, is_valid)
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t), intent(in) :: law
+      type(cylinder_point_t), intent(in) :: point
+      !> The temperature [K].
+      real(dp), intent(out) :: temperature
+      !> Receives the results of heat; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Is it known?
+      logical, intent(out) :: is_valid
+      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), fine_pressure(n_fine)
+      integer :: i
+
+      temperature = values(in%temperature)
+      is_valid = .true.
+      if (.not. has_heat(values(in%heat))) return
+      associate (slide => point%slide, contact => point%contact)
+         x = contact_nodes(contact%contact_shift, contact%half_width)
+         pressure = [(slide%pressure_at(contact, x(i)), i=1, n_contact_nodes)]
+         fine_pressure = [(slide%pressure_at(contact, contact%contact_shift + contact%half_width*(2*i - 1 - n_fine)/n_fine), &
+            & i=1, n_fine)]
+         results(out%heat(h_bulk)) = abs(values(in%velocity)*contact%friction_force)
+         call find_cylinder_temperature(values(in%heat), law, values(in%velocity), temperature, contact%half_width, pressure, &
+            & fine_pressure, results(out%heat(1):out%heat(n_heat_results)), is_valid)
+      end associate
+   end subroutine set_temperature
+
+   !> A line on the velocity above which heat matters.
+   subroutine doubt_cylinder_heat(values, spectrum, given, point, text)
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      !> The point, which has been solved.
+      type(cylinder_point_t), intent(in) :: point
+      character(:), allocatable, intent(out) :: text
+      type(friction_law_t) :: law
+
+      text = ''
+      if (.not. (has_heat(values(in%heat)) .and. point%contact%half_width > 0)) return
+      call law_of_cylinder(values, spectrum, given, law)
+      call doubt_heat(values(in%heat), law, values(in%temperature), point%contact%half_width, text)
+   end subroutine doubt_cylinder_heat
+
+   !> Add the interface to the friction of a sliding cylinder, and its heat.
    pure subroutine add_cylinder_interface(values, spectrum, given, point, results, is_valid)
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
@@ -44,14 +94,17 @@ contains
       type(sliding_friction_t) :: friction
       type(cylinder_slide_t) :: slide
       type(cylinder_slide_state_t) :: state
-      real(dp) :: shear, unused
+      real(dp) :: shear, unused, temperature
       logical :: is_solved
       integer :: k
 
       call law_of_cylinder(values, spectrum, given, law)
+      call set_temperature(values, law, point, temperature, results, is_valid)
+      if (.not. is_valid) return
       friction%direction = point%slide%direction
       friction%hysteretic = friction%direction*point%contact%friction_force
-      call get_shear(values, law, point%slide, point%contact, friction%interfacial, friction%interfacial_slope, is_valid)
+      call get_shear(values, law, temperature, point%slide, point%contact, friction%interfacial, friction%interfacial_slope, &
+         & is_valid)
       if (.not. is_valid) return
       friction%neighbours = not_a_number()
       do k = 1, size(log_steps)
@@ -62,7 +115,7 @@ contains
          if (.not. is_solved) cycle
          call slide%solve_load(values(in%load), state, is_solved)
          if (.not. is_solved) cycle
-         call get_shear(values, law, slide, state, shear, unused, is_solved)
+         call get_shear(values, law, temperature, slide, state, shear, unused, is_solved)
          friction%neighbours(k) = friction%direction*state%friction_force + shear
       end do
       call friction%get_results(values(in%velocity), results(out%friction_force), &
@@ -96,9 +149,11 @@ contains
    end subroutine add_left_out
 
    !> Shear of a contact per length.
-   pure subroutine get_shear(values, law, slide, state, shear, slope, is_valid)
+   pure subroutine get_shear(values, law, temperature, slide, state, shear, slope, is_valid)
       real(dp), intent(in) :: values(:)
       type(friction_law_t), intent(in) :: law
+      !> Temperature of the contact [K].
+      real(dp), intent(in) :: temperature
       type(cylinder_slide_t), intent(in) :: slide
       type(cylinder_slide_state_t), intent(in) :: state
       !> The shear [N/m], and its change by ln v in this contact.
@@ -108,31 +163,36 @@ contains
       integer :: i
 
       if (.not. law%depends_on_pressure() .or. .not. state%half_width > 0) then
-         call get_shear_of_area(law, abs(values(in%velocity)), values(in%temperature), 2*state%half_width, values(in%load), shear, &
-            & slope, is_valid)
+         call get_shear_of_area(law, abs(values(in%velocity)), temperature, 2*state%half_width, values(in%load), shear, slope, &
+            & is_valid)
          return
       end if
       x = contact_nodes(state%contact_shift, state%half_width)
       do i = 1, n_contact_nodes
          pressure(i) = slide%pressure_at(state, x(i))
       end do
-      call integrate_shear(law, abs(values(in%velocity)), values(in%temperature), state%half_width, pressure, shear, slope, &
-         & is_valid)
+      call integrate_shear(law, abs(values(in%velocity)), temperature, state%half_width, pressure, shear, slope, is_valid)
    end subroutine get_shear
 
    !> Set the shear stress along x.
-   pure subroutine set_cylinder_tractions(values, spectrum, given, pressure, shear)
+   pure subroutine set_cylinder_tractions(values, spectrum, given, results, pressure, shear)
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given
+      !> Results of the point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
       !> Pressure, 0 outside of contact [Pa]; shape `(n_x)`.
       real(dp), intent(in) :: pressure(:)
       !> Receives the shear stress [Pa]; shape `(n_x)`.
       real(dp), intent(out) :: shear(:)
       type(friction_law_t) :: law
+      real(dp) :: temperature
 
       call law_of_cylinder(values, spectrum, given, law)
-      shear = interface_tractions(law, values(in%velocity), values(in%temperature), pressure, pressure > 0)
+      temperature = values(in%temperature)
+      if (has_heat(values(in%heat)) .and. .not. ieee_is_nan(results(out%heat(h_contact)))) &
+         & temperature = results(out%heat(h_contact))
+      shear = interface_tractions(law, values(in%velocity), temperature, pressure, pressure > 0)
    end subroutine set_cylinder_tractions
 
 end module adfric_plane_cylinder_interface

@@ -7,6 +7,7 @@ module adfric_plane_hertz_check
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, has_interface, needs_temperature
    use adfric_interface_shear_coupling, only: check_coupling, is_coupled
+   use adfric_interface_heat_rows, only: check_heat, has_heat
    use adfric_plane_hertz_ellipse, only: find_curvatures
    use adfric_plane_hertz_variables, only: kind_line, kind_elliptical, in => hertz_input
    use adfric_plane_hertz_slip, only: check_slip, refuse_slip
@@ -63,6 +64,7 @@ contains
       type(given_law_t), intent(in) :: given_law
       type(problems_t), intent(inout) :: problems
       real(dp) :: others(size(values))
+      integer :: k
 
       call check_contact_modulus(variables(in%contact_modulus:in%second_poisson_ratio), &
          & values(in%contact_modulus:in%second_poisson_ratio), problems, .true.)
@@ -75,6 +77,8 @@ contains
          if (needs_temperature(values(in%friction))) others(in%temperature) = unset
       end if
       call refuse_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), problems)
+      k = findloc(is_set(values(in%heat)), .true., 1)
+      if (k > 0) call problems%add('heat', variables(in%heat(k))%name, 'has no meaning without &material and a velocity')
    end subroutine check_solid
 
    !> Add to `problems` what does not go with a law of the interface between a cylinder and an elastic solid.
@@ -129,8 +133,10 @@ contains
       of_solid = solid_shift_of(values(in%material(1):in%temperature), given)
       others = values
       ! a solid without shift has no use for the temperature of the interface
-      if (needs_temperature(values(in%friction)) .and. of_solid%law == shift_none) others(in%temperature) = unset
+      if ((needs_temperature(values(in%friction)) .or. has_heat(values(in%heat))) .and. of_solid%law == shift_none) &
+         & others(in%temperature) = unset
       call check_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), given, problems)
+      call check_heat(variables, values, in%heat(1), in%temperature, has_interface(values(in%friction)), unset, .true., problems)
       if (problems%count() == before .and. has_interface(values(in%friction))) call check_interface(variables, values, &
          & in%friction, [in%temperature, in%velocity], given_law, of_solid, 0.0_dp, problems)
    end subroutine check_material

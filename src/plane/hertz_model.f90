@@ -12,7 +12,7 @@ module adfric_plane_hertz_model
    use adfric_interface_shear_coupling, only: doubt_left_out
    use adfric_interface_shear_strength_rows, only: n_shear_rows
    use adfric_plane_coupled_cylinder_point, only: coupled_cylinder_point_t, get_coupled_cylinder_profiles, solve_coupled_cylinder
-   use adfric_plane_cylinder_interface, only: add_cylinder_interface, set_cylinder_tractions
+   use adfric_plane_cylinder_interface, only: add_cylinder_interface, doubt_cylinder_heat, set_cylinder_tractions
    use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
    use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
@@ -164,7 +164,7 @@ contains
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
+      character(:), allocatable :: text, of_heat
       class(point_state_t), allocatable :: state
       real(dp) :: frequency, results(size(self%results)), error_estimate, counts(0)
       integer :: status
@@ -177,7 +177,13 @@ contains
       if (.not. has_interface(values(in%friction))) return
       results = not_a_number()
       call self%solve_point(values, state, results, error_estimate, status, counts)
-      if (status == status_solved) text = text//doubt_left_out(results(out%coupling_left_out), error_estimate)
+      if (status /= status_solved) return
+      text = text//doubt_left_out(results(out%coupling_left_out), error_estimate)
+      select type (state)
+      type is (cylinder_point_t)
+         call doubt_cylinder_heat(values, self%given, self%given_law, state, of_heat)
+         text = text//of_heat
+      end select
    end function describe_doubts
 
    !> E* [Pa].
@@ -338,7 +344,7 @@ contains
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What `solve_block` found for this point, not used here.
+      !> What `solve_block` found for this point.
       real(dp), intent(in) :: results(:)
       !> The contact of the point.
       class(point_state_t), allocatable, intent(in) :: state
@@ -352,7 +358,7 @@ contains
       type is (cylinder_point_t)
          do j = 1, size(axes(1)%coordinates)
             call get_cylinder_profiles(state, axes(2)%coordinates, profiles(:, j, 1), profiles(:, j, 2))
-            if (size(profiles, 3) == p_shear_stress) call set_cylinder_tractions(values, self%given, self%given_law, &
+            if (size(profiles, 3) == p_shear_stress) call set_cylinder_tractions(values, self%given, self%given_law, results, &
                & profiles(:, j, 1), profiles(:, j, p_shear_stress))
          end do
       type is (coupled_cylinder_point_t)
@@ -373,8 +379,6 @@ contains
             end do
          end associate
       end select
-      associate (unused_results => results)
-      end associate
    end subroutine fill_profiles
 
    !> Shear tractions along a line of x.

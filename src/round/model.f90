@@ -13,6 +13,7 @@ module adfric_round_model
    use adfric_round_curve, only: stability_control
    use adfric_round_edge_slope, only: measure_edge
    use adfric_round_friction_point, only: add_friction, add_slip, round_friction_t, shear_at
+   use adfric_round_law_model, only: law_model_t
    use adfric_round_loop, only: find_loop, loop_t
    use adfric_round_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_driven, store_peeled
    use adfric_round_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
@@ -20,9 +21,10 @@ module adfric_round_model
    use adfric_round_variables, only: get_indenter_profiles, get_indenter_results, get_indenter_variables, &
       & indenter_unit_of, law_peeling, n_indenter_variables, p_gap, p_pressure, p_shear_stress, radius_axis, state_sliding, &
       & state_static, theory_maugis_dugdale, in => indenter_input, out => indenter_output
+   use adfric_round_velocity_law, only: check_velocity_law, has_velocity_law, take_strength
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_describe_derived, only: derived_t
-   use adfric_describe_pointwise, only: pointwise_model_t, point_state_t
+   use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_describe_table, only: profile_axis_t
    implicit none (type, external)
@@ -30,7 +32,7 @@ module adfric_round_model
    public :: indenter_model_t, new_indenter_model
 
    !> The model; its tables stand in `adfric_round_variables`.
-   type, extends(pointwise_model_t) :: indenter_model_t
+   type, extends(law_model_t) :: indenter_model_t
    contains
       procedure :: check_values
       procedure :: wants_profiles
@@ -94,7 +96,15 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call check_indenter_values(self%variables, values, is_swept, problems)
+      real(dp) :: constant(n_indenter_variables), slope
+      logical :: is_valid
+      integer :: before
+
+      before = problems%count()
+      call check_velocity_law(self%variables, values, self%given_law, problems)
+      if (problems%count() > before) return
+      call take_strength(values, self%given_law, constant, slope, is_valid)
+      call check_indenter_values(self%variables, constant, is_swept, problems)
    end subroutine check_values
 
    !> See `model_t`.
@@ -140,9 +150,41 @@ contains
       end associate
    end subroutine measure
 
-   !> See `pointwise_model_t`.
+   !> See `pointwise_model_t`: a law of the velocity is a shear strength at each point.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the contact, for the profiles.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Relative error of radius, load and approach, the largest of them, estimated.
+      real(dp), intent(out) :: error_estimate
+      !> One of `status_...`.
+      integer, intent(out) :: status
+      !> This model counts nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
+      real(dp) :: constant(n_indenter_variables), slope
+      logical :: is_valid
+
+      error_estimate = 0
+      status = status_not_converged
+      call take_strength(values, self%given_law, constant, slope, is_valid)
+      if (.not. is_valid) return
+      call solve_contact(constant, state, results, error_estimate, status)
+      associate (unused => counts)
+      end associate
+      if (status /= status_solved .or. .not. has_velocity_law(values)) return
+      associate (force => results(out%friction_force))
+         if (force > 0 .and. abs(values(in%velocity)) > 0) results(out%velocity_slope) = slope*constant(in%shear_strength) &
+            & *results(out%friction_area)/force
+         force = sign(force, values(in%velocity))
+      end associate
+   end subroutine solve_point
+
+   !> Solve a point of a constant shear strength.
+   subroutine solve_contact(values, state, results, error_estimate, status)
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the contact, for the profiles; nothing is taken from the point before.
@@ -153,8 +195,6 @@ contains
       real(dp), intent(out) :: error_estimate
       !> One of `status_...`.
       integer, intent(out) :: status
-      !> This model counts nothing; size 0.
-      real(dp), intent(inout) :: counts(:)
       type(indenter_state_t), allocatable :: found
       type(ends_t) :: ends
       real(dp) :: moved(n_indenter_variables)
@@ -202,9 +242,7 @@ contains
          end if
       end associate
       call move_alloc(found, state)
-      associate (unused => self, unused_counts => counts)
-      end associate
-   end subroutine solve_point
+   end subroutine solve_contact
 
    !> May the state be one of bodies apart, which bears no tangential force? The other branches are those of contacts.
    pure logical function may_part(values)
@@ -290,7 +328,7 @@ contains
       real(dp), intent(in) :: values(:)
 
       count_profiles = merge(p_shear_stress, p_gap, is_set(values(in%friction_coefficient)) .or. is_set(values(in%shear_strength)) &
-         & .or. nint(values(in%law)) == law_peeling)
+         & .or. nint(values(in%law)) == law_peeling .or. has_velocity_law(values))
       associate (unused => self)
       end associate
    end function count_profiles
@@ -308,9 +346,12 @@ contains
       type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: the profiles; shape `(n_r, 1, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
-      real(dp) :: r
+      real(dp) :: r, constant(n_indenter_variables), slope
+      logical :: is_valid
       integer :: k
 
+      call take_strength(values, self%given_law, constant, slope, is_valid)
+      if (.not. is_valid) return
       select type (state)
       type is (indenter_state_t)
          associate (case => state%case)
@@ -320,11 +361,13 @@ contains
                   & *(case%height_unit/case%length_unit)
                profiles(k, 1, p_gap) = gap_at(case%curve%shape, state%contact, r)*case%height_unit
                if (size(profiles, 3) == p_shear_stress) profiles(k, 1, p_shear_stress) = shear_at(case, state%contact, &
-                  & state%friction, values, r)
+                  & state%friction, constant, r)
             end do
          end associate
       end select
-      associate (unused => self, unused_too => values, unused_results => results)
+      if (has_velocity_law(values)) profiles(:, 1, p_shear_stress) = sign(1.0_dp, values(in%velocity)) &
+         & *profiles(:, 1, p_shear_stress)
+      associate (unused_results => results)
       end associate
    end subroutine fill_profiles
 

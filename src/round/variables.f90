@@ -7,6 +7,7 @@ module adfric_round_variables
    use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_solid_contact_modulus, only: set_modulus_rows
+   use adfric_interface_friction_law_rows, only: n_law_rows, set_law_rows
    use adfric_interface_interaction_rows, only: set_interaction_rows
    use adfric_interface_shear_strength_rows, only: set_shear_rows, shear_profiles, p_shear_stress
    use adfric_describe_rows, only: positive, number, any_number, above_zero, choice, switch, whole_number, result_row
@@ -26,7 +27,8 @@ module adfric_round_variables
          & lambda = 0, theory = 0, load = 0, approach = 0, contact_radius = 0, face_angle = 0, branch = 0, profiles = 0, &
          & n_r = 0, r_max = 0, tangential_force = 0, friction_coefficient = 0, shear_strength = 0, pressure_factor = 0, &
          & edge_fraction = 0, position_z = 0, base_approach = 0, machine_stiffness = 0, events = 0, law = 0, state = 0, &
-         & interaction = 0, critical_slip = 0, slip_energy_ratio = 0, lateral_stiffness = 0, base_displacement = 0
+         & interaction = 0, critical_slip = 0, slip_energy_ratio = 0, lateral_stiffness = 0, base_displacement = 0, &
+         & velocity_law(n_law_rows - 1) = 0, temperature = 0, velocity = 0
    end type indenter_input_t
    type(indenter_input_t), parameter, public :: indenter_input = transfer(counting, indenter_input_t())
    integer, parameter, public :: n_indenter_variables = storage_size(indenter_input)/storage_size(1)
@@ -51,7 +53,8 @@ module adfric_round_variables
          & pull_off_base_approach = 0, loop_energy = 0, friction_radius = 0, adhesion_ratio = 0, stick_radius = 0, slip = 0, &
          & largest_slip = 0, peak_force = 0, peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, &
          & snap_off_displacement = 0, critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, &
-         & jump_force = 0, arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0, tangential_force = 0
+         & jump_force = 0, arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0, tangential_force = 0, &
+         & velocity_slope = 0
    end type indenter_output_t
    type(indenter_output_t), parameter, public :: indenter_output = transfer(counting, indenter_output_t())
    integer, parameter, public :: n_indenter_results = storage_size(indenter_output)/storage_size(1)
@@ -121,8 +124,9 @@ contains
          & meaning='find where contact jumps in, what a cycle of approach and retraction takes, and what happens as a tangential ' &
          & //'force grows', default=.false.)
       v(indenter_input%law) = choice(group='friction', name='law', &
-         & meaning='friction of a shear strength (or of a coefficient), or a contact ' &
-         & //'that sticks without limit and peels (JKR)', choices='shear_strength peeling', default='shear_strength')
+         & meaning='friction of a shear strength (or of a coefficient), a contact that sticks without limit and peels (JKR), ' &
+         & //'or a law of velocity and temperature', choices='shear_strength peeling power activated bonds log_gaussian table', &
+         & default='shear_strength')
       v(indenter_input%state) = choice(group='operating', name='state', meaning='before sliding, or during it', &
          & choices='static sliding', &
          & default='static')
@@ -131,7 +135,26 @@ contains
          & meaning='of a lateral spring; the events then have its jumps')
       v(indenter_input%base_displacement) = any_number(group='operating', name='base_displacement', unit='m', &
          & meaning='of the base of a lateral spring, from rest, instead of the force', lower=0.0_dp)
+      call set_velocity_rows(v)
    end function get_indenter_variables
+
+   !> The rows of the law of velocity and temperature, and of both.
+   subroutine set_velocity_rows(v)
+      !> The table of variables.
+      type(variable_t), intent(inout) :: v(:)
+      type(variable_t) :: rows(n_law_rows)
+      integer :: k
+
+      call set_law_rows(rows)
+      ! the first one is the law, of which indenters have more
+      do k = 2, n_law_rows
+         v(indenter_input%velocity_law(k - 1)) = rows(k)
+      end do
+      v(indenter_input%temperature) = above_zero(group='operating', name='temperature', unit='K', &
+         & meaning='temperature of the interface, for laws of friction that depend on it')
+      v(indenter_input%velocity) = number(group='operating', name='velocity', unit='m/s', &
+         & meaning='sliding velocity, for laws of friction that depend on it')
+   end subroutine set_velocity_rows
 
    !> The rows of the shape.
    subroutine set_shape_rows(v)
@@ -243,6 +266,8 @@ contains
       call set_event_rows(r(indenter_output%peak_force:indenter_output%period_work))
       r(indenter_output%tangential_force) = result_row(name='tangential_force', unit='N', &
          & long_name='tangential force at a given displacement of the base of a lateral spring')
+      r(indenter_output%velocity_slope) = result_row(name='velocity_slope', unit='-', long_name='d ln T/d ln v of the friction T ' &
+         & //'over the velocity v at this temperature; below 0 steady sliding may be unstable')
    end subroutine set_peeling_results
 
    !> The rows of slip at the edge, from X to the largest slip.

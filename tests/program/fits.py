@@ -401,6 +401,51 @@ class Stacks(Fits):
         self.assertIn("are of another quantity, allowed: units of [m]", errors)
 
 
+class Interface(Fits):
+    """The law of an interface from friction against velocity: what one temperature tells, and what it does not."""
+
+    # the law that the table was computed with: ln tau_p, log10 v_p, c
+    TRUE = np.log(1e6), -2.0, 0.1
+
+    def text_of(self, temperature, pressure, more=""):
+        """An input with the points of one temperature and one load of the table."""
+        with open(SOURCE / "tests/reference/int_fit_synthetic_1.csv") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        points = [row for row in rows if row["temperature_K"] == temperature and float(row["mean_pressure_Pa"]) == pressure]
+        lines = [f"{row['velocity_m_per_s']},{row['mu_noisy']},{0.02 * float(row['mu'])}" for row in points]
+        self.assertEqual(len(lines), 9)
+        self.write("\n".join(["velocity,friction_coefficient,sigma", *lines]) + "\n", "points.csv")
+        text = (SOURCE / "inputs/fit_interface.nml").read_text()
+        text = text.replace("283.15 ", f"{temperature} ").replace("mean_pressure = 4.0e5", f"mean_pressure = {pressure}")
+        text = text.replace("'fit_interface.csv'", "'points.csv'").replace("'fit_interface.h5'", "'run.h5'")
+        return text + more
+
+    def test_one_temperature(self):
+        """The errors are those that the spread of the velocities allows, and the law lies within them."""
+        # of the temperature at which the maximum lies amid the velocities, and of one far from it
+        expected = {"283.15": (0.010, 0.03, 0.005), "323.15": (0.041, 0.15, 0.0045)}
+        for temperature, least in expected.items():
+            found = self.fit(self.text_of(temperature, 4e5))
+            self.assertEqual(found["status"], 0)
+            names = "peak_shear_strength", "peak_velocity", "log_width_factor"
+            strength, velocity, width = (float(found[name]) for name in names)
+            of = [float(found[f"{name}_error"]) for name in names]
+            errors = np.array([of[0] / strength, of[1] / velocity / np.log(10), of[2]])
+            np.testing.assert_allclose(errors, least, rtol=0.1)
+            offsets = (np.array([np.log(strength), np.log10(velocity), width]) - self.TRUE) / errors
+            self.assertLess(np.abs(offsets).max(), 3.0)
+
+    def test_shift_is_not_there(self):
+        """With a shift of its own, one temperature does not tell velocity and activation energy apart: no answer, and it is said which."""
+        text = self.text_of("283.15", 4e5, "&free variable = 'friction%activation_energy', start = 5.0e4 /\n")
+        text = text.replace("law = 'log_gaussian' ", "law = 'log_gaussian', shift = 'arrhenius', reference_temperature = 293.15 ")
+        self.write(text)
+        output, _ = self.run_program("fit", "--force", "run.nml")
+        self.assertEqual(self.read("run.h5")["status"], 3)
+        self.assertIn("the data do not say what is free", output)
+        self.assertRegex(output, r"not in the data +whatever changes together as .* ln peak_velocity .* ln friction%activation_energy")
+
+
 class Refusals(Fits):
     """Mistakes in the input and in the data: one line, exit status 2, nothing written."""
 

@@ -1,0 +1,129 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Friction of a round body that slides by a law of velocity and temperature. In all of the contact the law has one value, but for what
+!> goes with the pressure itself: so it is that of a shear strength, which the law gives.
+module adfric_round_velocity_law
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
+   use adfric_interface_friction_law, only: friction_law_t
+   use adfric_interface_friction_law_check, only: check_interface
+   use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_law_of_speed, i_law, i_pressure_volume, &
+      & n_interface_rows, n_law_rows, needs_temperature, set_law_rows
+   use adfric_round_variables, only: law_peeling, law_shear_strength, state_sliding, in => indenter_input
+   use adfric_solid_time_temperature, only: time_temperature_t
+   use adfric_describe_table, only: variable_t
+   implicit none (type, external)
+   private
+   public :: has_velocity_law, check_velocity_law, take_strength, law_row_of
+
+   !> Indices of the interface in the table.
+   integer, parameter :: of_interface(n_interface_rows) = [in%shear_strength, in%pressure_factor, in%law, in%velocity_law]
+
+contains
+
+   !> Values of the interface, whose laws count without that of peeling.
+   pure function interface_of(values) result(friction)
+      real(dp), intent(in) :: values(:)
+      real(dp) :: friction(n_interface_rows)
+
+      friction = values(of_interface)
+      if (nint(values(in%law)) >= law_peeling) friction(i_law) = values(in%law) - 1
+   end function interface_of
+
+   !> Is there a law of the velocity?
+   pure logical function has_velocity_law(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      has_velocity_law = nint(values(in%law)) /= law_peeling
+      if (has_velocity_law) has_velocity_law = has_law_of_speed(interface_of(values))
+   end function has_velocity_law
+
+   !> Index among the rows of the law; of another variable one that no row of a table has.
+   pure integer function law_row_of(index) result(row)
+      !> Index in the table.
+      integer, intent(in) :: index
+
+      row = index - in%velocity_law(1) + 2
+   end function law_row_of
+
+   !> Add to `problems` what is wrong with the law, its velocity and its temperature.
+   subroutine check_velocity_law(variables, values, given, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The table of the law.
+      type(given_law_t), intent(in) :: given
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(variable_t), allocatable :: table(:)
+      type(variable_t) :: rows(n_law_rows)
+      type(time_temperature_t) :: none
+      real(dp) :: numbers(size(values))
+      integer :: k
+
+      if (.not. has_velocity_law(values)) then
+         do k = 1, size(in%velocity_law)
+            if (is_set(values(in%velocity_law(k)))) call refuse(in%velocity_law(k), 'has no meaning for this law of friction')
+         end do
+         if (is_set(values(in%velocity))) call refuse(in%velocity, 'has no meaning without a law of the velocity in &friction; ' &
+            & //'over an elastic solid nothing else rubs')
+         if (is_set(values(in%temperature))) call refuse(in%temperature, 'has no meaning without a law of the velocity in ' &
+            & //'&friction')
+         return
+      end if
+      call set_law_rows(rows)
+      table = variables
+      table(in%law)%choices = rows(1)%choices
+      numbers = values
+      numbers(of_interface) = interface_of(values)
+      call check_interface(table, numbers, of_interface, [in%temperature, in%velocity], given, none, 0.0_dp, problems)
+      if (is_set(values(in%temperature)) .and. .not. needs_temperature(interface_of(values))) call refuse(in%temperature, &
+         & 'has no meaning for this law of friction without shift')
+      if (is_set(values(of_interface(i_pressure_volume)))) call refuse(of_interface(i_pressure_volume), &
+         & 'has no meaning for round bodies; over their pressure the law is not integrated')
+
+   contains
+
+      !> Add a problem of one variable to the list.
+      subroutine refuse(index, text)
+         !> Index in the table.
+         integer, intent(in) :: index
+         !> What is wrong; the name is put before this.
+         character(*), intent(in) :: text
+
+         call problems%add(variables(index)%group, variables(index)%name, text)
+      end subroutine refuse
+
+   end subroutine check_velocity_law
+
+   !> The values of a body that slides against the shear strength of the law; without a law those that are given.
+   pure subroutine take_strength(values, given, constant, slope, is_valid)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The table of the law.
+      type(given_law_t), intent(in) :: given
+      !> Receives the values with a constant shear strength [Pa]; shape `(n_variables)`.
+      real(dp), intent(out) :: constant(:)
+      !> d ln/d ln v of this strength [-].
+      real(dp), intent(out) :: slope
+      !> Does the law hold at this velocity and temperature?
+      logical, intent(out) :: is_valid
+      type(friction_law_t) :: law
+      type(time_temperature_t) :: none
+
+      constant = values
+      slope = 0
+      is_valid = .true.
+      if (.not. has_velocity_law(values)) return
+      call get_friction_law(interface_of(values), given, none, law)
+      law%pressure_factor = 0
+      constant(in%velocity_law) = unset
+      constant([in%temperature, in%velocity]) = unset
+      constant(in%law) = law_shear_strength
+      constant(in%state) = state_sliding
+      call law%get_stress(abs(values(in%velocity)), 0.0_dp, values(in%temperature), constant(in%shear_strength), slope, is_valid)
+   end subroutine take_strength
+
+end module adfric_round_velocity_law
