@@ -4,6 +4,7 @@
 !> Below a Poisson's ratio of 1/2 shear tilts the surface. With q = tau + mu p, m = mu beta tells by how much, and part of the friction
 !> is then a force T_s on the slopes of the body that no loss makes: it may be below 0.
 module adfric_interface_shear_coupling
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
@@ -109,6 +110,7 @@ contains
       character(300) :: line
 
       text = ''
+      if (ieee_is_nan(change)) return
       if (.not. abs(change) > error_estimate) return
       write (line, '(a, es9.1, a, es8.1, a)') 'shear stress moves the contact where Poisson''s ratio is below 0.5; left out, as ' &
          & //'here, it changes the friction by', change, ' of it to first order, beside an error of', error_estimate, &

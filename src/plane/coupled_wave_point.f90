@@ -2,6 +2,7 @@
 !> One point of `wave_1d` that slides on an elastic half-plane whose contact is moved by the shear stress, from the values of a namelist
 !> to results and profiles.
 module adfric_plane_coupled_wave_point
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
    use adfric_base_not_a_number, only: not_a_number
@@ -114,7 +115,7 @@ contains
          state%m = law%pressure_factor*beta
          state%stress = beta*constant_stress(values, law, speed)/pressure_unit(values)
       end associate
-      if (.not. abs(state%stress) >= 0) return
+      if (ieee_is_nan(state%stress)) return
       eta = atan(state%m)/pi
       full = cos(pi*eta)/2
       is_pressure = is_set(values(in%mean_pressure))

@@ -43,7 +43,7 @@ module adfric_plane_sliding_coupling
       real(dp) :: eta = 0, tilt = 0
       !> w and c = pi - w [rad], both with all digits.
       real(dp) :: half_width = 0, opening = pi
-      !> Middle of the contact c_m, and M - c eta [rad]; NaN where there is no state.
+      !> Middle of the contact c_m, and M - c eta [rad]; the largest number where there is no state.
       real(dp) :: centre = 0, phase = 0
       !> Mean pressure, penetration of the crests below the mean surface, and T_s.
       real(dp) :: mean_pressure = 0, penetration = 0, slope_friction = 0
@@ -124,7 +124,7 @@ contains
       call set_phase(wave)
    end subroutine set_width
 
-   !> Middle of the contact, and M - c eta; NaN where the tilt is too large for the width.
+   !> Middle of the contact, and M - c eta; the largest number where the tilt is too large for the width.
    pure subroutine set_phase(wave)
       type(coupled_wave_t), intent(inout) :: wave
       real(dp) :: sine, cosine, lift, without, numerator, denominator
@@ -133,8 +133,8 @@ contains
          call get_sums(2*eta, c, sine, cosine)
          lift = 0
          if (abs(wave%tilt) > 0) lift = -2*wave%tilt*(c/pi)*cos(pi*eta)/hypot(sine, cosine)
-         wave%centre = not_a_number()
-         wave%phase = not_a_number()
+         wave%centre = huge(wave%centre)
+         wave%phase = huge(wave%phase)
          if (.not. abs(lift) <= 1) return
          if (w < pi/2) then
             ! tan(M - pi eta), whose terms of small contacts are small
