@@ -73,8 +73,10 @@ AREAS = {
         one("edge_rules_continuous", "edge_rules_instantaneous", "edge_rules_front"),
         one("layer_limit_columns", "layer_limit_thin", "layer_limit_thick", options="--y friction_stress contact_fraction")),
     "A sphere": (
-        one("johnson1997_fig3"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
-        one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"), one("johnson1997_fig11"),
+        one("johnson1997_fig1", options="--x gap --y pressure"), one("johnson1997_fig2", options="--y pressure"),
+        one("johnson1997_fig3"), one("johnson1997_fig4", options="--y friction_radius"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
+        one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"),
+        one("johnson1997_fig10", options="--y tangential_displacement edge_slip"), one("johnson1997_fig11"),
         one("johnson1997_savkoor", options="--y friction_area"), one("johnson1997_lambda", options="--y friction_area pull_off_load"),
         one("sphere_pressure"),
         one("sphere_pressure_factor", options="--y tangential_force stick_radius edge_slip"), one("stick_slip", options="--y tangential_force contact_radius edge_slip"),
@@ -253,8 +255,8 @@ def draw_overview():
 def page():
     """The text of docs/gallery.md."""
     lines = ["<!-- written by scripts/gallery -->", "", "# Gallery", "",
-             "Every input of `inputs/` with its figure, as `scripts/run inputs/NAME.nml` draws it, or with several inputs",
-             "`scripts/plot`. The texts are those of the inputs. `scripts/gallery` makes this page and draws the figures, of which",
+             "Every input of `inputs/` with its figure, as `scripts/run inputs/NAME.nml` draws it, or `scripts/plot` where it stands",
+             "below. The texts are those of the inputs. `scripts/gallery` makes this page and draws the figures, of which",
              "the repository has six. The site (`scripts/site`) has all.", ""]
     for area, entries in AREAS.items():
         lines += [f"## {area}", ""]
@@ -265,7 +267,7 @@ def page():
             commands = [f"scripts/{command}" for command in commands_of(entry)]
             commands += [f"build/release/adfric run inputs/{before}.nml" for name in entry.inputs for before in RUN_BEFORE.findall(text_of(name))]
             commands += [f"scripts/run inputs/{name}.nml" for name in entry.inputs]
-            if len(entry.inputs) > 1:
+            if len(entry.inputs) > 1 or entry.options:
                 commands.append(" ".join(["scripts/plot", *(output_of(name) for name in entry.inputs), entry.options]).strip())
             lines += ["```sh", *commands, "```", ""]
     return "\n".join(lines)

@@ -1,21 +1,51 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Write pages of the guide as notebooks: python3 scripts/notebooks.py FOLDER.
 
-A notebook has the words of its page, without its commands and figures; its input is written, solved and drawn by cells. Nothing of it is
-kept: the site is built with notebooks, and tests/program/notebooks.py runs them. Pages whose data are no text have none.
+A notebook has the words of its page, without its commands and figures; its input is written, solved and drawn by cells. Data that are
+no text are made by a cell. Nothing of it is kept: the site is built with notebooks, and tests/program/notebooks.py runs them.
 """
 
 import json
 import re
+import shlex
 import sys
 from pathlib import Path
 
 from document_prose import FENCE, LINK
+from make_options.surface import read_command_line
 
 ROOT = Path(__file__).resolve().parents[1]
 GUIDE, INPUTS = ROOT / "docs/guide", ROOT / "inputs"
-# pages whose inputs stand alone, or beside a table of text in `inputs`
-PAGES = ("friction_of_a_tip", "fretting", "rubber_on_a_road", "fit")
+# pages whose inputs stand alone, beside a table of text in `inputs`, or beside data that a cell makes
+PAGES = ("friction_of_a_tip", "fretting", "rubber_on_a_road", "fit", "pull_off_of_a_rough_surface", "fit_of_a_force_map")
+# sweeps that take long have fewer values in a notebook: what stands on the page, and in the notebook
+SHORTER = {"pull_off_of_a_rough_surface": ("count = 25", "count = 5")}
+SURFACE = re.compile(r"^scripts/make_surface (.*)$", re.MULTILINE)
+# a map of 4 x 4 curves: the modulus grows along x, the work of adhesion along y; the lever gives way by the load over its stiffness
+FORCE_MAP = """
+# A small map of force curves with their base lines, made by the same theory, with noise
+import adfric
+import h5py
+import numpy as np
+
+stiffness, noise = 0.05, 2.0e-10                                                  # [N/m], [N]
+moduli, works = np.linspace(1.0e4, 2.0e4, 4), np.linspace(2.0e-4, 4.0e-4, 4)      # [Pa], [J/m^2]
+approach = np.linspace(-5.0e-8, 8.0e-7, 60)                                       # in contact [m]
+apart = np.linspace(-2.0e-6, -6.0e-7, 40)                                         # the base line [m]
+random = np.random.default_rng(1)
+load, position = np.zeros((2, 4, 4, 100))
+for row, work in enumerate(works):
+    for column, modulus in enumerate(moduli):
+        curve = adfric.scene(surface={"kind": "paraboloid", "radius": 5.0e-6}, solid={"contact_modulus": modulus},
+                             adhesion={"work_of_adhesion": work, "theory": "jkr"}, sweep={"approach": approach}).solve()
+        load[row, column, 40:] = curve["load"]
+        position[row, column] = [*apart, *(approach + curve["load"] / stiffness)]
+load += random.normal(scale=noise, size=load.shape)
+with h5py.File("map.h5", "w") as file:
+    for name, values, unit in (("load", load, "N"), ("position", position, "m"), ("contact", np.arange(100) >= 40, "1")):
+        file[name] = np.asarray(values, dtype=float)
+        file[name].attrs["units"] = unit
+"""
 TABLE = re.compile(r"file\s*=\s*'([^':]+)'")
 # what is written once
 KERNEL = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}, "language_info": {"name": "python"}}
@@ -51,12 +81,27 @@ def cells_of(name):
         if language is None and words_alone(part):
             cells.append(("markdown", words_alone(part)))
         elif language == "fortran" and not is_solved and "## The input" in text.partition(part)[0]:
-            cells += solving_cells(name, title, part)
+            cells += [*data_cells(name, text), *solving_cells(name, title, part.replace(*SHORTER.get(name, ("", ""))))]
             is_solved = True
         elif language in ("fortran", "text", "python"):
             cells.append(("markdown", f"```{language}\n{part}\n```"))
     cells.insert(1, ("markdown", NEEDS))
     return cells
+
+
+def data_cells(name, text):
+    """Cells that make the data of a page that are no text."""
+    if name == "fit_of_a_force_map":
+        return [("code", FORCE_MAP.strip())]
+    command = SURFACE.search(text)
+    if not command:
+        return []
+    given = read_command_line(shlex.split(command[1]))
+    script = ROOT.joinpath("scripts/make_surface.py").read_text()
+    made = script[script.index("def make_heights("):script.index("\n\n\ndef main(")]
+    values = ", ".join(f"{key}={getattr(given, key)!r}" for key in ("cells", "hurst", "longest", "shortest", "rms", "seed"))
+    return [("code", f"# What {command[0].split()[0]} does\nimport h5py\nimport numpy as np\n\n\n{made}\n\n\n"
+                     f"write_surface({given.file!r}, make_heights({values}), {given.length!r})")]
 
 
 def solving_cells(name, title, text):

@@ -18,9 +18,9 @@ def plot(results, *, x=None, y=None, data=None, output=None, interactive=False):
     results : xarray.Dataset, path, or a list of these
         Results of `solve`, `run` or `open`, or results files.
     x : str
-        Swept variable or result along the axis; default: the last one that is swept.
+        Swept variable or result along the axis; default: the last one that is swept. Or a profile, as gap.
     y : str or list of str
-        Results to draw, a panel for each. Without x and y what is drawn follows from what was swept.
+        Results to draw, a panel for each; or profiles, as pressure. Without x and y what is drawn follows from what was swept.
     data : path
         Points to draw as well: a CSV file whose header has the names of x and of results, in SI units.
     output : path

@@ -11,6 +11,7 @@ import os.path
 import numpy as np
 
 from .adhesion import RELATIVE, add_pull_off
+from .along import are_profiles, draw_along
 from .curves import add_legend, find_curves, leave_out_pole, load_of, passes_zero, without_pole
 from .doubts import is_doubted, shade_doubts
 from .labels import axis_label, point_label, scale_of
@@ -43,6 +44,10 @@ def draw_chosen(runs, x_name, y_names, table):
     """The figure, and its title: what the titles of the runs have in common."""
     from .figures import choose_results
 
+    if are_profiles(runs[0], [name for name in [x_name, *(y_names or [])] if name]):
+        if len(runs) > 1 or table or not y_names:
+            raise BadFile(f"{runs[0].path}: profiles are drawn of one file, with --y and without --data")
+        return draw_along(runs[0], x_name, y_names), runs[0].title
     for results in runs:
         _add_share(results)
         add_pull_off(results)

@@ -42,6 +42,7 @@ def make_figure(runs, x=None, y=None, data=None, cuts=None):
     from .doubts import describe_doubts
     from .figures import choose_figure
     from .style import use_style
+    from .titles import break_titles
 
     with use_style():
         if cuts:
@@ -52,11 +53,13 @@ def make_figure(runs, x=None, y=None, data=None, cuts=None):
             figure, title = draw_chosen(runs, x, y, data)
         else:
             figure, title = choose_figure(runs[0])(runs[0]), runs[0].title
+        whole = []
         # a run without a title has that of its model
         if title and title != runs[0].model:
-            figure.suptitle(literal(title), fontsize="medium")
+            whole.append(figure.suptitle(literal(title), fontsize="medium"))
         if doubts := describe_doubts(runs):
-            figure.supxlabel(doubts, fontsize="small", color="0.35")
+            whole.append(figure.supxlabel(doubts, fontsize="small", color="0.35"))
+        break_titles(figure, whole)
     return figure
 
 

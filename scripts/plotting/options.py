@@ -23,8 +23,9 @@ def read_command_line(arguments):
         "follows from what was swept.",
     )
     parser.add_argument("files", metavar="FILE.h5", type=Path, nargs="+", help="results of adfric run")
-    parser.add_argument("--x", metavar="NAME", help="swept variable or result along the axis (default: the last one that is swept)")
-    parser.add_argument("--y", metavar="NAME", nargs="+", help="results to draw, a panel for each")
+    parser.add_argument("--x", metavar="NAME", help="swept variable or result along the axis (default: the last one that is swept); "
+                        "or a profile, as gap")
+    parser.add_argument("--y", metavar="NAME", nargs="+", help="results to draw, a panel for each; or profiles, as pressure")
     parser.add_argument("--data", metavar="TABLE", type=Path,
                         help="points to draw as well: a table whose heads have the names of x and of results, with units or in those of the results")
     parser.add_argument("--cut", metavar="LINE", nargs="+",

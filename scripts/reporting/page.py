@@ -19,6 +19,7 @@ from .maps import DEPTH, make_maps, surface_maps, sweep_maps
 from .scene import scene_html, scene_of
 from .shared import BadFile, NothingToDraw, fit
 from .sketch import sketch_of
+from .stacks import FIRST_X, FIRST_Y, make_stack, residual_table, stack_html
 from .statuses import status_html
 from .thinning import thin
 from .words import number_of, words_of
@@ -211,9 +212,25 @@ def thin_profiles(results):
 
 
 def add_fit(page, results, number):
-    """The estimates of a single fit, its curves and its residuals."""
-    if not fit.is_fit(results) or results.several:
+    """The estimates of a single fit, its curves and its residuals; of a stack what the residuals say."""
+    if not fit.is_fit(results):
+        return
+    if results.several:
+        add_stack(page, results, number)
         return
     columns = fit.read_columns(results.source)
     page.add(f"<h3>Fit</h3>{fit_html(columns)}")
     page.add_figure(f"fit{number}", make_fit(columns))
+
+
+def add_stack(page, results, number):
+    """The residuals of the fits of a stack."""
+    page.add(f"<h3>Residuals of the fits</h3>{stack_html(results)}")
+    if (figures := make_stack(results, f"stack{number} ")) is not None:
+        page.add_figure(f"stack{number}", figures)
+    kept, left = thin_profiles(results)
+    if (table := residual_table(kept)) is not None:
+        page.add_figure(f"residuals{number}", *make_curves([table], FIRST_X, FIRST_Y, f"residuals{number} "))
+        page.add(f"<p class='left-out'>{escape(left)}</p>" if left else "")
+    else:
+        page.add("<p class='left-out'>The file has no residuals of single points: they come with &amp;fit residuals = 'all'</p>")

@@ -9,6 +9,8 @@ module adfric_command_check
    use adfric_command_line, only: command_t
    use adfric_command_doubts, only: describe_bounds_of, describe_doubts_of, describe_trials
    use adfric_command_durations, only: show_duration
+   use adfric_command_effect, only: has_effect
+   use adfric_command_hints, only: hint_of_state
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_plausibility, only: warn_of_values
    use adfric_command_values, only: show_input_value
@@ -62,7 +64,7 @@ contains
          if (text(len(text):) /= newline) call outcome%say(newline)
       end if
       call run%model%prepare()
-      call outcome%say(describe_doubts_of(run))
+      call outcome%say(describe_doubts_of(run)//hint_of_state(run))
       call outcome%say(describe_sweep(run))
       call outcome%say(describe_points(run))
       call estimate_time(run, estimate)
@@ -120,7 +122,7 @@ contains
       lines = lines//newline
    end function describe_points
 
-   !> The variables that have one value, group by group.
+   !> The variables that have one value, group by group, but for defaults without an effect.
    function describe_values(run) result(lines)
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
@@ -134,6 +136,7 @@ contains
          do i = 1, size(run%model%variables)
             if (run%model%variables(i)%group /= get_word(groups, g)) cycle
             if (run%plan%is_swept(i) .or. .not. is_set(run%plan%base(i))) cycle
+            if (.not. has_effect(run, i)) cycle
             of_group = of_group//describe_value(run, i)
          end do
          if (len(of_group) > 0) lines = lines//'&'//get_word(groups, g)//newline//of_group

@@ -6,6 +6,7 @@ module adfric_command_doubts
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_text, only: newline, show_count, show_number
    use adfric_base_words, only: get_word
+   use adfric_command_hints, only: warn_of_sliding
    use adfric_describe_doubt, only: doubt_limits, doubt_meanings, n_doubts, not_measured, quantity_of
    use adfric_run_run, only: run_t
    use adfric_run_time_estimate, only: time_estimate_t
@@ -16,7 +17,7 @@ module adfric_command_doubts
 contains
 
    !> Doubts of the first point; if there are none, those of the other end of the first sweep that has some there, and where that
-   !> is.
+   !> is. Behind them stands whether a contact slides.
    function describe_doubts_of(run) result(text)
       class(run_t), intent(in) :: run
       character(:), allocatable :: text
@@ -24,10 +25,11 @@ contains
 
       text = run%model%describe_doubts(run%plan%base)
       do k = 1, size(run%plan%axes)
-         if (len(text) > 0) return
+         if (len(text) > 0) exit
          text = run%model%describe_doubts(values_at_end(run, k))
          if (len(text) > 0) text = 'at '//name_of_end(run, k)//': '//text
       end do
+      text = text//warn_of_sliding(run)
    end function describe_doubts_of
 
    !> Values of the point at the other end of a sweep, of the others the first.

@@ -8,6 +8,7 @@ module adfric_command_help_names
    use adfric_input_variable, only: describe_allowed
    use adfric_describe_doubt, only: doubt_meanings, doubt_name, explain_doubt
    use adfric_describe_model, only: model_t
+   use adfric_describe_plausible_range, only: describe_usual
    use adfric_describe_status, only: explain_status, status_meanings
    use adfric_describe_table, only: variable_t, result_t, common_results, kind_choice
    use adfric_describe_vocabulary, only: list_groups, list_variables
@@ -147,13 +148,15 @@ contains
    function describe_variable(variable) result(text)
       !> Row of the model's table: names, unit, meaning and what is allowed.
       type(variable_t), intent(in) :: variable
-      character(:), allocatable :: text
+      character(:), allocatable :: text, usual
 
       text = '  '//variable%name
       if (len_trim(variable%unit) > 0) text = text//' ['//variable%unit//']'
       text = pad(text, name_width)//variable%meaning//newline
       text = text//repeat(' ', name_width)//'  '//describe_allowed(variable)
       if (is_set(variable%default)) text = text//'; default '//show_input_value(variable, variable%default)
+      usual = describe_usual(variable, variable%unit)
+      if (len(usual) > 0) text = text//'; '//usual
       text = text//newline
    end function describe_variable
 

@@ -4,6 +4,7 @@ module adfric_command_help_scenes
    use adfric_base_text, only: newline
    use adfric_base_words, only: count_words, get_word, has_word, pad
    use adfric_command_help_lists, only: model_box_t
+   use adfric_describe_plausible_range, only: describe_usual
    use adfric_describe_table, only: kind_choice, variable_t
    use adfric_describe_vocabulary, only: order_of_scenes
    use adfric_describe_scene_messages, only: with_phrases
@@ -238,9 +239,20 @@ contains
             text = text//pad('  '//name(percent + 1:)//unit_of(row), name_width)//with_phrases(meaning_of(name, row%meaning))// &
                newline
             if (len(row%choices) > 0) text = text//words_line(words_of_all(models, name))
+            if (name(percent + 1:) == wanted) text = text//usual_line(row)
          end do
       end do
    end subroutine add_group
+
+   !> A line with the sizes that a variable usually has; empty where nothing is known.
+   pure function usual_line(row) result(line)
+      !> Row of the solver, with the unit of scenes.
+      type(variable_t), intent(in) :: row
+      character(:), allocatable :: line
+
+      line = describe_usual(row, row%unit)
+      if (len(line) > 0) line = repeat(' ', name_width)//line//newline
+   end function usual_line
 
    !> Groups of the variables that a topic means, separated by a blank.
    function groups_meant(models, topic) result(groups)

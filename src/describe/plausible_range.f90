@@ -3,11 +3,12 @@
 !> variable may be stands in its table.
 module adfric_describe_plausible_range
    use adfric_base_kinds, only: dp
+   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_describe_table, only: variable_t, kind_real, kind_dataset
    implicit none (type, external)
    private
-   public :: find_plausible_range, is_plausible
+   public :: find_plausible_range, is_plausible, describe_usual
 
    !> Range of the sizes in a unit.
    type :: plausible_row_t
@@ -55,6 +56,24 @@ contains
          if (is_set(variable%usual_upper)) upper = variable%usual_upper
       end do
    end subroutine find_plausible_range
+
+   !> The sizes that a variable usually has, in words; empty where nothing is known.
+   pure function describe_usual(variable, unit) result(text)
+      !> Row of the variable in the table of its model.
+      type(variable_t), intent(in) :: variable
+      !> Its unit; the first one counts where several are separated by `;`.
+      character(*), intent(in) :: unit
+      character(:), allocatable :: text
+      real(dp) :: lower, upper
+
+      text = ''
+      call find_plausible_range(variable, unit, lower, upper)
+      if (.not. upper < huge(upper)) return
+      text = 'usual sizes'
+      if (lower > 0) text = text//' '//show_number(lower)
+      text = text//' to '//show_number(upper)//' '//trim(unit(:index(unit//';', ';') - 1))
+      if (.not. lower > 0) text = 'usual sizes up to'//text(len('usual sizes to') + 1:)
+   end function describe_usual
 
    !> Is a value 0, or of a size within a range?
    elemental logical function is_plausible(value, lower, upper)

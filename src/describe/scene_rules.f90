@@ -357,9 +357,13 @@ module adfric_describe_scene_rules
       & 'surface_sliding solid%curve_modulus contact material%master_curve layer%poisson_ratio']
 
    !> Phrases of the messages, meanings and units of solvers, and behind = what a scene says.
-   character(*), parameter :: phrases(*) = [character(100) :: &
+   character(*), parameter :: phrases(*) = [character(120) :: &
       & 'wave_3d and map=wave_product and heights', 'wave_3d=wave_product', 'N/m for line=N/m for cylinder', &
       & '90 degrees=pi/2', '45 degrees=pi/4', '&material=relaxation in &solid', 'make a map of it=sample it as heights', &
+      & 'adhesion_stress needs it, or adhesion_range=give two of work_of_adhesion, adhesion_stress and adhesion_range', &
+      & 'work_of_adhesion needs it=give two of work_of_adhesion, adhesion_stress and adhesion_range', &
+      & 'adhesion_stress needs it=give two of work_of_adhesion, adhesion_stress and adhesion_range', &
+      & 'adhesion_range needs it=give two of work_of_adhesion, adhesion_stress and adhesion_range', &
       & 'of a map have=of kind heights have', 'a dataset of two is a map=those of two are of kind heights', &
       & 'give stiffness and moduli=give stiffness and stiffnesses']
 

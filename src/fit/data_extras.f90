@@ -9,7 +9,7 @@ module adfric_fit_data_extras
    use adfric_describe_table, only: result_t
    implicit none (type, external)
    private
-   public :: get_data_extras
+   public :: get_data_extras, get_units
 
 contains
 

@@ -15,17 +15,21 @@ module adfric_fit_stack_model
    use adfric_fit_names, only: find_derived_rows, list_extra_names
    use adfric_fit_problem, only: fit_t, data_set_t
    use adfric_fit_result_rows, only: get_result_rows, get_result_values
-   use adfric_fit_solution, only: solution_t, fit_solved, fit_not_converged, fit_status_meanings
+   use adfric_fit_data_extras, only: get_units
+   use adfric_fit_solution, only: data_solution_t, solution_t, fit_solved, fit_not_converged, fit_status_meanings
    use adfric_fit_solve, only: solve_fit
    use adfric_describe_model, only: model_t, derived_t
    use adfric_describe_rows, only: dataset, whole_number
-   use adfric_describe_table, only: extra_t, profile_axis_t
+   use adfric_describe_profile_receiver, only: profile_receiver_t
+   use adfric_describe_table, only: extra_t, profile_axis_t, profile_t
    implicit none (type, external)
    private
    public :: stack_model_t, new_stack_model
 
    !> Most curves of a block: each takes long.
    integer, parameter :: most_curves = 4
+   !> Indices of the profiles: what was measured, the fitted ordinate, the residual.
+   integer, parameter :: p_abscissa = 1, p_ordinate = 2, p_fitted = 3, p_residual = 4, n_profiles = 4
    !> A search ends at a step below this part of a standard error.
    real(dp), parameter :: last_step = 1.0e-6_dp
 
@@ -39,6 +43,8 @@ module adfric_fit_stack_model
       integer(i8), allocatable :: lengths(:)
       !> Index in `variables` of the one before the first dimension of the stack.
       integer :: last_before = 0
+      !> Points of each curve; 0 where there are no profiles.
+      integer :: n_samples = 0
       !> The curves; not allocated for a single fit, whose data sets have their points.
       class(curve_source_t), allocatable :: source
       !> Derived quantities in the order of their results.
@@ -53,6 +59,7 @@ module adfric_fit_stack_model
       procedure :: release
       procedure :: obey
       procedure :: solve_block
+      procedure :: solve_block_and_profiles
       procedure :: solve_profiles
       procedure :: list_states
       procedure :: get_extras
@@ -65,7 +72,7 @@ contains
 
    !> A stack, or a single fit. Its variables are those of the model that is fitted, the files with the data, and the indices along
    !> each dimension of the stack.
-   subroutine new_stack_model(self, fit, n_files, lengths, source)
+   subroutine new_stack_model(self, fit, n_files, lengths, n_samples, source)
       !> Receives the model of the run.
       type(stack_model_t), intent(out) :: self
       !> What is fitted; its model belongs to the stack from now on.
@@ -74,6 +81,8 @@ contains
       integer, intent(in) :: n_files
       !> Number of curves along each dimension, the slowest first; size 0 for a single fit.
       integer(i8), intent(in) :: lengths(:)
+      !> Points of each curve of a stack, if they are wanted beside the results; else 0.
+      integer, intent(in) :: n_samples
       !> The curves, which are taken over; not allocated for a single fit.
       class(curve_source_t), allocatable, intent(inout) :: source
 
@@ -90,11 +99,37 @@ contains
       call set_variables(self, n_files)
       call get_result_rows(fit, self%results)
       call find_derived_rows(fit, self%derived)
-      allocate (self%profiles(0), self%counts(0))
-      self%profile_axes = 'x'
+      allocate (self%counts(0))
+      self%profile_axes = 'point'
+      call set_profile_rows(self, n_samples)
       self%largest_block = most_curves
       self%shares_points = fit%model%shares_points
    end subroutine new_stack_model
+
+   !> The table of the profiles: points and residuals of a curve, where a stack has one curve a point.
+   subroutine set_profile_rows(self, n_samples)
+      !> The stack, whose profiles are set.
+      type(stack_model_t), intent(inout) :: self
+      !> Points of each curve.
+      integer, intent(in) :: n_samples
+      character(:), allocatable :: x_unit, y_unit
+
+      if (self%is_single() .or. n_samples == 0 .or. size(self%fit%data_sets) /= 1) then
+         allocate (self%profiles(0))
+         return
+      end if
+      self%n_samples = n_samples
+      allocate (self%profiles(n_profiles))
+      associate (of_data => self%fit%data_sets(1))
+         call get_units(self%fit, of_data, x_unit, y_unit)
+         self%profiles(p_abscissa) = profile_t(name='abscissa', unit=x_unit, &
+            long_name=self%fit%model%variables(of_data%abscissa)%name)
+         self%profiles(p_ordinate) = profile_t(name='ordinate', unit=y_unit, &
+            long_name=self%fit%model%results(of_data%ordinate)%name)
+      end associate
+      self%profiles(p_fitted) = profile_t(name='fitted', unit=y_unit, long_name='the model at the measured points')
+      self%profiles(p_residual) = profile_t(name='residual', unit='-', long_name='residuals in standard errors')
+   end subroutine set_profile_rows
 
    !> The table of variables.
    subroutine set_variables(self, n_files)
@@ -153,27 +188,32 @@ contains
       end associate
    end subroutine check_values
 
-   !> See `model_t`: a fit has no profiles along an axis that all curves share.
+   !> See `model_t`: points and residuals, where they are wanted.
    pure logical function wants_profiles(self, values)
       class(stack_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = .false.
-      associate (unused => self, unused_values => values)
+      wants_profiles = self%n_samples > 0
+      associate (unused_values => values)
       end associate
    end function wants_profiles
 
-   !> See `model_t`.
+   !> See `model_t`: the points of a curve.
    subroutine get_profile_axes(self, values, axes)
       class(stack_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives no axes.
+      !> Receives the axis of the points.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
+      integer :: k
 
-      allocate (axes(0))
-      associate (unused => self, unused_values => values)
+      allocate (axes(1))
+      axes(1)%name = self%profile_axes
+      axes(1)%unit = '-'
+      axes(1)%long_name = 'measured point'
+      axes(1)%coordinates = [(real(k, dp), k=1, self%n_samples)]
+      associate (unused_values => values)
       end associate
    end subroutine get_profile_axes
 
@@ -219,11 +259,45 @@ contains
       integer, intent(out) :: status(:)
       !> Of size 0: nothing is counted.
       real(dp), intent(out) :: counts(:)
+
+      call solve_curves(self, values, results, error_estimate, status, counts)
+   end subroutine solve_block
+
+   !> See `model_t`: the residuals are those of the fit that the results are taken from.
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
+      class(stack_model_t), intent(in) :: self
+      !> Values of the variables for each curve; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each curve; shape `(n_results, n_points)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of the first variable that the search leaves; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> One of `fit_...` for each curve; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Of size 0: nothing is counted.
+      real(dp), intent(out) :: counts(:)
+      !> Space for the profiles of one curve, of their shape; what stands in it at the end has no meaning.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      !> Takes the profiles of one solved curve after the other, and says whether more are wanted.
+      class(profile_receiver_t), intent(inout) :: receiver
+
+      call solve_curves(self, values, results, error_estimate, status, counts, profiles, receiver)
+   end subroutine solve_block_and_profiles
+
+   !> Fit the curves of a block, with their profiles if they are wanted.
+   subroutine solve_curves(self, values, results, error_estimate, status, counts, profiles, receiver)
+      class(stack_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
+      integer, intent(out) :: status(:)
+      real(dp), intent(out) :: counts(:)
+      real(dp), intent(inout), optional :: profiles(:, :, :)
+      class(profile_receiver_t), intent(inout), optional :: receiver
       type(data_set_t), allocatable :: curves(:, :)
       type(fit_t) :: fit
       type(solution_t) :: solution
       integer :: i
-      logical :: is_read
+      logical :: is_read, goes_on
 
       results = not_a_number()
       error_estimate = not_a_number()
@@ -250,8 +324,25 @@ contains
          fit%data_sets = curves(:, i)
          call solve_fit(fit, solution)
          call keep(self, solution, results(:, i), error_estimate(i), status(i))
+         if (.not. present(receiver) .or. status(i) /= fit_solved) cycle
+         call fill_profiles(fit%data_sets(1), solution%data_sets(1), profiles)
+         call receiver%take(i, profiles, goes_on)
+         if (.not. goes_on) return
       end do
-   end subroutine solve_block
+   end subroutine solve_curves
+
+   !> Points and residuals of a curve.
+   pure subroutine fill_profiles(curve, found, profiles)
+      type(data_set_t), intent(in) :: curve
+      type(data_solution_t), intent(in) :: found
+      !> Receives them; shape `(n_samples, 1, n_profiles)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+
+      profiles(:, 1, p_abscissa) = curve%x
+      profiles(:, 1, p_ordinate) = curve%y
+      profiles(:, 1, p_fitted) = found%fitted
+      profiles(:, 1, p_residual) = found%residual
+   end subroutine fill_profiles
 
    !> Number of a curve in the stack, from 1: the last dimension runs fastest.
    pure integer(i8) function curve_number(self, values)
@@ -283,7 +374,7 @@ contains
       if (abs(solution%estimate(1)) > 0) error_estimate = last_step*solution%error(1)/abs(solution%estimate(1))
    end subroutine keep
 
-   !> See `model_t`: there are none.
+   !> See `model_t`: they come with the results alone (`solve_block_and_profiles`).
    subroutine solve_profiles(self, values, results, profiles)
       class(stack_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.

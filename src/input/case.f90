@@ -179,9 +179,11 @@ contains
       if (variable%is_list .and. .not. is_dataset_name(text)) then
          call read_numbers(text, variable, dataset, flaw, index)
       else
-         call read_dataset_name(text, dataset, flaw, index)
-         if (len(flaw) == 0 .and. dataset%is_column .and. variable%n_columns() > 0) &
-            flaw = 'names a column, a group is needed, given '''//show_text(dataset%text)//''''
+         call read_dataset_name(text, variable%n_columns() > 0, dataset, flaw, index)
+         if (len(flaw) == 0 .and. variable%n_columns() > 0) then
+            if (dataset%is_column .and. len(dataset%path) > 0) &
+               flaw = 'names a column, a group or a whole table is needed, given '''//show_text(dataset%text)//''''
+         end if
          if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(variable)
       end if
    end subroutine read_data

@@ -9,6 +9,7 @@ module adfric_input_consistency
    use adfric_input_variable, only: show_value
    use adfric_describe_model, only: model_t
    use adfric_describe_scene_messages, only: say_as_scene
+   use adfric_describe_scene_rules, only: hidden
    use adfric_run_plan, only: axis_t
    implicit none (type, external)
    private
@@ -103,6 +104,8 @@ contains
          if (.not. input%is_broken(i)) cycle
          if (item%variable == model%variables(i)%name .and. item%group == model%variables(i)%group) return
          if (mentions(item%text, model%variables(i)%name)) return
+         ! the solver has taken the scene for another one
+         if (item%group == hidden .or. mentions(item%text, 'without &'//model%variables(i)%group)) return
       end do
       is_consequence = .false.
    end function is_consequence

@@ -11,7 +11,7 @@ module adfric_input_dataset
    use adfric_input_item, only: take_only_word
    use adfric_input_head_unit, only: add_unit, head_t, split_head
    use adfric_input_literal, only: convert
-   use adfric_input_table_name, only: find_column_name
+   use adfric_input_table_name, only: find_column_name, is_table_name
    use adfric_input_text_table, only: text_table_t, open_text_table
    use adfric_input_unit_match, only: match_units
    use adfric_describe_table, only: variable_t
@@ -29,9 +29,11 @@ module adfric_input_dataset
 contains
 
    !> Read the name of a dataset.
-   pure subroutine read_dataset_name(text, dataset, flaw, position)
+   pure subroutine read_dataset_name(text, takes_table, dataset, flaw, position)
       !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
+      !> May a table of text be named as a whole?
+      logical, intent(in) :: takes_table
       !> Receives the names of file and dataset; left as it is if something is wrong.
       type(dataset_t), intent(inout) :: dataset
       character(:), allocatable, intent(out) :: flaw
@@ -43,6 +45,13 @@ contains
       call take_only_word(text, word, flaw, position)
       if (len(flaw) == 0) call convert(word, name, flaw)
       if (len(flaw) > 0) return
+      if (takes_table .and. is_table_name(name) .and. len(name) <= longest_name) then
+         dataset%is_column = .true.
+         dataset%text = name
+         dataset%file = name
+         dataset%path = ''
+         return
+      end if
       colon = find_column_name(name)
       dataset%is_column = colon > 0
       if (.not. dataset%is_column) colon = index(name, divider, back=.true.)

@@ -41,6 +41,8 @@ module adfric_input_fit
       type(data_group_t), allocatable :: groups(:)
       !> What is known of their points.
       type(loaded_data_t) :: loaded
+      !> Are the points of each curve of a stack wanted beside the results?
+      logical :: wants_residuals = .false.
    end type fit_input_t
 
 contains
@@ -93,7 +95,9 @@ contains
       if (problems%is_enough()) return
       call read_frees(file, rows, run%model, details%groups, input, fit%frees, readers, problems)
       call read_events(file, rows, details%groups, fit%events, problems)
-      call read_settings(file, rows, run%model, input, fit, is_together, problems)
+      call read_settings(file, rows, run%model, input, fit, is_together, details%wants_residuals, problems)
+      if (details%wants_residuals .and. size(details%groups) > 1) call problems%add('fit', 'residuals', &
+         'is ''all'' beside several &data; the points of a stack are written where it has one')
       if (problems%is_enough()) return
       call load_datasets(run%model, input, problems)
       call check_each_abscissa(file, run%model, details%groups, input, problems)
@@ -213,7 +217,7 @@ contains
       type(hdf5_stack_t), allocatable :: stack
       class(curve_source_t), allocatable :: source
       type(stack_model_t), allocatable :: model
-      integer :: i
+      integer :: i, n_samples
 
       allocate (fit%model, source=run%model)
       do i = 1, size(fit%frees)
@@ -232,9 +236,12 @@ contains
          stack%files = details%loaded%files
          call move_alloc(stack, source)
       end if
+      n_samples = 0
+      if (allocated(source) .and. details%wants_residuals) n_samples = details%loaded%files(1)%n_points
       allocate (model)
-      call new_stack_model(model, fit, size(details%groups), details%loaded%lengths, source)
+      call new_stack_model(model, fit, size(details%groups), details%loaded%lengths, n_samples, source)
       run%digest = digest_of(fit, details%groups)
+      if (n_samples > 0) run%digest = run%digest//' residuals'
       call extend_plan(input, details%loaded, run)
       deallocate (run%model)
       call move_alloc(model, run%model)

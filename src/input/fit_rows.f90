@@ -12,9 +12,10 @@ module adfric_input_fit_rows
    !> The groups.
    character(*), parameter :: fit_groups = 'data event free fit'
    !> Number of rows of all groups.
-   integer, parameter :: n_rows = 42
+   integer, parameter :: n_rows = 43
    !> How a variable is fitted, and what the curves of a stack are.
-   character(*), parameter :: scale_names = 'log linear', curves_names = 'each together'
+   character(*), parameter :: scale_names = 'log linear', curves_names = 'each together', &
+      & residuals_names = 'none all'
 
 contains
 
@@ -97,7 +98,7 @@ contains
    function rows_of_fit() result(rows)
       type(variable_t), allocatable :: rows(:)
 
-      allocate (rows(9))
+      allocate (rows(10))
       rows(1) = choice(group='fit', name='intervals', meaning='how intervals are found', choices=interval_names, &
          default='covariance')
       rows(2) = any_number('fit', 'levels', '-', 'levels of the intervals, one or more; default 0.6827, 0.95', lower=0.0_dp, &
@@ -117,6 +118,8 @@ contains
       rows(8) = whole_number(group='fit', name='refits', meaning='refits of the bootstrap', default=1000, lower=20, upper=1000000)
       rows(9) = whole_number(group='fit', name='seed', meaning='seed of the noise of the bootstrap', default=1, lower=0, &
          upper=huge(1))
+      rows(10) = choice(group='fit', name='residuals', meaning='of a stack with one &data: are the points of each curve written', &
+         choices=residuals_names, default='none')
    end function rows_of_fit
 
    !> A row of a text.

@@ -22,6 +22,8 @@ module adfric_input_fit_settings
    real(dp), parameter :: usual_levels(*) = [0.6827_dp, 0.95_dp]
    !> Index of the word `together`.
    integer, parameter :: curves_together = 2
+   !> Index of the word `all` of the residuals.
+   integer, parameter :: all_residuals = 2
 
 contains
 
@@ -64,7 +66,7 @@ contains
    end subroutine read_events
 
    !> Read `&fit`, which may be absent.
-   subroutine read_settings(file, rows, model, input, fit, is_together, problems)
+   subroutine read_settings(file, rows, model, input, fit, is_together, wants_residuals, problems)
       type(namelist_file_t), intent(in) :: file
       type(variable_t), intent(in) :: rows(:)
       class(model_t), intent(in) :: model
@@ -72,14 +74,17 @@ contains
       type(fit_t), intent(inout) :: fit
       !> Are the curves of a stack fitted together?
       logical, intent(out) :: is_together
+      !> Are the points of each curve wanted beside the results?
+      logical, intent(out) :: wants_residuals
       type(problems_t), intent(inout) :: problems
       type(reader_t) :: reader
-      integer :: curves, group
+      integer :: curves, residuals, group
 
       fit%levels = usual_levels
       fit%derived = ''
       allocate (fit%theories(0))
       is_together = .false.
+      wants_residuals = .false.
       group = file%find_group('fit')
       if (group == 0) return
       call new_reader(reader, file, group, rows, problems)
@@ -87,12 +92,14 @@ contains
       call reader%read_numbers(file, 'levels', fit%levels, problems)
       call reader%read_whole(file, 'starts', fit%n_starts, problems)
       call reader%read_whole(file, 'curves', curves, problems)
+      call reader%read_whole(file, 'residuals', residuals, problems)
       call reader%read_number(file, 'relative_tolerance', fit%relative_tolerance, problems)
       call reader%read_whole(file, 'refits', fit%n_bootstrap, problems)
       call reader%read_whole(file, 'seed', fit%seed, problems)
       call read_theories(file, reader, model, input, fit, problems)
       call reader%read_texts(file, 'derived', fit%derived, problems)
       is_together = curves == curves_together
+      wants_residuals = residuals == all_residuals
    end subroutine read_settings
 
    !> Read the theories that are compared.

@@ -1,13 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Datasets of one dimension and equal length, side by side in a group of an HDF5 file, as in 'FILE.h5:/path/of/group'.
+!> Datasets of one dimension and equal length, side by side in a group of an HDF5 file, as in 'FILE.h5:/path/of/group'; or columns of
+!> a table of text, as in 'FILE.csv'.
 module adfric_input_group_columns
    use adfric_base_constants, only: pi
+   use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
+   use adfric_base_printable, only: shell_word
    use adfric_base_text, only: show_count, show_text, to_lower
    use adfric_base_words, only: get_word
    use adfric_hdf5_members, only: find_members
    use adfric_input_attributes, only: add_attributes
    use adfric_input_dataset, only: examine_values, load_dataset
+   use adfric_input_text_table, only: open_text_table, text_table_t
    use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
@@ -17,6 +21,8 @@ module adfric_input_group_columns
 
    !> The dataset for which another one may stand, in which a turn counts 1 instead of 2 pi, and their units.
    character(*), parameter :: circular_name = 'omega', cycle_name = 'frequency', cycle_unit = 'Hz'
+   !> The columns of a master curve.
+   character(*), parameter :: curve_columns = 'omega storage loss'
 
 contains
 
@@ -86,7 +92,9 @@ contains
       logical :: exists(2)
 
       name = wanted
-      if (wanted == circular_name) then
+      if (dataset%is_column) then
+         call find_columns(dataset%file, wanted, exists, flaw)
+      else if (wanted == circular_name) then
          call find_members(dataset%file, dataset%path, wanted//' '//cycle_name, exists, flaw)
       else
          call find_members(dataset%file, dataset%path, wanted, exists(:1), flaw)
@@ -95,12 +103,58 @@ contains
       if (len(flaw) > 0) return
       if (all(exists)) flaw = 'the group has '//wanted//' and '//cycle_name//', one of them is enough'
       if (.not. any(exists)) flaw = 'there is no dataset '//wanted//' in the group'
+      if (dataset%is_column .and. len(flaw) > 0) flaw = say_of_table(dataset%file, wanted, all(exists))
       if (exists(2)) name = cycle_name
    end subroutine choose_name
 
+   !> Find out whether a table has a column, and the one that may stand for it.
+   subroutine find_columns(file, wanted, exists, flaw)
+      !> Name of the table.
+      character(*), intent(in) :: file
+      !> Name of the column in the row of the variable.
+      character(*), intent(in) :: wanted
+      !> Receives whether there is the column, and the other one.
+      logical, intent(out) :: exists(2)
+      !> Why the table cannot be read; empty if it can.
+      character(:), allocatable, intent(out) :: flaw
+      type(text_table_t) :: table
+      type(error_t), allocatable :: error
+
+      flaw = ''
+      exists = .false.
+      call open_text_table(table, file, error)
+      if (allocated(error)) then
+         flaw = error%message
+      else
+         exists(1) = table%has_column(wanted)
+         if (wanted == circular_name) exists(2) = table%has_column(cycle_name)
+      end if
+   end subroutine find_columns
+
+   !> What is wrong with a table: that a column is not there, or that two are the same quantity.
+   function say_of_table(file, wanted, has_both) result(flaw)
+      !> Name of the table.
+      character(*), intent(in) :: file
+      !> Name of the column in the row of the variable.
+      character(*), intent(in) :: wanted
+      !> Are there both columns that may stand for one another?
+      logical, intent(in) :: has_both
+      character(:), allocatable :: flaw
+
+      if (has_both) then
+         flaw = file//': has the columns '//wanted//' and '//cycle_name//', one of them is enough'
+         return
+      end if
+      flaw = file//': there is no column '//wanted
+      if (wanted == circular_name) flaw = flaw//' or '//cycle_name
+      if (index(curve_columns, wanted) > 0) flaw = flaw//'; scripts/import_surface '//shell_word(file)// &
+         ' --master-curve reads tables with other heads'
+   end function say_of_table
+
    !> Read a dataset of the group.
    subroutine load_column(dataset, variable, k, name, column, flaw)
-      type(dataset_t), intent(in) :: dataset
+      !> Receives how a table was read.
+      type(dataset_t), intent(inout) :: dataset
       type(variable_t), intent(in) :: variable
       !> Which of its columns is read, from 1.
       integer, intent(in) :: k
@@ -118,14 +172,17 @@ contains
       row = row_of(variable, k)
       if (counts_turns) row%unit = cycle_unit
       part%file = dataset%file
+      part%is_column = dataset%is_column
       part%path = dataset%path//'/'//name
+      if (dataset%is_column) part%path = name
       call load_dataset(part, row, column, flaw)
+      if (allocated(part%form)) dataset%form = part%form
       ! both are 1/s, but not the same
       if (len(flaw) == 0) then
          if ((name == circular_name .and. is_in_hertz(part%units)) .or. (counts_turns .and. is_in_radians(part%units))) &
             flaw = 'the units '''//show_text(part%units)//''' of the dataset are of another quantity'
       end if
-      if (len(flaw) > 0) flaw = name//': '//flaw
+      if (len(flaw) > 0 .and. index(flaw, dataset%file//': ') /= 1) flaw = name//': '//flaw
       if (counts_turns .and. len(flaw) == 0) column = 2*pi*column
    end subroutine load_column
 

@@ -341,7 +341,21 @@ contains
       if (group == 'friction' .and. .not. scene%has('shear') .and. .not. scene%has('coulomb')) group = 'adhesion'
       if (group == 'operating' .and. scene%has('path')) group = 'history'
       call problems%add(group, '', 'nothing solves '//describe_scene(words)//'; the nearest scene that can be solved is '// &
-         describe_scene(nearest)//' (adfric help scenes)')
+         describe_scene(nearest)//hint_of_state(scene)//' (adfric help scenes)')
    end subroutine report_no_solver
+
+   !> What a scene needs whose body slides because `state` says so; empty where it has that, or says it otherwise.
+   pure function hint_of_state(scene) result(hint)
+      type(scene_t), intent(in) :: scene
+      character(:), allocatable :: hint
+
+      hint = ''
+      if (scene%state /= 'sliding' .or. scene%has('shear')) return
+      if (scene%solid == 'half_space') then
+         hint = '; state = ''sliding'' needs &friction shear_strength'
+      else if (.not. scene%has('moves')) then
+         hint = '; over a viscoelastic solid a velocity says that the body slides'
+      end if
+   end function hint_of_state
 
 end module adfric_input_scene

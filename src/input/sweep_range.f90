@@ -102,7 +102,7 @@ contains
 
       text = file%value_of(file%find_assignment(group, 'values'))
       if (is_dataset_name(text)) then
-         call read_dataset_name(text, dataset, flaw, index)
+         call read_dataset_name(text, .false., dataset, flaw, index)
          if (len(flaw) > 0) flaw = flaw//', allowed: '//allowed_files
          if (len(flaw) == 0) then
             call load_numbers(dataset, 1, numbers, flaw)

@@ -227,7 +227,8 @@ contains
             if (k > 1) text = text//','
             text = text//' '//get_word(variable%columns, k)//' ['//get_word(variable%column_units, k)//']'
          end do
-         text = text//' of numbers, 1 dimension, at least '//show_count(variable%least_count)//' values'
+         text = text//' of numbers, 1 dimension, or ''FILE.csv'' with such columns, at least '// &
+            show_count(variable%least_count)//' values'
       else if (variable%largest_rank > 1) then
          text = '''FILE.h5:/DATASET'' of numbers, '//show_count(1)//' or '//show_count(variable%largest_rank)// &
             ' dimensions, or ''FILE.csv:COLUMN'', at least '//show_count(variable%least_count)//' values along each'

@@ -45,6 +45,7 @@ module adfric_interface_history_model
       procedure :: check_values
       procedure :: wants_profiles
       procedure :: get_profile_axes
+      procedure :: describe_doubts
       procedure :: solve_point
       procedure :: fill_profiles
       procedure :: derive_quantities
@@ -155,13 +156,15 @@ contains
       integer :: before
       logical :: is_possible
 
+      associate (unused => is_swept)
+      end associate
       before = problems%count()
       call self%check_bodies(values, problems)
       associate (n => self%n_bodies, moduli => values(self%solids(1):self%solids(2)))
          call require(self%variables, values, [n + path_coefficient], problems)
          if (has_contact_modulus(moduli) .and. .not. has_poisson_ratio(moduli)) &
             & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
-         call self%path%check(self%variables(n + 1:), values(n + 1:), is_swept(n + 1:), problems)
+         call self%path%check(self%variables(n + 1:), values(n + 1:), problems)
          if (problems%count() > before) return
          call self%find_contacts(values, contacts, units, is_possible)
          if (is_possible) return
@@ -203,6 +206,16 @@ contains
       associate (unused => values)
       end associate
    end subroutine get_profile_axes
+
+   !> See `model_t`: a force that no friction holds.
+   function describe_doubts(self, values) result(text)
+      class(history_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = self%path%warn_of_sliding(values(self%n_bodies + 1:))
+   end function describe_doubts
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)

@@ -5,7 +5,7 @@ module adfric_interface_history_path
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: show_count, show_number
+   use adfric_base_text, only: newline, show_count, show_number
    use adfric_base_unset, only: is_set
    use adfric_describe_rows, only: list_row, positive, result_row
    use adfric_describe_table, only: profile_t, result_t, variable_t
@@ -48,7 +48,7 @@ module adfric_interface_history_path
       procedure :: count_steps
       procedure :: check
       procedure, private :: check_mixture
-      procedure, private :: check_forces
+      procedure :: warn_of_sliding
    end type history_path_t
 
 contains
@@ -123,14 +123,12 @@ contains
    end function given_of
 
    !> Add to `problems` lists that are missing or too many, or make no path.
-   subroutine check(self, rows, values, is_swept, problems)
+   subroutine check(self, rows, values, problems)
       class(history_path_t), intent(in) :: self
       !> Its rows; their names are part of the messages; shape `(n_path_rows)`.
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_path_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Is the row swept? Shape `(n_path_rows)`.
-      logical, intent(in) :: is_swept(:)
       type(problems_t), intent(inout) :: problems
       integer :: normal, tangential, before
 
@@ -151,8 +149,6 @@ contains
       end associate
       if ((normal == path_loads) .neqv. (tangential == path_tangential_forces)) then
          call self%check_mixture(rows, normal, tangential, problems)
-      else if (normal == path_loads .and. is_set(values(path_coefficient)) .and. .not. is_swept(path_coefficient)) then
-         call self%check_forces(values(path_coefficient), problems)
       end if
    end subroutine check
 
@@ -195,22 +191,24 @@ contains
       end associate
    end subroutine check_mixture
 
-   !> Friction holds every force.
-   subroutine check_forces(self, coefficient, problems)
+   !> A line if friction does not hold a force of the path; empty where loads or forces follow from displacements.
+   function warn_of_sliding(self, values) result(line)
       class(history_path_t), intent(in) :: self
-      !> mu [-].
-      real(dp), intent(in) :: coefficient
-      type(problems_t), intent(inout) :: problems
+      !> Values of the rows; shape `(n_path_rows)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: line
       integer :: k
 
+      line = ''
+      if (.not. all(is_set(values([path_loads, path_tangential_forces, path_coefficient])))) return
       associate (n => self%lists(path_loads)%values, t => self%lists(path_tangential_forces)%values)
          do k = 1, size(n)
-            if (.not. abs(t(k)) > (1 + round_off)*coefficient*n(k)) cycle
-            call problems%add('history', 'tangential_forces', 'is '//show_number(t(k))//' N at step '//show_count(k) &
-               & //', more than mu P')
+            if (.not. abs(t(k)) > (1 + round_off)*values(path_coefficient)*n(k)) cycle
+            line = 'warning: &history tangential_forces: '//show_number(t(k))//' N at step '//show_count(k) &
+               & //' is more than mu P; there the contact slides, and the path has no equilibrium'//newline
             return
          end do
       end associate
-   end subroutine check_forces
+   end function warn_of_sliding
 
 end module adfric_interface_history_path

@@ -14,6 +14,7 @@ module adfric_round_check
       & kind_rounded_cone, kind_rounded_punch, kind_sphere, law_peeling, theory_maugis_dugdale, in => indenter_input
    use adfric_solid_contact_modulus, only: check_contact_modulus
    use adfric_interface_shear_strength_rows, only: check_shear
+   use adfric_round_work_check, only: require_work
    use adfric_describe_check, only: require, require_one, refuse_size, refuse_swept
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
@@ -105,7 +106,7 @@ contains
       call require_one(variables, values, [in%adhesion_stress, in%adhesion_range, in%lambda], &
          & nint(values(in%theory)) == choose_maugis_dugdale, problems)
       if (nint(values(in%theory)) >= choose_jkr .or. any(is_set(values(in%adhesion_stress:in%lambda)))) then
-         call require(variables, values, [in%work_of_adhesion], problems)
+         call require_work(variables, values, in%work_of_adhesion, [in%adhesion_stress, in%adhesion_range], problems)
          if (is_set(values(in%work_of_adhesion)) .and. nint(values(in%theory)) > choose_jkr .and. .not. has_adhesion) &
             & call problems%add('adhesion', 'work_of_adhesion', 'is 0, and this theory needs adhesion')
       else if (nint(values(in%theory)) == choose_none .and. has_adhesion) then

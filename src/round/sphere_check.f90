@@ -11,6 +11,7 @@ module adfric_round_sphere_check
    use adfric_round_sphere_case, only: sphere_case_t, resolve_case, has_ratio_of_body, theory_auto
    use adfric_round_sphere_contact, only: theory_hertz, theory_jkr, theory_maugis_dugdale, control_radius, branch_stable
    use adfric_interface_interaction, only: is_valid_interaction
+   use adfric_round_work_check, only: require_work
    use adfric_round_sphere_variables, only: state_static, units_reduced, units_si, in => sphere_input
    implicit none (type, external)
    private
@@ -65,7 +66,8 @@ contains
             associate (first => in%contact_modulus, last => in%second_poisson_ratio)
                call check_contact_modulus(variables(first:last), values(first:last), problems, .false.)
             end associate
-            if (theory /= theory_hertz) call require(variables, values, [in%work_of_adhesion], problems)
+            if (theory /= theory_hertz) call require_work(variables, values, in%work_of_adhesion, &
+               & [in%adhesion_stress, in%adhesion_range], problems)
             has_adhesion = .false.
             if (is_set(values(in%work_of_adhesion))) has_adhesion = values(in%work_of_adhesion) > 0
             call require_one(variables, values, [in%adhesion_stress, in%adhesion_range, in%lambda], &

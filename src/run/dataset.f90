@@ -21,9 +21,9 @@ module adfric_run_dataset
       character(:), allocatable :: text
       !> Name of the file; not allocated for a list of numbers.
       character(:), allocatable :: file
-      !> Name of the dataset or group within the file, or of the column of a table.
+      !> Name of the dataset or group within the file, or of the column of a table; empty for all columns of one.
       character(:), allocatable :: path
-      !> Is it a column of a table of text?
+      !> Is it a column of a table of text, or a whole one?
       logical :: is_column = .false.
       !> How the table was read, in words; not allocated if it is none.
       character(:), allocatable :: form

@@ -103,6 +103,8 @@ contains
       if (is_backward) angle = self%reversal%angle_of(values)
       do k = 1, size(self%changed)
          i = self%changed(k)
+         ! without a word a solver takes its first axis
+         if (self%how(i) == to_axis .and. abs(values(i)) <= direction_tolerance) values(i) = unset
          if (is_set(values(i))) values(i) = to_solver(self%how(i), values(i), [self%n_x, self%n_y])
       end do
       do k = 1, 2

@@ -371,6 +371,32 @@ class Stacks(Fits):
         self.assertEqual(results["fitted"].shape, (100,))
         self.assertEqual(results["branch"].sum() > 0, True)
 
+    def test_residuals(self):
+        """The points of each curve, with residuals whose squares are S; the same bits in parts; nothing else changes."""
+        plain = self.fit(STACK.format(file=MAP))
+        text = STACK.format(file=MAP) + "&fit residuals = 'all' /\n"
+        found = self.fit(text)
+        self.assertEqual(set(found) - set(plain), {"abscissa", "ordinate", "fitted", "residual", "point"})
+        for name in plain:
+            np.testing.assert_array_equal(plain[name], found[name], err_msg=name)
+        with h5py.File(MAP) as file:
+            answered = found["status"] == 0
+            self.assertEqual(int(answered.sum()), 141)
+            np.testing.assert_array_equal(found["ordinate"][answered], file["load"][()][answered])
+            np.testing.assert_array_equal(found["abscissa"][answered], np.broadcast_to(file["position"][()], (141, 100)))
+        np.testing.assert_allclose((found["ordinate"] - found["fitted"])[answered] / 2e-10, found["residual"][answered], rtol=1e-9, atol=1e-9)
+        np.testing.assert_allclose(np.sum(found["residual"][answered] ** 2, axis=-1), found["chi2"][answered], rtol=1e-9)
+        self.assertTrue(np.all(np.isnan(found["residual"][~answered])))
+        self.run_program("fit", "--quiet", "--force", "run.nml", "--output", "whole.h5")
+        for part in ("1/2", "2/2"):
+            self.run_program("fit", "--quiet", "run.nml", "--output", "parts.h5", "--shard", part)
+        self.run_program("merge", "--quiet", "parts.h5", "parts.part-0001-of-0002.h5", "parts.part-0002-of-0002.h5")
+        self.assert_same(self.snapshot("whole.h5"), self.snapshot("parts.h5"))
+        twice = text + text[text.index("&data"):text.index("&free")]
+        self.write(twice.replace("'contact_point'", "'data[1]%contact_point'").replace("'load_offset'", "'data[1]%load_offset'"))
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("&fit residuals: is 'all' beside several &data", errors)
+
     def test_together(self):
         with h5py.File(MAP) as file, h5py.File(self.folder / "two.h5", "w") as two:
             for name in ("load", "contact"):

@@ -59,6 +59,46 @@ class PublishedFigures(Runs):
         with h5py.File(self.folder / "run.h5") as file:
             return {key: data[()] for key, data in file.items() if isinstance(data, h5py.Dataset)}
 
+    def test_johnson1997_fig1(self):
+        """Dugdale's law: the stress lambda up to the gap 2/(pi lambda), nothing beyond; the table has the radii."""
+        found = self.solve("johnson1997_fig1")
+        rows = {row["lambda"]: row for row in table("fig03_pulloff")}
+        for k, lambda_ in enumerate(found["lambda"]):
+            gap, pressure, r = found["gap"][k], found["pressure"][k], found["r"]
+            attracts = (gap > 0) & (gap < SLIP_UNIT / lambda_)
+            self.assertGreater(attracts.sum(), 40)
+            np.testing.assert_allclose(pressure[attracts], -lambda_, rtol=1e-14)
+            self.assertTrue(np.all(pressure[gap > (1 + 1e-12) * SLIP_UNIT / lambda_] == 0))
+            # where the attraction ends the gap is the range
+            within = r < found["adhesion_radius"][k]
+            self.assertTrue(gap[within].max() < SLIP_UNIT / lambda_ < gap[~within].min())
+            if lambda_ in rows:
+                self.assertAlmostEqual(found["contact_radius"][k] / rows[lambda_]["a(P=0)"], 1, delta=TABLE)
+                self.assertAlmostEqual(found["adhesion_radius"][k] / rows[lambda_]["c(P=0)"], 1, delta=TABLE)
+        self.assertTrue(set(found["lambda"]) & set(rows))
+
+    def test_johnson1997_fig2(self):
+        """Hertz's pressure, and that of J 2.12 to 2.14 at the same radius; the sum of their difference is that of the loads."""
+        found = self.solve("johnson1997_fig2")
+        radius, modulus, a = (found[name] for name in ("radius", "contact_modulus", "operating_contact_radius"))
+        np.testing.assert_array_equal(found["work_of_adhesion"], [0, 0.19])
+        r, c = found["r"], found["adhesion_radius"][1]
+        inside, tension, beyond = r < a, (r > a) & (r < c), r > c
+        hertz = 2 * modulus / (np.pi * radius) * np.sqrt(np.maximum(a**2 - r**2, 0))
+        np.testing.assert_allclose(found["pressure"][0], hertz, atol=1e-12 * hertz[0], rtol=1e-11)
+        stress = found["lambda"] / 2 * (16 * np.pi * 0.19 * modulus**2 / (9 * radius)) ** (1 / 3)
+        angle = np.arccos((2 * a**2 - c**2 - r[inside] ** 2) / (c**2 - r[inside] ** 2))
+        np.testing.assert_allclose(found["pressure"][1][inside], hertz[inside] - stress / np.pi * angle, atol=1e-7 * hertz[0])
+        np.testing.assert_allclose(found["pressure"][1][tension], -stress, rtol=1e-12)
+        self.assertTrue(np.all(found["pressure"][1][beyond] == 0))
+        self.assertTrue(inside.sum() > 300 and tension.sum() > 100 and beyond.sum() > 100)
+        # the sum over the area of both tensions in closed form (J 2.13)
+        m = c / a
+        pulled = 2 * stress * a**2 * (np.sqrt(m**2 - 1) + m**2 * np.arccos(1 / m))
+        np.testing.assert_allclose(found["load"], [4 * modulus * a**3 / (3 * radius), 4 * modulus * a**3 / (3 * radius) - pulled], rtol=1e-12)
+        added = 2 * np.pi * np.trapezoid((found["pressure"][1] - found["pressure"][0]) * r, r)
+        self.assertAlmostEqual(added / (found["load"][1] - found["load"][0]), 1, delta=3e-3)
+
     def test_johnson1997_fig3(self):
         """Every state solves J 2.12 and 2.13, without load and at pull-off the radii and loads are those of the table."""
         found = self.solve("johnson1997_fig3")
@@ -80,6 +120,24 @@ class PublishedFigures(Runs):
             rising = slice(least, None)
             for name, values in (("a(P=0)", a[0]), ("c(P=0)", c[k])):
                 self.assertAlmostEqual(np.interp(0.0, load[k, rising], values[rising]), row[name], delta=1e-5)
+
+    def test_johnson1997_fig4(self):
+        """J 3.8 between the radii of contact and adhesion, and the area of the table of Fig. 5."""
+        found = self.solve("johnson1997_fig4")
+        b, x = found["friction_radius"], found["edge_fraction"]
+        np.testing.assert_array_equal(x, [0, 0.4, 1])
+        a, c = (found[name][0] for name in ("contact_radius", "adhesion_radius"))
+        known = np.isfinite(a)
+        for k in range(3):
+            np.testing.assert_allclose(b[k][known], (a + x[k] * (c - a))[known], rtol=1e-14)
+        n_compared, loads = 0, 1e9 * found["load"]
+        for row in table("fig05_friction_vs_load"):
+            friction = row["friction MD lambda=0.8 w=0.19 tau0=0.96GPa x=0.4 [nN]"]
+            if friction is not None and is_on(loads, row["load[nN]"]):
+                area = np.pi * b[1, nearest(loads, row["load[nN]"])] ** 2
+                self.assertAlmostEqual(1e9 * 0.96e9 * area / friction, 1, delta=TABLE)
+                n_compared += 1
+        self.assertGreater(n_compared, 15)
 
     def test_johnson1997_fig5(self):
         """Friction of both curves at all loads of the table, and the loads at which they end."""
@@ -202,6 +260,22 @@ class PublishedFigures(Runs):
         energy = np.minimum(strength * found["edge_slip"] / SLIP_UNIT, found["slip_energy_ratio"])
         expected = np.sqrt((1 + energy)**2 - 2 * alpha * energy) - energy
         np.testing.assert_allclose(found["adhesion_ratio"][known], expected[known], rtol=0, atol=1e-9)
+
+    def test_johnson1997_fig10(self):
+        """Force, displacement and slip of the ring from its inner radius (J 3.4, 3.5, 3.7)."""
+        found = self.solve("johnson1997_fig10")
+        b, nu = found["friction_radius"], found["poisson_ratio"]
+        ratio = np.clip(found["stick_radius"] / b, 0, 1)
+        angle, root = np.arccos(ratio), np.sqrt(1 - ratio**2)
+        # in sliding neither has a value but at its onset
+        unit = 2 / 3 * (2 - nu) / (1 - nu) * b
+        np.testing.assert_allclose(found["tangential_force"], 2 / np.pi * (angle + ratio * root), atol=2e-8)
+        np.testing.assert_allclose(found["tangential_displacement"], unit * root, atol=2e-8)
+        np.testing.assert_allclose(found["edge_slip"], unit * SLIP_UNIT * (root * angle + ratio - 1), atol=2e-8)
+        self.assertAlmostEqual(found["edge_slip"][-1] / (unit[-1] * SLIP_UNIT * (np.pi / 2 - 1)), 1, delta=CLOSED_FORM)
+        # at first a spring, of which nothing slips
+        force = found["tangential_force"][1]
+        self.assertAlmostEqual(found["tangential_displacement"][1] / (np.pi / 4 * unit[1] * force), 1, delta=1e-5)
 
     def test_johnson1997_fig11(self):
         """J 3.4 along the whole curve, and the labels of Fig. 6."""

@@ -22,6 +22,7 @@ from runs import EVEN, LOADS, STACK, MAP, Runs, main  # noqa: E402
 from reporting.inputs import groups_of  # noqa: E402
 from reporting.page import page_of  # noqa: E402
 from reporting.scene import scene_of  # noqa: E402
+from reporting.stacks import root_mean_square, stack_html  # noqa: E402
 from reporting.sketch import SHAPES, height_of, sketch_of  # noqa: E402
 from reporting.statuses import status_html  # noqa: E402
 from reporting.thinning import thin  # noqa: E402
@@ -118,6 +119,28 @@ class Report(Runs):
                 text = page_of([Results(self.folder / f"{name}.h5")])
                 self.assertIn(words, text)
         self.assertIn("too few points", page_of([Results(self.folder / "stack.h5")]))
+
+    def test_residuals(self):
+        """The page of a stack has the largest residuals, the probabilities and, where the file has them, the points of each curve."""
+        for wants, profiles in ((False, ""), (True, "&fit residuals = 'all' /")):
+            self.write(STACK.format(file=MAP) + profiles, "stack.nml")
+            self.run_program("fit", "--quiet", "--force", "stack.nml", "--output", "stack.h5")
+            results = Results(self.folder / "stack.h5")
+            text = page_of([results])
+            self.assertEqual("residuals of single points" in text, not wants)
+            self.assertEqual("residuals1 lines" in text, wants)
+            self.assertLess(len(text.encode()), LARGEST)
+            self.assertIn("141 of 144 fits have residuals", text)
+        sizes = root_mean_square(results)
+        residuals = results.profiles["residual"].values
+        # S is their sum of squares
+        np.testing.assert_allclose(np.nansum(residuals**2, axis=-1)[results.status == 0], results.fields["chi2"].values[results.status == 0], rtol=1e-9)
+        self.assertTrue(np.all(np.isnan(residuals[results.status != 0])))
+        rows = re.findall(r"<tr><td>(\d+)</td><td>(\d+)</td><td>([^<]*)</td>", stack_html(results))
+        self.assertEqual(len(rows), 10)
+        np.testing.assert_allclose([float(size) for _, _, size in rows], np.sort(sizes[np.isfinite(sizes)])[::-1][:10], rtol=1e-3)
+        for row, column, size in rows:
+            self.assertAlmostEqual(sizes[int(row) - 1, int(column) - 1], float(size), delta=1e-3)
 
     def test_statuses(self):
         """What is not solved and what is doubted is counted, and is where the file has it."""
