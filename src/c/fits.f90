@@ -28,13 +28,9 @@ contains
 
    !> See adfric.h.
    integer(c_int) function read_fit(text, n_tables, tables, opened) bind(c, name='adfric_read_fit') result(status)
-      !> Text of the input.
       type(c_ptr), intent(in), value :: text
-      !> Number of tables.
       integer(c_int32_t), intent(in), value :: n_tables
-      !> The tables; may be null where there are none.
       type(c_ptr), intent(in), value :: tables
-      !> Receives the handle.
       type(c_ptr), intent(in), value :: opened
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error

@@ -35,15 +35,10 @@ contains
 
    !> See adfric.h.
    integer(c_int) function solve(self, n_threads, progress, context, found) bind(c, name='adfric_solve') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Number of threads; 0: as many as OpenMP gives.
       integer(c_int32_t), intent(in), value :: n_threads
-      !> Is told how far the call is; may be null.
       type(c_funptr), intent(in), value :: progress
-      !> Is handed to it.
       type(c_ptr), intent(in), value :: context
-      !> Receives the handle of the results.
       type(c_ptr), intent(in), value :: found
       type(listener_t) :: listener
       type(case_state_t), pointer :: state
@@ -63,13 +58,9 @@ contains
 
    !> See adfric.h.
    integer(c_int) function solve_point(self, n_names, names, values) bind(c, name='adfric_solve_point') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Number of names.
       integer(c_int32_t), intent(in), value :: n_names
-      !> Names of results.
       type(c_ptr), intent(in), value :: names
-      !> Receives their values.
       type(c_ptr), intent(in), value :: values
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -209,9 +200,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function array_count(self, n) bind(c, name='adfric_array_count') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Receives the number of arrays.
       type(c_ptr), intent(in), value :: n
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -231,11 +220,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function array_at(self, index, array) bind(c, name='adfric_array_at') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Index of the array, from 0.
       integer(c_int32_t), intent(in), value :: index
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: array
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -251,11 +237,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function array_of(self, name, array) bind(c, name='adfric_array_of') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the array.
       type(c_ptr), intent(in), value :: name
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: array
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -311,9 +294,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function attribute_count(self, n) bind(c, name='adfric_attribute_count') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Receives the number of attributes.
       type(c_ptr), intent(in), value :: n
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -333,11 +314,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function attribute_at(self, index, attribute) bind(c, name='adfric_attribute') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Index of the attribute, from 0.
       integer(c_int32_t), intent(in), value :: index
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: attribute
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -358,7 +336,6 @@ contains
 
    !> See adfric.h.
    integer(c_int) function close_results(self) bind(c, name='adfric_close_results') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
       type(results_t), pointer :: results
       type(error_t), allocatable :: error

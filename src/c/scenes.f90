@@ -23,13 +23,9 @@ contains
 
    !> See adfric.h.
    integer(c_int) function open_scene(text, n_names, names, opened) bind(c, name='adfric_open_scene') result(status)
-      !> Text of the input.
       type(c_ptr), intent(in), value :: text
-      !> Number of variables that get their values later.
       integer(c_int32_t), intent(in), value :: n_names
-      !> Their names; may be null where there are none.
       type(c_ptr), intent(in), value :: names
-      !> Receives the handle.
       type(c_ptr), intent(in), value :: opened
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -61,11 +57,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function variable_of(self, name, variable) bind(c, name='adfric_variable_of') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
       type(c_ptr), intent(in), value :: name
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: variable
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -97,11 +90,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function describe(self, name, described) bind(c, name='adfric_describe') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of a variable, a result, a profile or an axis.
       type(c_ptr), intent(in), value :: name
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: described
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error

@@ -92,7 +92,6 @@ contains
       class(stack_model_t), intent(in) :: model
       type(fit_input_t), intent(in) :: details
       type(run_input_t), intent(in) :: run
-      !> Receives what the command has to say.
       type(outcome_t), intent(inout) :: outcome
       type(time_estimate_t) :: estimate
 

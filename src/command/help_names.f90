@@ -73,7 +73,6 @@ contains
 
       !> Is one of the states of a result meant by the name?
       pure logical function is_meant(result, meanings, index)
-         !> Name of the result.
          character(*), intent(in) :: result
          !> Names of its states, separated by a blank.
          character(*), intent(in) :: meanings
@@ -87,7 +86,6 @@ contains
       pure function explained(meanings, index, explanation) result(line)
          !> Names of the states, separated by a blank.
          character(*), intent(in) :: meanings
-         !> Index of the state, from 1.
          integer, intent(in) :: index
          !> What it means.
          character(*), intent(in) :: explanation
@@ -135,7 +133,6 @@ contains
    pure logical function is_meant(variable, name)
       !> Row of the model's table: names, unit, meaning and what is allowed.
       type(variable_t), intent(in) :: variable
-      !> Name of a group, a variable or a choice, or `group%name`; empty for all variables.
       character(*), intent(in) :: name
 
       is_meant = len(name) == 0 .or. name == variable%group .or. name == variable%name &
@@ -145,7 +142,6 @@ contains
 
    !> A variable: meaning on the first line, what it may be on the second.
    function describe_variable(variable) result(text)
-      !> Row of the model's table: names, unit, meaning and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
 

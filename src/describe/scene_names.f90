@@ -249,7 +249,6 @@ contains
    !> What a rule calls something that it is for.
    pure function name_by(rule, name) result(new_name)
       character(*), intent(in) :: rule
-      !> Name in the language of the solver, of a variable with its group.
       character(*), intent(in) :: name
       character(:), allocatable :: new_name, from
 

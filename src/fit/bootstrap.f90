@@ -103,10 +103,8 @@ contains
    !> New points around those of the model.
    subroutine add_noise(truth, sigma, random, x, y)
       class(fit_curve_t), intent(in) :: truth
-      !> Standard error of a point in the units of the residuals.
       real(dp), intent(in) :: sigma
       type(random_t), intent(inout) :: random
-      !> Receive the new abscissas and ordinates.
       real(dp), intent(inout) :: x(:), y(:)
       real(dp) :: noise
       integer :: i

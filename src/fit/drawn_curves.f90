@@ -122,7 +122,6 @@ contains
       real(dp), intent(in) :: minima(:, :)
       !> Covariance of the first one.
       real(dp), intent(in) :: covariance(:, :)
-      !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
       type(solution_t), intent(inout) :: solution
       real(dp), allocatable :: curve(:), half(:)
@@ -157,7 +156,6 @@ contains
       type(scales_t), intent(in) :: scales
       integer, intent(in) :: number
       real(dp), intent(in) :: q(:)
-      !> Their covariance.
       real(dp), intent(in) :: covariance(:, :)
       !> Receives the ordinates.
       real(dp), allocatable, intent(out) :: curve(:)

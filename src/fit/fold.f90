@@ -65,10 +65,8 @@ contains
    subroutine new_curve_fold(self, q, is_fixed, data_set, fold, distance)
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
-      !> Which of them stay as they are.
       logical, intent(in) :: is_fixed(:)
       integer, intent(in) :: data_set
-      !> Receives the fold; its data set is 0 if there is none.
       type(curve_fold_t), intent(out) :: fold
       !> Receives how far it is below all points, as a part of their range.
       real(dp), intent(out) :: distance
@@ -126,7 +124,6 @@ contains
 
    !> How the abscissa of the fold changes with the numbers that are fitted.
    function fold_slopes(self, q, fold) result(by_free)
-      !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       type(curve_fold_t), intent(in) :: fold
@@ -147,7 +144,6 @@ contains
 
    !> The same with one of these numbers, where `find_fold` has just been asked.
    real(dp) function fold_slope(self, q, fold, k) result(slope)
-      !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       type(curve_fold_t), intent(in) :: fold

@@ -50,11 +50,9 @@ contains
       type(objective_t), intent(inout), target :: self
       type(curve_fold_t), intent(in) :: fold
       type(scales_t), intent(in) :: scales
-      !> Which variables stay as they are.
       logical, intent(in) :: is_fixed(:)
       type(squares_limits_t), intent(in) :: limits
       type(squares_work_t), intent(inout) :: work
-      !> In: the start. Out: the position found.
       real(dp), intent(inout) :: q(:)
       !> In: what has been found before. Out: with what has been done here.
       type(squares_outcome_t), intent(inout) :: outcome

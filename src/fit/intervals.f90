@@ -65,7 +65,6 @@ contains
       type(scales_t), intent(in) :: scales
       type(objective_t), intent(in) :: objective
       real(dp), intent(in) :: levels(:)
-      !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
       type(solution_t), intent(inout) :: solution
       real(dp) :: reach, ends(2)
@@ -103,7 +102,6 @@ contains
       real(dp), intent(in) :: variance
       real(dp), intent(in) :: levels(:)
       logical, intent(in) :: is_lambda
-      !> Receives the pieces and the profile.
       type(solution_t), intent(inout) :: solution
       !> Receives a position whose S is below the least one.
       real(dp), intent(inout) :: below(:)

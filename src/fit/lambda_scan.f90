@@ -89,7 +89,6 @@ contains
       real(dp), intent(in) :: start(:)
       !> Receives the numbers that are fitted.
       real(dp), allocatable, intent(out) :: positions(:)
-      !> Receives lambda there.
       real(dp), allocatable, intent(out) :: lambdas(:)
       real(dp) :: v(size(start)), slopes(size(start)), one, sense
       real(dp), allocatable :: all_nodes(:)
@@ -118,7 +117,6 @@ contains
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
       type(squares_work_t), intent(inout) :: work
-      !> Number of the free variable that sets lambda.
       integer, intent(in) :: free
       !> The number that is fitted, and lambda.
       real(dp), intent(in) :: position, lambda
@@ -163,7 +161,6 @@ contains
       !> What was found there; shape `(n_free, n_nodes)`.
       real(dp), intent(in) :: q(:, :)
       type(node_t), intent(in) :: node(:)
-      !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
       real(dp) :: start(size(q, 1)), at, cost, best, variance, share
       integer :: k, n

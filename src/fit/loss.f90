@@ -37,15 +37,12 @@ contains
 
    !> Cost of a residual, psi = half its derivative, and psi'.
    elemental subroutine get_loss(loss, width, r, cost, psi, psi_r)
-      !> One of `loss_...`.
       integer, intent(in) :: loss
       !> C, in standard errors.
       real(dp), intent(in) :: width
       !> The residual.
       real(dp), intent(in) :: r
-      !> Receives the cost.
       real(dp), intent(out) :: cost
-      !> Receives psi.
       real(dp), intent(out) :: psi
       !> Receives psi'.
       real(dp), intent(out) :: psi_r

@@ -93,7 +93,6 @@ contains
    !> Sort the minima, the least first.
    pure subroutine sort_minima(minima, n_free)
       type(minima_t), intent(inout) :: minima
-      !> Number of free variables.
       integer, intent(in) :: n_free
       real(dp) :: q(n_free), cost
       integer :: i, k, times, status

@@ -156,7 +156,6 @@ contains
    subroutine add_exact(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
       class(model_curve_t), intent(inout) :: self
       type(slopes_t), intent(in) :: of
-      !> The points of contact.
       integer, intent(in) :: contacts(:)
       !> The gain and its derivatives.
       real(dp), intent(in) :: gain, gain_by(:)
@@ -190,15 +189,11 @@ contains
    subroutine add_latent(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
       class(model_curve_t), intent(inout) :: self
       type(slopes_t), intent(in) :: of
-      !> The points of contact.
       integer, intent(in) :: contacts(:)
-      !> The gain and its derivatives.
       real(dp), intent(in) :: gain, gain_by(:)
-      !> The zero of the abscissa and its derivatives.
       real(dp), intent(in) :: x_zero, x_zero_by(:)
       !> Number of rows so far; a foot that is the fold adds one.
       integer, intent(inout) :: n_rows
-      !> The residuals, to which the model is added.
       real(dp), intent(inout) :: r(:)
       !> Derivatives of the residuals times the errors of the ordinates, and of the rows that are added.
       real(dp), intent(inout) :: j(:, :)

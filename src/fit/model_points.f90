@@ -109,9 +109,7 @@ contains
    subroutine ask(self, values, x, y, regimes, error, fold)
       class(model_points_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Abscissas.
       real(dp), intent(in) :: x(:)
-      !> Receives the ordinates.
       real(dp), intent(out) :: y(:)
       !> Receives the regimes, 0 where the model has none, -1 where there is no solution.
       integer, intent(out) :: regimes(:)
@@ -207,7 +205,6 @@ contains
    pure subroutine read_fold(self, values, results, fold)
       class(model_points_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Results of a point.
       real(dp), intent(in) :: results(:)
       type(fold_t), intent(inout) :: fold
 
@@ -228,7 +225,6 @@ contains
    subroutine find_ordinate(self, values, fold)
       class(model_points_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> The fold, which receives its ordinate.
       type(fold_t), intent(inout) :: fold
       real(dp) :: all_values(size(values), 2), results(size(self%model%results), 2), error_estimate(2), &
          & counts(size(self%model%counts)), size_of

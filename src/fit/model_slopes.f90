@@ -46,7 +46,6 @@ contains
       type(slopes_t), intent(out) :: of
       type(model_points_t), intent(in) :: points
       real(dp), intent(in) :: values(:)
-      !> Abscissas.
       real(dp), intent(in) :: x(:)
       !> Size of the abscissas, for steps.
       real(dp), intent(in) :: size_of_x
@@ -95,7 +94,6 @@ contains
       type(slopes_t), intent(inout) :: of
       type(model_points_t), intent(in) :: points
       real(dp), intent(in) :: values(:)
-      !> Abscissas.
       real(dp), intent(in) :: x(:)
       !> Position of the variable in the model's table, and its number among the free ones.
       integer, intent(in) :: variable, free
@@ -139,7 +137,6 @@ contains
          !> Receives the ordinates.
          real(dp), intent(out) :: shifted(:)
          type(fold_t), intent(out) :: fold
-         !> Receives the step of the variable.
          real(dp), intent(out) :: step
          !> Has the model a value at all positions?
          logical, intent(out) :: is_there
@@ -165,9 +162,7 @@ contains
       type(slopes_t), intent(inout) :: of
       type(model_points_t), intent(in) :: points
       real(dp), intent(in) :: values(:)
-      !> Abscissas.
       real(dp), intent(in) :: x(:)
-      !> Relative step.
       real(dp), intent(in) :: h
       logical, intent(in) :: is_central
       logical, intent(out) :: is_valid
@@ -198,12 +193,9 @@ contains
       type(slopes_t), intent(in) :: of
       type(model_points_t), intent(in) :: points
       real(dp), intent(in) :: values(:)
-      !> Distances from the fold.
       real(dp), intent(in) :: distances(:)
       type(fold_t), intent(in) :: fold
-      !> Receives the ordinates.
       real(dp), intent(out) :: y(:)
-      !> Has the model a value at all positions?
       logical, intent(out) :: is_there
       integer :: inside(count(.not. is_beyond_fold(of%regimes))), regimes(count(.not. is_beyond_fold(of%regimes))), k
       real(dp) :: found(count(.not. is_beyond_fold(of%regimes))), unused
@@ -223,15 +215,11 @@ contains
       type(slopes_t), intent(in) :: of
       type(model_points_t), intent(in) :: points
       real(dp), intent(in) :: values(:)
-      !> Abscissas.
       real(dp), intent(in) :: x(:)
-      !> Size of the abscissas.
       real(dp), intent(in) :: size_of_x
       !> Position of the variable in the model's table; 0: the abscissa.
       integer, intent(in) :: variable
-      !> Derivative of the variable by the number that is fitted.
       real(dp), intent(in) :: slope
-      !> Relative step.
       real(dp), intent(in) :: h
       logical, intent(in) :: is_central
       !> Receives the derivative.
@@ -261,11 +249,8 @@ contains
 
       !> Ordinates at a step from the position, as far as the table of the model lets it go.
       subroutine shift(part, shifted, shifted_regimes, step)
-         !> The relative step.
          real(dp), intent(in) :: part
-         !> Receives the ordinates.
          real(dp), intent(out) :: shifted(:)
-         !> Receives the regimes.
          integer, intent(out) :: shifted_regimes(:)
          !> Receives the step of the variable.
          real(dp), intent(out) :: step

@@ -130,9 +130,7 @@ contains
    !> Number of points, and of points, events and priors together.
    pure subroutine count_terms(self, n_points, n_terms)
       type(objective_t), intent(in) :: self
-      !> Receives the number of points.
       integer, intent(out) :: n_points
-      !> Receives the number of points, events and priors.
       integer, intent(out) :: n_terms
 
       n_points = sum(self%spheres%n) + sum(self%others%n)
@@ -213,7 +211,6 @@ contains
       real(dp), intent(inout) :: j(:, :)
       !> Receives the sum of the costs of all rows.
       real(dp), intent(out) :: cost
-      !> Has the model a value at all points?
       logical, intent(out) :: is_valid
       real(dp) :: v(self%n_free), slopes(self%n_free)
       integer :: k, n
@@ -252,7 +249,6 @@ contains
       type(objective_t), intent(inout) :: self
       !> Number of the data set whose loss it is.
       integer, intent(in) :: data_set
-      !> First and last row.
       integer, intent(in) :: first, last
       real(dp), intent(inout) :: r(:)
       real(dp), intent(inout) :: j(:, :)
@@ -291,7 +287,6 @@ contains
       integer, intent(inout) :: n_rows
       real(dp), intent(inout) :: r(:)
       real(dp), intent(inout) :: j(:, :)
-      !> The cost is added.
       real(dp), intent(inout) :: cost
       logical, intent(out) :: is_valid
       real(dp) :: value, gradient(self%n_free)
@@ -322,11 +317,9 @@ contains
    subroutine add_priors(self, q, n_rows, r, j, cost)
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
-      !> Number of rows so far; it rises.
       integer, intent(inout) :: n_rows
       real(dp), intent(inout) :: r(:)
       real(dp), intent(inout) :: j(:, :)
-      !> The cost is added.
       real(dp), intent(inout) :: cost
       integer :: k
 

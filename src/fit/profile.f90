@@ -207,7 +207,6 @@ contains
       real(dp), intent(in) :: limit
       !> Receives low and high ends; shape `(2, most_pieces)`.
       real(dp), intent(out) :: pieces(:, :)
-      !> Receives the number of pieces.
       integer, intent(out) :: n_pieces
       logical :: is_in(self%n), was_in
       integer :: k
@@ -235,7 +234,6 @@ contains
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
       type(squares_work_t), intent(inout) :: work
-      !> The limit, over the variance.
       real(dp), intent(in) :: limit
       !> Numbers of the nodes within the set and outside.
       integer, intent(in) :: inner, outer

@@ -142,7 +142,6 @@ contains
       real(dp), intent(in) :: starts(:, :)
       !> Receives all numbers that are fitted.
       real(dp), intent(out) :: q(:)
-      !> Receives S and its slope.
       real(dp), intent(out) :: cost, slope
       logical, intent(out) :: has_value
       real(dp) :: trial(size(q)), trial_cost, trial_slope
@@ -174,7 +173,6 @@ contains
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
       type(squares_work_t), intent(inout) :: work
-      !> Starts; shape `(n_free, n_starts)`.
       real(dp), intent(in) :: starts(:, :)
       real(dp), intent(in) :: x
       real(dp) :: q(size(starts, 1)), cost, slope

@@ -94,7 +94,6 @@ contains
 
    !> Move a start away from the first one: number 0 not at all, others by a fixed list that fills the box around it evenly (Weyl).
    pure subroutine move_away(number, q)
-      !> Number in the list.
       integer, intent(in) :: number
       !> The start; it is moved.
       real(dp), intent(inout) :: q(:)

@@ -259,7 +259,6 @@ contains
    subroutine predict(self, i, prescribed)
       class(sphere_curve_t), intent(inout) :: self
       integer, intent(in) :: i
-      !> What is prescribed now.
       real(dp), intent(in) :: prescribed
       real(dp) :: t, step, bend
 

@@ -287,7 +287,6 @@ contains
    pure subroutine get_extremes(self, fit, lowest, largest, deepest)
       type(objective_t), intent(in) :: self
       type(fit_t), intent(in) :: fit
-      !> Receives the lowest and the largest load.
       real(dp), intent(out) :: lowest, largest
       !> Receives the approach of the largest load; 0: not known.
       real(dp), intent(out) :: deepest
@@ -325,7 +324,6 @@ contains
       type(objective_t), intent(inout) :: self
       type(fit_t), intent(in) :: fit
       type(squares_work_t), intent(inout) :: work
-      !> Values of the free variables; those without a start of the user's are changed.
       real(dp), intent(inout) :: v(:)
       !> The same as numbers that are fitted.
       real(dp), intent(inout) :: q(:)

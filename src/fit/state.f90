@@ -121,7 +121,6 @@ contains
    !> Add the derivatives by lambda, and the second ones.
    pure subroutine add_derivatives(theory, lambda, s)
       integer, intent(in) :: theory
-      !> Maugis's parameter; without meaning in the other theories.
       real(dp), intent(in) :: lambda
       !> In: from `get_state`. Out: with all derivatives.
       type(fit_state_t), intent(inout) :: s

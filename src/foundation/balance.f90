@@ -124,7 +124,6 @@ contains
    pure subroutine balance_adhesion_only(strip, state, balance)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      !> Receives the integrals over the period.
       type(balance_t), intent(inout) :: balance
       type(sums_t) :: sums
       real(dp) :: a, b, change, w
@@ -266,7 +265,6 @@ contains
       type(steady_state_t), intent(in) :: state
       !> Displacement behind the trailing edge of adhesion, where the free zone begins [c].
       real(dp), intent(in) :: released
-      !> Receives the energy that the edges take.
       type(balance_t), intent(inout) :: balance
       real(dp) :: attached
 

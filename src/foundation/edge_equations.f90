@@ -158,7 +158,6 @@ contains
    pure subroutine turn(sin_x, cos_x, sin_y, cos_y, sin_sum, cos_sum)
       !> Sine and cosine of either angle.
       real(dp), intent(in) :: sin_x, cos_x, sin_y, cos_y
-      !> Sine and cosine of their sum.
       real(dp), intent(out) :: sin_sum, cos_sum
 
       sin_sum = sin_x*cos_y + cos_x*sin_y

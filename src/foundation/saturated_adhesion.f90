@@ -60,7 +60,6 @@ contains
    !> Depth \( \kappa + 1 \) of a half width, to full relative precision, and its derivative.
    elemental subroutine depth_of_half_width(foundation, half_width, depth, slope, shift_slope)
       type(foundation_t), intent(in) :: foundation
-      !> Half width of the contact [rad], in (0, pi).
       real(dp), intent(in) :: half_width
       !> Depth \( \kappa + 1 \) [c], in (0, |G| + 1).
       real(dp), intent(out) :: depth

@@ -254,7 +254,6 @@ contains
 
    !> Without a stiffness all of a layer is asked for.
    subroutine require_modulus(variables, values, problems)
-      !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -272,9 +271,7 @@ contains
 
    !> The standard solid, which is asked for where there is no spectrum.
    subroutine require_single_time(variables, values, problems)
-      !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: instead = ']; it is needed without relaxation_times or master_curve'
@@ -290,9 +287,7 @@ contains
 
    !> Load, mean pressure or penetration: one of them.
    subroutine check_load_values(variables, values, problems)
-      !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
       integer, parameter :: indices(3) = [in%load, in%mean_pressure, in%penetration]

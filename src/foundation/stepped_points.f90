@@ -419,9 +419,7 @@ contains
    !> Profiles of the point that was solved last, in SI units.
    subroutine get_profiles(self, x, profiles)
       class(stepped_points_t), intent(in) :: self
-      !> Coordinates along the sliding direction [m]; shape `(n_x)`.
       real(dp), intent(in) :: x(:)
-      !> Receives pressure and shear stress [Pa], displacement and gap [m]; shape `(n_x, n_rows, 4)`.
       real(dp), intent(out) :: profiles(:, :, :)
       integer :: i
 

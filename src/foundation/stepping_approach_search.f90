@@ -102,7 +102,6 @@ contains
       real(dp), intent(out) :: depth
       !> Receives the greatest states there, which carry the load or less.
       type(stepping_states_t), intent(inout) :: states
-      !> Receives how the search ended.
       integer, intent(out) :: status
       type(stepping_states_t) :: beyond
       real(dp) :: last_depth
@@ -131,7 +130,6 @@ contains
       !> In: a penetration beyond which none carries the load. Out: the last one that does, if there is one.
       real(dp), intent(inout) :: depth
       type(stepping_states_t), intent(inout) :: states
-      !> Receives how the search ended.
       integer, intent(out) :: status
       real(dp) :: step
       integer :: k
@@ -223,7 +221,6 @@ contains
    subroutine find_proved(surface, load, limit, depth, states, slope, slope_limit, is_proved)
       type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
-      !> A penetration beyond which nothing is sought.
       real(dp), intent(in) :: limit
       !> In: a penetration that carries less. Out: the one that carries the load, if it is proved.
       real(dp), intent(inout) :: depth
@@ -269,7 +266,6 @@ contains
    subroutine find_with_edges(surface, load, limit, depth, states)
       type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
-      !> A penetration beyond which nothing is sought.
       real(dp), intent(in) :: limit
       !> In: where to start. Out: the penetration.
       real(dp), intent(inout) :: depth

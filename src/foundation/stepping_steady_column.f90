@@ -127,7 +127,6 @@ contains
 
    !> Time stepping a period and find the step that follows from it, and how the load changes.
    pure subroutine take_step(self, path, law, depth)
-      !> The state; receives period and step.
       type(steady_column_t), intent(inout) :: self
       type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law

@@ -213,7 +213,6 @@ contains
    subroutine write_states(calls, dataset, memory_space, file_space, values)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values as are written.
       integer(hid_t), intent(in) :: memory_space
       integer(hid_t), intent(in) :: file_space
       !> States in the order of the file, the last dimension fastest.
@@ -226,7 +225,6 @@ contains
    subroutine write_integers(calls, dataset, memory_space, file_space, values)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values as are written.
       integer(hid_t), intent(in) :: memory_space
       integer(hid_t), intent(in) :: file_space
       !> Integers in the order of the file, the last dimension fastest.
@@ -241,7 +239,6 @@ contains
       integer(hid_t), intent(in) :: dataset
       !> HDF5 type of the values in the memory.
       integer(hid_t), intent(in) :: memory_type
-      !> Space of as many values as are written.
       integer(hid_t), intent(in) :: memory_space
       integer(hid_t), intent(in) :: file_space
       type(c_ptr), intent(in) :: address

@@ -232,7 +232,6 @@ contains
    subroutine read_states(calls, dataset, memory_space, file_space, values)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values as are read.
       integer(hid_t), intent(in) :: memory_space
       integer(hid_t), intent(in) :: file_space
       !> States in the order of the file, the last dimension fastest; left as they are if a call has failed.
@@ -245,7 +244,6 @@ contains
    subroutine read_integers(calls, dataset, memory_space, file_space, values)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values as are read.
       integer(hid_t), intent(in) :: memory_space
       integer(hid_t), intent(in) :: file_space
       !> Integers in the order of the file, the last dimension fastest; left as they are if a call has failed.
@@ -258,12 +256,9 @@ contains
    subroutine read_at(calls, dataset, memory_type, memory_space, file_space, address)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: dataset
-      !> HDF5 type of the values in the memory.
       integer(hid_t), intent(in) :: memory_type
-      !> Space of as many values as are read.
       integer(hid_t), intent(in) :: memory_space
       integer(hid_t), intent(in) :: file_space
-      !> Address of space for the values; left as it is if a call has failed.
       type(c_ptr), intent(in) :: address
       type(c_ptr) :: copy
 

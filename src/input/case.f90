@@ -122,7 +122,6 @@ contains
       class(model_t), intent(in) :: model
       !> Name of the group, in small letters; nothing is marked if the model has no such group.
       character(*), intent(in) :: group
-      !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
       integer :: k
 
@@ -193,7 +192,6 @@ contains
       character(*), intent(in) :: group
       !> The unknown name, in small letters.
       character(*), intent(in) :: name
-      !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
       character(:), allocatable :: meant
       integer :: k

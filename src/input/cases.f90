@@ -90,7 +90,6 @@ contains
    !> Find the table.
    subroutine open_source(file, group, source, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
       !> Receives the names of file and group, or the open table.
       type(case_source_t), intent(out) :: source
@@ -127,7 +126,6 @@ contains
    !> Which columns are wanted: those of `variables`, else all that have the name of a numeric variable.
    subroutine choose_names(file, group, model, source, names, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
       !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
@@ -167,9 +165,7 @@ contains
    !> Find the variables of the columns.
    subroutine find_indices(file, group, model, names, indices, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
       !> Names of the columns, separated by a blank.
       character(*), intent(in) :: names
@@ -194,17 +190,14 @@ contains
    !> Read the columns in SI units.
    subroutine read_columns(file, group, model, input, source, names, indices, columns, values, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
       class(model_t), intent(in) :: model
       !> What the groups give, on which units may depend.
       type(case_t), intent(in) :: input
       type(case_source_t), intent(in) :: source
-      !> Names of the columns, separated by a blank.
       character(*), intent(in) :: names
       !> Indices of the variables in the model's table.
       integer, intent(in) :: indices(:)
-      !> Receives what is known of each column.
       type(dataset_t), allocatable, intent(out) :: columns(:)
       !> Receives the values; shape `(n_cases, n_variables)`.
       real(dp), allocatable, intent(out) :: values(:, :)

@@ -66,9 +66,7 @@ contains
    !> Check one point.
    subroutine check_point(file, model, input, values, point, problems)
       type(namelist_file_t), intent(in) :: file
-      !> The model, which knows what its values may be together.
       class(model_t), intent(in) :: model
-      !> Values of all variables, and which of them are given, swept or broken.
       type(case_t), intent(in) :: input
       !> Values of all variables at the point; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

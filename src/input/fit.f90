@@ -273,7 +273,6 @@ contains
    !> A checksum of all that says how the data are fitted.
    function digest_of(fit, groups) result(digest)
       type(fit_t), intent(in) :: fit
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       character(:), allocatable :: digest
       type(checksum_t) :: sum

@@ -100,17 +100,13 @@ contains
 
    !> Read every curve of a stack, to know what is in it; those of a single fit are kept.
    subroutine load_stack(group, model, is_together, loaded, g, variable, flaw)
-      !> The `&data` group.
       type(data_group_t), intent(in) :: group
       class(model_t), intent(in) :: model
-      !> Are the curves of a stack fitted together?
       logical, intent(in) :: is_together
       !> Receives the points, or what is known of them.
       type(loaded_data_t), intent(inout) :: loaded
       integer, intent(in) :: g
-      !> Variable of the group that a flaw is one of.
       character(:), allocatable, intent(out) :: variable
-      !> What is wrong; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       type(columns_t), allocatable :: curves(:)
       type(columns_t) :: all_curves
@@ -233,7 +229,6 @@ contains
    !> Are there points enough for a single fit, and standard errors where they are needed?
    subroutine check_data(file, groups, loaded, fit, problems)
       type(namelist_file_t), intent(in) :: file
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       type(loaded_data_t), intent(in) :: loaded
       type(fit_t), intent(in) :: fit
@@ -280,7 +275,6 @@ contains
 
    !> Have the points of a group standard errors?
    pure logical function has_errors(group, loaded, g)
-      !> The `&data` group.
       type(data_group_t), intent(in) :: group
       type(loaded_data_t), intent(in) :: loaded
       integer, intent(in) :: g
@@ -290,7 +284,6 @@ contains
 
    !> Why there are no points.
    function say_no_points(group, counts) result(text)
-      !> The `&data` group.
       type(data_group_t), intent(in) :: group
       type(point_counts_t), intent(in) :: counts
       character(:), allocatable :: text

@@ -41,7 +41,6 @@ contains
       !> In: what the model's groups give. Out: also what is free, and values for it with which the model can be asked.
       type(case_t), intent(inout) :: input
       type(free_t), allocatable, intent(out) :: frees(:)
-      !> Receives the group of each of them, for messages.
       type(reader_t), allocatable, intent(out) :: readers(:)
       type(problems_t), intent(inout) :: problems
       type(free_t) :: free
@@ -85,7 +84,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       type(reader_t), intent(in) :: reader
       class(model_t), intent(in) :: model
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       !> In: what the model's groups give. Out: also what is free.
       type(case_t), intent(inout) :: input
@@ -142,9 +140,7 @@ contains
 
    !> Find a nuisance by `data[2]%load_offset`; without a number that of the only data set.
    subroutine find_nuisance(name, groups, free, flaw)
-      !> The name, in small letters.
       character(*), intent(in) :: name
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       type(free_t), intent(inout) :: free
       character(:), allocatable, intent(out) :: flaw
@@ -211,7 +207,6 @@ contains
    !> A variable of the model is given in one index, and is no abscissa.
    subroutine check_variable(model, groups, variable, input, flaw)
       class(model_t), intent(in) :: model
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       !> Index of the variable in the model's table.
       integer, intent(in) :: variable
@@ -239,7 +234,6 @@ contains
    !> A value for what is free, of the usual size, so that the model can be asked what it thinks of the rest.
    subroutine hold_variable(model, variable, input)
       class(model_t), intent(in) :: model
-      !> Index of the variable in the model's table.
       integer, intent(in) :: variable
       !> Receives the value, and that it varies.
       type(case_t), intent(inout) :: input
@@ -262,7 +256,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       type(reader_t), intent(in) :: reader
       class(model_t), intent(in) :: model
-      !> The free variable, which receives them.
       type(free_t), intent(inout) :: free
       type(problems_t), intent(inout) :: problems
       integer :: scale

@@ -84,7 +84,6 @@ contains
    subroutine check_gain(file, model, groups, frees, readers, problems)
       type(namelist_file_t), intent(in) :: file
       class(model_t), intent(in) :: model
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       type(free_t), intent(in) :: frees(:)
       type(reader_t), intent(in) :: readers(:)
@@ -117,7 +116,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       class(model_t), intent(in) :: model
       type(case_t), intent(in) :: input
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       type(free_t), intent(in) :: frees(:)
       type(reader_t), intent(in) :: readers(:)

@@ -135,7 +135,6 @@ contains
    !> Index of a row; 0 if there is none.
    pure integer function find_fit_row(rows, group, name)
       type(variable_t), intent(in) :: rows(:)
-      !> Group of the variable, without `&`.
       character(*), intent(in) :: group
       character(*), intent(in) :: name
 

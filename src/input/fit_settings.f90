@@ -102,7 +102,6 @@ contains
       type(reader_t), intent(in) :: reader
       class(model_t), intent(in) :: model
       type(case_t), intent(in) :: input
-      !> Receives the indices of the theories.
       type(fit_t), intent(inout) :: fit
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: words, known

@@ -43,7 +43,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
       character(*), intent(in) :: name
-      !> Bounds of the integer.
       integer, intent(in) :: least, most
       !> Receives the integer; left as it is if it is not given, or something is wrong.
       integer(i8), intent(inout) :: value
@@ -98,7 +97,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
       character(*), intent(in) :: name
-      !> What is allowed, in words.
       character(*), intent(in) :: allowed
       !> Receives the text without its quotes; left as it is if it is not given, or something is wrong.
       character(:), allocatable, intent(inout) :: word
@@ -119,7 +117,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
       character(*), intent(in) :: name
-      !> What is allowed, in words.
       character(*), intent(in) :: allowed
       !> Receives the words, separated by a blank; left as it is if they are not given, or something is wrong.
       character(:), allocatable, intent(inout) :: words

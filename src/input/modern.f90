@@ -193,9 +193,7 @@ contains
       type(namelist_file_t), intent(in) :: file
       class(model_t), intent(in) :: old, new
       type(scene_t), intent(in) :: scene
-      !> Is the assignment left out? Shape `(n_assignments)`.
       logical, intent(in) :: is_left_out(:)
-      !> Name of the group.
       character(*), intent(in) :: group
       !> Have the comments before a group of the input been written? Shape `(n_groups)`.
       logical, intent(inout) :: is_used(:)
@@ -279,7 +277,6 @@ contains
    !> The lines of an assignment with its comments: those of its value, too, which keeps its lines if it has not changed.
    function lines_of_assignment(file, number, name, value, note) result(lines)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
       integer, intent(in) :: number
       !> Name and value in the scene.
       character(*), intent(in) :: name, value

@@ -44,7 +44,6 @@ contains
       class(model_t), intent(in) :: old, new
       !> Is the assignment left out? Shape `(n_assignments)`.
       logical, intent(in) :: is_left_out(:)
-      !> Receives what is wrong; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: group, name, words
       integer :: i, at
@@ -79,7 +78,6 @@ contains
    subroutine check_ordinates(file, old, new, problems)
       type(namelist_file_t), intent(in) :: file
       class(model_t), intent(in) :: old, new
-      !> Receives what is wrong; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: word, flaw
       integer :: i, k

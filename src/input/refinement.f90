@@ -88,7 +88,6 @@ contains
    !> Read a number below 1.
    subroutine read_share(file, group, name, least, value, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of `&refine` in the file, from 1.
       integer, intent(in) :: group
       character(*), intent(in) :: name
       !> Least value that is allowed.
@@ -108,7 +107,6 @@ contains
    !> The run has one sweep, of the variable, whose values rise or fall.
    subroutine check_axes(file, group, model, axes, variable, limit, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of `&refine` in the file, from 1.
       integer, intent(in) :: group
       class(model_t), intent(in) :: model
       type(axis_t), intent(in) :: axes(:)
@@ -151,7 +149,6 @@ contains
    subroutine find_spacing(file, variable, model, is_logarithmic)
       !> The input, cut into groups and assignments, in which nothing is wrong with the sweep.
       type(namelist_file_t), intent(in) :: file
-      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       class(model_t), intent(in) :: model
       !> Receives the answer; a list of values is taken for a linear one.

@@ -179,7 +179,6 @@ contains
    !> Report that there is no `&job`.
    subroutine report_missing_job(file, known_models, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: text
@@ -243,7 +242,6 @@ contains
    subroutine read_model(file, group, known_models, model, problems)
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
-      !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
       !> In: empty. Out: the name of a known model; empty if something is wrong.
       character(:), allocatable, intent(inout) :: model

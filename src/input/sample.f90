@@ -81,7 +81,6 @@ contains
    !> Read `&sample` itself.
    subroutine read_head(file, group, sample, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of `&sample` in the file, from 1.
       integer, intent(in) :: group
       type(sample_t), intent(out) :: sample
       type(problems_t), intent(inout) :: problems
@@ -176,7 +175,6 @@ contains
    !> Both ends of a range are needed.
    subroutine check_given(file, group, name, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the `&range` group in the file, from 1.
       integer, intent(in) :: group
       !> 'from' or 'to'.
       character(*), intent(in) :: name
@@ -192,7 +190,6 @@ contains
       type(range_of_variable_t), intent(in) :: ranges(:)
       !> The model, whose table says which variables are integers.
       class(model_t), intent(in) :: model
-      !> Receives the variables and their values.
       type(axis_t), intent(inout) :: axis
       integer :: i
 

@@ -87,7 +87,6 @@ contains
       type(scene_t), intent(inout) :: scene
       !> Name of the solver that is wanted; empty: any.
       character(*), intent(in) :: solver
-      !> Receives the solver; not allocated if there is none.
       class(model_t), allocatable, intent(out) :: model
       class(model_t), allocatable :: other
       integer :: row, n_unknown, least
@@ -182,7 +181,6 @@ contains
 
       !> The kind of a surface, or of given loads, which has to be there.
       subroutine read_kind(group, known)
-         !> The group that has it.
          character(*), intent(in) :: group
          !> Words that are allowed, separated by a blank.
          character(*), intent(in) :: known
@@ -275,7 +273,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       !> Group and name of the variable.
       character(*), intent(in) :: group, name
-      !> Words that are allowed, separated by a blank.
       character(*), intent(in) :: known
       !> Receives the word.
       character(:), allocatable, intent(inout) :: word
@@ -321,7 +318,6 @@ contains
    !> Say that nobody answers a scene yet, what stands in the way, and which scene is nearest.
    subroutine report_no_solver(scene, solver, problems)
       type(scene_t), intent(in) :: scene
-      !> Name of the solver that is wanted; empty: any.
       character(*), intent(in) :: solver
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: groups(4) = [character(10) :: 'surface', 'solid', 'friction', 'operating']

@@ -67,9 +67,7 @@ contains
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
       class(model_t), intent(in) :: model
-      !> In: what the groups and earlier sweeps give. Out: also what this sweep does.
       type(case_t), intent(inout) :: input
-      !> The axes, one of which receives the variable.
       type(axis_t), intent(inout) :: axes(:)
       type(problems_t), intent(inout) :: problems
       type(axis_t) :: axis

@@ -74,7 +74,6 @@ contains
    !> A list stands alone.
    subroutine check_alone(file, group, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
       type(problems_t), intent(inout) :: problems
       integer :: k
@@ -89,7 +88,6 @@ contains
    !> Read a list.
    subroutine read_sweep_list(file, group, values, dataset, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
       !> The values in the order of the list, those of a file in its units; size 0 if something is wrong.
       real(dp), allocatable, intent(out) :: values(:)
@@ -124,7 +122,6 @@ contains
    !> A range has both ends and a count. Of a group that makes no sense nothing is missed.
    subroutine check_complete(file, group, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
       type(problems_t), intent(inout) :: problems
       logical :: is_there(3)
@@ -145,7 +142,6 @@ contains
    !> Read a range.
    subroutine read_range(file, group, interval, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
       !> Receives the ends, the count and the spacing; only to be used if nothing was wrong.
       type(range_t), intent(out) :: interval
@@ -164,7 +160,6 @@ contains
    !> Do the ends, the count and the spacing agree?
    subroutine check_range(file, group, interval, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
       !> The range, each part of which is good by itself.
       type(range_t), intent(in) :: interval

@@ -59,7 +59,6 @@ contains
    !> Convert the values of a file to the unit of a variable, and note what is known of them.
    subroutine convert_values(model, variable, input, dataset, values, flaw)
       class(model_t), intent(in) :: model
-      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> What the groups give, on which the unit of the variable may depend.
       type(case_t), intent(in) :: input
@@ -88,7 +87,6 @@ contains
 
    !> Take note of a variable that is swept.
    subroutine put_swept(variable, first_value, line, dataset, input)
-      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> First value of the axis.
       real(dp), intent(in) :: first_value
@@ -107,9 +105,7 @@ contains
 
    !> Take note of a variable whose sweep cannot be used.
    subroutine break_variable(variable, line, input)
-      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
-      !> Line of the group that sweeps it.
       integer, intent(in) :: line
       !> Receives that the variable is broken, and swept unless it stands elsewhere as well.
       type(case_t), intent(inout) :: input

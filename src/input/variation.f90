@@ -57,7 +57,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       !> Number of `&output` in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
       type(case_t), intent(in) :: input
       type(variation_t), intent(inout) :: wanted
@@ -105,7 +104,6 @@ contains
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&uncertain` group in the file, from 1.
       integer, intent(in) :: group
-      !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
       type(case_t), intent(in) :: input
       !> Receives the error; its variable is 0 if there is none.
@@ -148,7 +146,6 @@ contains
    !> Read how errors are propagated.
    subroutine read_method(file, group, wanted, problems)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the `&uncertain` group in the file, from 1.
       integer, intent(in) :: group
       !> Receives number and seed of the samples.
       type(variation_t), intent(inout) :: wanted

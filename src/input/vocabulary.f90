@@ -48,7 +48,6 @@ contains
    !> Names that a group of a model may have, separated by a blank.
    pure function list_names_of(model, group) result(names)
       class(model_t), intent(in) :: model
-      !> Name of the group.
       character(*), intent(in) :: group
       character(:), allocatable :: names
 
@@ -87,7 +86,6 @@ contains
       class(model_t), intent(in) :: model
       !> The unknown name, in small letters and without `&`.
       character(*), intent(in) :: group
-      !> Names of the groups that the input may have beside those of the model, separated by a blank.
       character(*), intent(in) :: common
       character(:), allocatable :: text
       character(:), allocatable :: known
@@ -111,7 +109,6 @@ contains
    !> Groups in which a scene has the variables that its solver has in a group of its own; empty if it has none such.
    pure function groups_in_scene(model, group) result(groups)
       class(model_t), intent(in) :: model
-      !> Name of the group.
       character(*), intent(in) :: group
       character(:), allocatable :: groups
       integer :: i
@@ -184,7 +181,6 @@ contains
    pure function say_unknown_name(known, name) result(text)
       !> Names that the group has, separated by a blank.
       character(*), intent(in) :: known
-      !> The unknown name, in small letters.
       character(*), intent(in) :: name
       character(:), allocatable :: text
 
@@ -195,7 +191,6 @@ contains
    subroutine report_unknown_names(file, group, known, problems)
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
-      !> Names that the group has, separated by a blank.
       character(*), intent(in) :: known
       type(problems_t), intent(inout) :: problems
       integer :: i
