@@ -17,24 +17,21 @@ contains
 
    !> See adfric.h.
    integer(c_int) function open_case(model, opened) bind(c, name='adfric_open') result(status)
-      type(c_ptr), intent(in), value :: model
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: model, opened
 
       call make_case(from_model, model, 'model', opened, status)
    end function open_case
 
    !> See adfric.h.
    integer(c_int) function read_case(path, opened) bind(c, name='adfric_read') result(status)
-      type(c_ptr), intent(in), value :: path
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: path, opened
 
       call make_case(from_file, path, 'path', opened, status)
    end function read_case
 
    !> See adfric.h.
    integer(c_int) function read_case_text(text, opened) bind(c, name='adfric_read_text') result(status)
-      type(c_ptr), intent(in), value :: text
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: text, opened
 
       call make_case(from_text, text, 'text', opened, status)
    end function read_case_text

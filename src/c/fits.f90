@@ -30,8 +30,7 @@ contains
    integer(c_int) function read_fit(text, n_tables, tables, opened) bind(c, name='adfric_read_fit') result(status)
       type(c_ptr), intent(in), value :: text
       integer(c_int32_t), intent(in), value :: n_tables
-      type(c_ptr), intent(in), value :: tables
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: tables, opened
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(text_table_t), allocatable :: in_memory(:)

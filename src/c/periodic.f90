@@ -14,17 +14,10 @@ contains
    !> See adfric.h.
    integer(c_int) function periodic_pressure(ny, nx, heights, period_y, period_x, mean_pressure, tolerance, pressure, gap, &
       & penetration, contact_fraction, status) bind(c, name='adfric_periodic_pressure') result(outcome)
-      integer(c_int64_t), intent(in), value :: ny
-      integer(c_int64_t), intent(in), value :: nx
+      integer(c_int64_t), intent(in), value :: ny, nx
       real(c_double), intent(in), optional :: heights(nx, ny)
-      real(c_double), intent(in), value :: period_y
-      real(c_double), intent(in), value :: period_x
-      real(c_double), intent(in), value :: mean_pressure
-      real(c_double), intent(in), value :: tolerance
-      real(c_double), intent(inout), optional :: pressure(nx, ny)
-      real(c_double), intent(inout), optional :: gap(nx, ny)
-      real(c_double), intent(inout), optional :: penetration
-      real(c_double), intent(inout), optional :: contact_fraction
+      real(c_double), intent(in), value :: period_y, period_x, mean_pressure, tolerance
+      real(c_double), intent(inout), optional :: pressure(nx, ny), gap(nx, ny), penetration, contact_fraction
       integer(c_int32_t), intent(inout), optional :: status
       type(error_t), allocatable :: error
 
@@ -41,17 +34,10 @@ contains
    !> See adfric.h.
    integer(c_int) function periodic_penetration(ny, nx, heights, period_y, period_x, penetration, tolerance, pressure, gap, &
       & mean_pressure, contact_fraction, status) bind(c, name='adfric_periodic_penetration') result(outcome)
-      integer(c_int64_t), intent(in), value :: ny
-      integer(c_int64_t), intent(in), value :: nx
+      integer(c_int64_t), intent(in), value :: ny, nx
       real(c_double), intent(in), optional :: heights(nx, ny)
-      real(c_double), intent(in), value :: period_y
-      real(c_double), intent(in), value :: period_x
-      real(c_double), intent(in), value :: penetration
-      real(c_double), intent(in), value :: tolerance
-      real(c_double), intent(inout), optional :: pressure(nx, ny)
-      real(c_double), intent(inout), optional :: gap(nx, ny)
-      real(c_double), intent(inout), optional :: mean_pressure
-      real(c_double), intent(inout), optional :: contact_fraction
+      real(c_double), intent(in), value :: period_y, period_x, penetration, tolerance
+      real(c_double), intent(inout), optional :: pressure(nx, ny), gap(nx, ny), mean_pressure, contact_fraction
       integer(c_int32_t), intent(inout), optional :: status
       type(error_t), allocatable :: error
 

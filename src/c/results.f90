@@ -38,8 +38,7 @@ contains
       integer(c_int64_t), intent(in), value :: self
       integer(c_int32_t), intent(in), value :: n_threads
       type(c_funptr), intent(in), value :: progress
-      type(c_ptr), intent(in), value :: context
-      type(c_ptr), intent(in), value :: found
+      type(c_ptr), intent(in), value :: context, found
       type(listener_t) :: listener
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -60,8 +59,7 @@ contains
    integer(c_int) function solve_point(self, n_names, names, values) bind(c, name='adfric_solve_point') result(status)
       integer(c_int64_t), intent(in), value :: self
       integer(c_int32_t), intent(in), value :: n_names
-      type(c_ptr), intent(in), value :: names
-      type(c_ptr), intent(in), value :: values
+      type(c_ptr), intent(in), value :: names, values
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       real(c_double), pointer :: numbers(:)
@@ -238,8 +236,7 @@ contains
    !> See adfric.h.
    integer(c_int) function array_of(self, name, array) bind(c, name='adfric_array_of') result(status)
       integer(c_int64_t), intent(in), value :: self
-      type(c_ptr), intent(in), value :: name
-      type(c_ptr), intent(in), value :: array
+      type(c_ptr), intent(in), value :: name, array
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
       character(:), allocatable :: word

@@ -25,8 +25,7 @@ contains
    integer(c_int) function open_scene(text, n_names, names, opened) bind(c, name='adfric_open_scene') result(status)
       type(c_ptr), intent(in), value :: text
       integer(c_int32_t), intent(in), value :: n_names
-      type(c_ptr), intent(in), value :: names
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: names, opened
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(longest_name), allocatable :: later(:)
@@ -58,8 +57,7 @@ contains
    !> See adfric.h.
    integer(c_int) function variable_of(self, name, variable) bind(c, name='adfric_variable_of') result(status)
       integer(c_int64_t), intent(in), value :: self
-      type(c_ptr), intent(in), value :: name
-      type(c_ptr), intent(in), value :: variable
+      type(c_ptr), intent(in), value :: name, variable
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(problems_t) :: problems
@@ -91,8 +89,7 @@ contains
    !> See adfric.h.
    integer(c_int) function describe(self, name, described) bind(c, name='adfric_describe') result(status)
       integer(c_int64_t), intent(in), value :: self
-      type(c_ptr), intent(in), value :: name
-      type(c_ptr), intent(in), value :: described
+      type(c_ptr), intent(in), value :: name, described
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(result_info_t), pointer :: info

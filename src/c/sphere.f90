@@ -16,12 +16,9 @@ contains
    integer(c_int) function sphere_load(n, lambda, load, is_unstable, contact_radius, adhesion_radius, approach, status) &
       & bind(c, name='adfric_sphere_load') result(outcome)
       integer(c_int64_t), intent(in), value :: n
-      real(c_double), intent(in), optional :: lambda(n)
-      real(c_double), intent(in), optional :: load(n)
+      real(c_double), intent(in), optional :: lambda(n), load(n)
       integer(c_int8_t), intent(in), optional :: is_unstable(n)
-      real(c_double), intent(inout), optional :: contact_radius(n)
-      real(c_double), intent(inout), optional :: adhesion_radius(n)
-      real(c_double), intent(inout), optional :: approach(n)
+      real(c_double), intent(inout), optional :: contact_radius(n), adhesion_radius(n), approach(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -43,12 +40,9 @@ contains
    integer(c_int) function sphere_approach(n, lambda, approach, is_unstable, contact_radius, adhesion_radius, load, status) &
       & bind(c, name='adfric_sphere_approach') result(outcome)
       integer(c_int64_t), intent(in), value :: n
-      real(c_double), intent(in), optional :: lambda(n)
-      real(c_double), intent(in), optional :: approach(n)
+      real(c_double), intent(in), optional :: lambda(n), approach(n)
       integer(c_int8_t), intent(in), optional :: is_unstable(n)
-      real(c_double), intent(inout), optional :: contact_radius(n)
-      real(c_double), intent(inout), optional :: adhesion_radius(n)
-      real(c_double), intent(inout), optional :: load(n)
+      real(c_double), intent(inout), optional :: contact_radius(n), adhesion_radius(n), load(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -70,11 +64,8 @@ contains
    integer(c_int) function sphere_radius(n, lambda, contact_radius, adhesion_radius, load, approach, status) &
       & bind(c, name='adfric_sphere_radius') result(outcome)
       integer(c_int64_t), intent(in), value :: n
-      real(c_double), intent(in), optional :: lambda(n)
-      real(c_double), intent(in), optional :: contact_radius(n)
-      real(c_double), intent(inout), optional :: adhesion_radius(n)
-      real(c_double), intent(inout), optional :: load(n)
-      real(c_double), intent(inout), optional :: approach(n)
+      real(c_double), intent(in), optional :: lambda(n), contact_radius(n)
+      real(c_double), intent(inout), optional :: adhesion_radius(n), load(n), approach(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -95,9 +86,7 @@ contains
       integer(c_int64_t), intent(in), value :: n
       real(c_double), intent(in), optional :: lambda(n)
       integer(c_int8_t), intent(in), optional :: holds_approach(n)
-      real(c_double), intent(inout), optional :: load(n)
-      real(c_double), intent(inout), optional :: approach(n)
-      real(c_double), intent(inout), optional :: contact_radius(n)
+      real(c_double), intent(inout), optional :: load(n), approach(n), contact_radius(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -118,13 +107,8 @@ contains
    integer(c_int) function sphere_scales(n, radius, contact_modulus, work_of_adhesion, length, closer, force, strength) &
       & bind(c, name='adfric_sphere_scales') result(outcome)
       integer(c_int64_t), intent(in), value :: n
-      real(c_double), intent(in), optional :: radius(n)
-      real(c_double), intent(in), optional :: contact_modulus(n)
-      real(c_double), intent(in), optional :: work_of_adhesion(n)
-      real(c_double), intent(inout), optional :: length(n)
-      real(c_double), intent(inout), optional :: closer(n)
-      real(c_double), intent(inout), optional :: force(n)
-      real(c_double), intent(inout), optional :: strength(n)
+      real(c_double), intent(in), optional :: radius(n), contact_modulus(n), work_of_adhesion(n)
+      real(c_double), intent(inout), optional :: length(n), closer(n), force(n), strength(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
 

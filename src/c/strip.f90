@@ -16,17 +16,9 @@ contains
       & is_instantaneous, is_approach, penetration, friction, width, shift, status) &
       & bind(c, name='adfric_strip_load') result(outcome)
       integer(c_int64_t), intent(in), value :: n
-      real(c_double), intent(in), optional :: phase(n)
-      real(c_double), intent(in), optional :: ratio(n)
-      real(c_double), intent(in), optional :: stress(n)
-      real(c_double), intent(in), optional :: range(n)
-      real(c_double), intent(in), optional :: load(n)
-      integer(c_int8_t), intent(in), optional :: is_instantaneous(n)
-      integer(c_int8_t), intent(in), optional :: is_approach(n)
-      real(c_double), intent(inout), optional :: penetration(n)
-      real(c_double), intent(inout), optional :: friction(n)
-      real(c_double), intent(inout), optional :: width(n)
-      real(c_double), intent(inout), optional :: shift(n)
+      real(c_double), intent(in), optional :: phase(n), ratio(n), stress(n), range(n), load(n)
+      integer(c_int8_t), intent(in), optional :: is_instantaneous(n), is_approach(n)
+      real(c_double), intent(inout), optional :: penetration(n), friction(n), width(n), shift(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -52,17 +44,9 @@ contains
       & is_instantaneous, is_approach, load, friction, width, shift, status) &
       & bind(c, name='adfric_strip_penetration') result(outcome)
       integer(c_int64_t), intent(in), value :: n
-      real(c_double), intent(in), optional :: phase(n)
-      real(c_double), intent(in), optional :: ratio(n)
-      real(c_double), intent(in), optional :: stress(n)
-      real(c_double), intent(in), optional :: range(n)
-      real(c_double), intent(in), optional :: penetration(n)
-      integer(c_int8_t), intent(in), optional :: is_instantaneous(n)
-      integer(c_int8_t), intent(in), optional :: is_approach(n)
-      real(c_double), intent(inout), optional :: load(n)
-      real(c_double), intent(inout), optional :: friction(n)
-      real(c_double), intent(inout), optional :: width(n)
-      real(c_double), intent(inout), optional :: shift(n)
+      real(c_double), intent(in), optional :: phase(n), ratio(n), stress(n), range(n), penetration(n)
+      integer(c_int8_t), intent(in), optional :: is_instantaneous(n), is_approach(n)
+      real(c_double), intent(inout), optional :: load(n), friction(n), width(n), shift(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i

@@ -49,8 +49,7 @@ contains
    !> See adfric.h.
    integer(c_int) function set_word(self, name, value) bind(c, name='adfric_set_word') result(status)
       integer(c_int64_t), intent(in), value :: self
-      type(c_ptr), intent(in), value :: name
-      type(c_ptr), intent(in), value :: value
+      type(c_ptr), intent(in), value :: name, value
       type(error_t), allocatable :: error
       character(:), allocatable :: word
 
@@ -92,8 +91,7 @@ contains
       integer(c_int64_t), intent(in), value :: self
       type(c_ptr), intent(in), value :: name
       integer(c_int32_t), intent(in), value :: rank
-      type(c_ptr), intent(in), value :: shape
-      type(c_ptr), intent(in), value :: values
+      type(c_ptr), intent(in), value :: shape, values
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(:), allocatable :: word

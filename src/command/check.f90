@@ -107,8 +107,7 @@ contains
    !> What is done beside the sweeps, and the number of points.
    function describe_points(run) result(lines)
       type(run_input_t), intent(in) :: run
-      character(:), allocatable :: lines
-      character(:), allocatable :: text
+      character(:), allocatable :: lines, text
 
       lines = ''
       if (run%refinement%is_wanted()) lines = pad('refined', name_width)//run%refinement%describe(run%model)//newline
@@ -122,8 +121,7 @@ contains
    !> The variables that have one value, group by group.
    function describe_values(run) result(lines)
       type(run_input_t), intent(in) :: run
-      character(:), allocatable :: lines
-      character(:), allocatable :: groups, of_group
+      character(:), allocatable :: lines, groups, of_group
       integer :: g, i
 
       lines = ''

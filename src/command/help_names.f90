@@ -113,8 +113,7 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Name of a group, a variable or a choice, or `group%name`; empty for all variables.
       character(*), intent(in) :: name
-      character(:), allocatable :: text
-      character(:), allocatable :: last_group
+      character(:), allocatable :: text, last_group
       integer :: i
 
       text = ''

@@ -73,8 +73,7 @@ contains
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(pointwise_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
 
@@ -143,8 +142,7 @@ contains
    !> See `model_t`: the point is solved once more.
    subroutine solve_profiles(self, values, results, profiles)
       class(pointwise_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
       class(point_state_t), allocatable :: state

@@ -248,8 +248,7 @@ contains
 
    !> What a rule calls something that it is for.
    pure function name_by(rule, name) result(new_name)
-      character(*), intent(in) :: rule
-      character(*), intent(in) :: name
+      character(*), intent(in) :: rule, name
       character(:), allocatable :: new_name, from
 
       from = get_word(rule, 2)

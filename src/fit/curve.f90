@@ -62,9 +62,7 @@ module adfric_fit_curve
          class(fit_curve_t), intent(inout) :: self
          !> One of `event_...`.
          integer, intent(in) :: kind
-         real(dp), intent(in) :: values(:)
-         real(dp), intent(in) :: nuisance(:)
-         real(dp), intent(in) :: slopes(:)
+         real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
          !> Receives the load [N] or position [m].
          real(dp), intent(out) :: value
          !> Receives its derivatives; shape `(n_free)`.

@@ -305,8 +305,7 @@ contains
 
    !> The digits of a number behind the point, the last one first.
    pure real(dp) function radical_inverse(number, base) result(x)
-      integer, intent(in) :: number
-      integer, intent(in) :: base
+      integer, intent(in) :: number, base
       real(dp) :: digit
       integer :: n
 

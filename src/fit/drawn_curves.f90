@@ -155,8 +155,7 @@ contains
       type(fit_t), intent(in) :: drawn
       type(scales_t), intent(in) :: scales
       integer, intent(in) :: number
-      real(dp), intent(in) :: q(:)
-      real(dp), intent(in) :: covariance(:, :)
+      real(dp), intent(in) :: q(:), covariance(:, :)
       !> Receives the ordinates.
       real(dp), allocatable, intent(out) :: curve(:)
       !> Receives their standard errors by the linear rule.

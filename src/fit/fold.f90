@@ -127,8 +127,7 @@ contains
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       type(curve_fold_t), intent(in) :: fold
-      real(dp) :: by_free(size(q))
-      real(dp) :: at
+      real(dp) :: by_free(size(q)), at
       logical :: is_known
       integer :: k
 
@@ -175,8 +174,7 @@ contains
    pure function last_slopes(self, fold) result(by_free)
       type(objective_t), intent(in) :: self
       type(curve_fold_t), intent(in) :: fold
-      real(dp) :: by_free(self%n_free)
-      real(dp) :: prescribed_l
+      real(dp) :: by_free(self%n_free), prescribed_l
 
       if (.not. self%is_sphere(fold%data_set)) then
          by_free = self%others(self%number(fold%data_set))%fold_by

@@ -164,8 +164,7 @@ contains
       class(region_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       integer, intent(out) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       !> Receives the sum of the costs of all rows.
       real(dp), intent(out) :: cost
       logical, intent(out) :: is_valid

@@ -42,8 +42,7 @@ contains
       real(dp), intent(in) :: width
       !> The residual.
       real(dp), intent(in) :: r
-      real(dp), intent(out) :: cost
-      real(dp), intent(out) :: psi
+      real(dp), intent(out) :: cost, psi
       !> Receives psi'.
       real(dp), intent(out) :: psi_r
       real(dp) :: z, root

@@ -84,8 +84,7 @@ contains
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       logical, intent(in) :: is_exact
       integer, intent(out) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       logical, intent(out) :: is_valid
       type(slopes_t) :: of
       real(dp) :: of_nuisance(size(slopes), n_nuisances), x_zero, x_zero_by(size(slopes))
@@ -190,8 +189,7 @@ contains
       class(model_curve_t), intent(inout) :: self
       type(slopes_t), intent(in) :: of
       integer, intent(in) :: contacts(:)
-      real(dp), intent(in) :: gain, gain_by(:)
-      real(dp), intent(in) :: x_zero, x_zero_by(:)
+      real(dp), intent(in) :: gain, gain_by(:), x_zero, x_zero_by(:)
       !> Number of rows so far; a foot that is the fold adds one.
       integer, intent(inout) :: n_rows
       real(dp), intent(inout) :: r(:)
@@ -232,8 +230,7 @@ contains
       class(model_curve_t), intent(inout) :: self
       integer, intent(in) :: kind
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
-      real(dp), intent(out) :: value
-      real(dp), intent(out) :: gradient(:)
+      real(dp), intent(out) :: value, gradient(:)
       logical, intent(out) :: is_valid
       type(model_curve_t) :: event
       real(dp) :: none(n_nuisances), r(1), j(1, size(slopes))

@@ -138,9 +138,7 @@ contains
       type(model_points_t), intent(in) :: points
       real(dp), intent(in) :: values(:)
       type(fold_t), intent(in) :: fold
-      real(dp), intent(in) :: x(:), y(:)
-      real(dp), intent(in) :: x_sigma(:), sigma(:)
-      real(dp), intent(in) :: gain
+      real(dp), intent(in) :: x(:), y(:), x_sigma(:), sigma(:), gain
       type(foot_search_t), intent(inout) :: search
       logical, intent(out) :: is_valid
       real(dp), dimension(size(search%open)) :: h, at, beside, u_s

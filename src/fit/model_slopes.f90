@@ -45,8 +45,7 @@ contains
    subroutine set_slopes(of, points, values, x, size_of_x, frees, slopes, is_central, wants_x, is_valid)
       type(slopes_t), intent(out) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: x(:)
+      real(dp), intent(in) :: values(:), x(:)
       !> Size of the abscissas, for steps.
       real(dp), intent(in) :: size_of_x
       type(free_t), intent(in) :: frees(:)
@@ -93,8 +92,7 @@ contains
       !> In: with ordinates and fold. Out: with the derivatives by the variable.
       type(slopes_t), intent(inout) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: x(:)
+      real(dp), intent(in) :: values(:), x(:)
       !> Position of the variable in the model's table, and its number among the free ones.
       integer, intent(in) :: variable, free
       !> Derivative of the variable by the number that is fitted.
@@ -161,9 +159,7 @@ contains
       !> In: with ordinates and fold. Out: with the derivatives by position and abscissa.
       type(slopes_t), intent(inout) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: x(:)
-      real(dp), intent(in) :: h
+      real(dp), intent(in) :: values(:), x(:), h
       logical, intent(in) :: is_central
       logical, intent(out) :: is_valid
       real(dp), dimension(size(x)) :: s, step, above, below, down
@@ -192,8 +188,7 @@ contains
    subroutine ask_positions(of, points, values, distances, fold, y, is_there)
       type(slopes_t), intent(in) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: distances(:)
+      real(dp), intent(in) :: values(:), distances(:)
       type(fold_t), intent(in) :: fold
       real(dp), intent(out) :: y(:)
       logical, intent(out) :: is_there
@@ -214,13 +209,10 @@ contains
    subroutine differentiate(of, points, values, x, size_of_x, variable, slope, h, is_central, y_by, is_valid)
       type(slopes_t), intent(in) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: x(:)
-      real(dp), intent(in) :: size_of_x
+      real(dp), intent(in) :: values(:), x(:), size_of_x
       !> Position of the variable in the model's table; 0: the abscissa.
       integer, intent(in) :: variable
-      real(dp), intent(in) :: slope
-      real(dp), intent(in) :: h
+      real(dp), intent(in) :: slope, h
       logical, intent(in) :: is_central
       !> Receives the derivative.
       real(dp), intent(out) :: y_by(:)

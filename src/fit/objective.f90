@@ -130,8 +130,7 @@ contains
    !> Number of points, and of points, events and priors together.
    pure subroutine count_terms(self, n_points, n_terms)
       type(objective_t), intent(in) :: self
-      integer, intent(out) :: n_points
-      integer, intent(out) :: n_terms
+      integer, intent(out) :: n_points, n_terms
 
       n_points = sum(self%spheres%n) + sum(self%others%n)
       n_terms = n_points + size(self%events) + count(is_set(self%frees%prior))
@@ -207,8 +206,7 @@ contains
       class(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       integer, intent(out) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       !> Receives the sum of the costs of all rows.
       real(dp), intent(out) :: cost
       logical, intent(out) :: is_valid
@@ -250,8 +248,7 @@ contains
       !> Number of the data set whose loss it is.
       integer, intent(in) :: data_set
       integer, intent(in) :: first, last
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       !> The cost is added.
       real(dp), intent(inout) :: cost
       real(dp) :: one, weight
@@ -285,9 +282,7 @@ contains
       real(dp), intent(in) :: slopes(:)
       !> Number of rows so far; it rises.
       integer, intent(inout) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
-      real(dp), intent(inout) :: cost
+      real(dp), intent(inout) :: r(:), j(:, :), cost
       logical, intent(out) :: is_valid
       real(dp) :: value, gradient(self%n_free)
       integer :: k
@@ -318,9 +313,7 @@ contains
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       integer, intent(inout) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
-      real(dp), intent(inout) :: cost
+      real(dp), intent(inout) :: r(:), j(:, :), cost
       integer :: k
 
       do k = 1, self%n_free

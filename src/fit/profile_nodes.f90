@@ -173,8 +173,7 @@ contains
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
       type(squares_work_t), intent(inout) :: work
-      real(dp), intent(in) :: starts(:, :)
-      real(dp), intent(in) :: x
+      real(dp), intent(in) :: starts(:, :), x
       real(dp) :: q(size(starts, 1)), cost, slope
       logical :: has_value
 

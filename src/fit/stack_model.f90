@@ -275,8 +275,7 @@ contains
    !> See `model_t`: there are none.
    subroutine solve_profiles(self, values, results, profiles)
       class(stack_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       !> Receives NaN.
       real(dp), intent(out) :: profiles(:, :, :)
 

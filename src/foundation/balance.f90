@@ -198,8 +198,7 @@ contains
       type(steady_state_t), intent(in) :: state
       !> Sine and cosine of the shift.
       real(dp), intent(in) :: s, c
-      real(dp) :: terms(4)
-      real(dp) :: even, odd, b, sw, cw, lost, decaying, cross_cos, cross_sin
+      real(dp) :: terms(4), even, odd, b, sw, cw, lost, decaying, cross_cos, cross_sin
 
       associate (f => strip%foundation, width => state%half_width)
          even = f%loss*(s + f%u*c)

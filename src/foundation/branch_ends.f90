@@ -177,8 +177,7 @@ contains
       type(family_t), intent(in) :: family
       !> The adhesion zone where the equations are evaluated, by its half width and shift [rad].
       type(steady_state_t), intent(in) :: state
-      real(dp), intent(out) :: matrix(n_zones + 1, n_zones + 1)
-      real(dp), intent(out) :: value(n_zones + 1, 1)
+      real(dp), intent(out) :: matrix(n_zones + 1, n_zones + 1), value(n_zones + 1, 1)
       real(dp) :: jacobian(2, 2), by_depth(2), other(2)
 
       matrix = 0

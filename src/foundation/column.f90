@@ -80,8 +80,7 @@ contains
       real(dp), intent(in) :: excess
       !> Phase passed since that zone began [rad].
       real(dp), intent(in) :: passed
-      real(dp), intent(out) :: displacement
-      real(dp), intent(out) :: pressure
+      real(dp), intent(out) :: displacement, pressure
       real(dp) :: free, w, edge
 
       associate (v => strip%foundation%v)

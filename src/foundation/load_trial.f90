@@ -131,8 +131,7 @@ contains
    !> largest value.
    pure logical function is_plain(surface, low, high, far)
       type(surface_t), intent(in) :: surface
-      type(trial_t), intent(in) :: low, high
-      type(trial_t), intent(in) :: far
+      type(trial_t), intent(in) :: low, high, far
       real(dp) :: width, reach
 
       is_plain = low%totals%is_converged .and. high%totals%is_converged

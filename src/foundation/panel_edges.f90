@@ -185,8 +185,7 @@ contains
    !> Margin of the range in the state with adhesion in the whole gap.
    pure real(dp) function margin_at(surface, penetration, theta) result(margin)
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration
-      real(dp), intent(in) :: theta
+      real(dp), intent(in) :: penetration, theta
       type(strip_t) :: strip
       type(steady_state_t) :: state
 

@@ -336,8 +336,7 @@ contains
    !> Regimes of rows.
    pure function regimes_of(forces) result(regimes)
       type(stepping_forces_t), intent(in) :: forces(:)
-      integer :: regimes(size(forces))
-      integer :: i
+      integer :: regimes(size(forces)), i
 
       do i = 1, size(forces)
          regimes(i) = regime_of(forces(i))

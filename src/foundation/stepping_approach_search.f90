@@ -220,8 +220,7 @@ contains
    !> between these two, and the load rises.
    subroutine find_proved(surface, load, limit, depth, states, slope, slope_limit, is_proved)
       type(stepping_surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      real(dp), intent(in) :: limit
+      real(dp), intent(in) :: load, limit
       !> In: a penetration that carries less. Out: the one that carries the load, if it is proved.
       real(dp), intent(inout) :: depth
       !> In: the greatest states there. Out: those of the load, if it is proved.
@@ -265,8 +264,7 @@ contains
    !> Newton's method with edges for states and penetration that carry a load.
    subroutine find_with_edges(surface, load, limit, depth, states)
       type(stepping_surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      real(dp), intent(in) :: limit
+      real(dp), intent(in) :: load, limit
       !> In: where to start. Out: the penetration.
       real(dp), intent(inout) :: depth
       !> In: where to start. Out: states that are steady if the method converges.

@@ -66,8 +66,7 @@ contains
       integer, intent(in) :: zone
       integer, intent(in) :: piece
       real(dp), intent(in) :: theta
-      real(dp), intent(out) :: pressure
-      real(dp), intent(out) :: displacement
+      real(dp), intent(out) :: pressure, displacement
       real(dp), dimension(path%solid%n) :: stretch, growth
       real(dp) :: time
 

@@ -110,8 +110,7 @@ contains
    pure subroutine pass_open(solid, duration, vectors, growth, displacement)
       type(solid_t), intent(in) :: solid
       real(dp), intent(in) :: duration
-      real(dp), intent(inout) :: vectors(:, :)
-      real(dp), intent(inout) :: growth(:, :)
+      real(dp), intent(inout) :: vectors(:, :), growth(:, :)
       !> What has been added to the integral of w - D; shape `(n_arms + 1)`.
       real(dp), intent(inout) :: displacement(:)
       real(dp), dimension(size(vectors, 1), size(vectors, 2)) :: elements

@@ -106,8 +106,7 @@ contains
       !> Receives the points, or what is known of them.
       type(loaded_data_t), intent(inout) :: loaded
       integer, intent(in) :: g
-      character(:), allocatable, intent(out) :: variable
-      character(:), allocatable, intent(out) :: flaw
+      character(:), allocatable, intent(out) :: variable, flaw
       type(columns_t), allocatable :: curves(:)
       type(columns_t) :: all_curves
       type(checksum_t) :: sum

@@ -167,8 +167,7 @@ contains
    !> Open a column, and find out how its numbers become SI units.
    subroutine open_column(self, file, path, unit, flaw)
       type(stack_column_t), intent(out) :: self
-      character(*), intent(in) :: file, path
-      character(*), intent(in) :: unit
+      character(*), intent(in) :: file, path, unit
       !> What is wrong; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       character(:), allocatable :: units

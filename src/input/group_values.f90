@@ -96,8 +96,7 @@ contains
    subroutine take_text(file, group, name, allowed, word, problems)
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
-      character(*), intent(in) :: name
-      character(*), intent(in) :: allowed
+      character(*), intent(in) :: name, allowed
       !> Receives the text without its quotes; left as it is if it is not given, or something is wrong.
       character(:), allocatable, intent(inout) :: word
       type(problems_t), intent(inout) :: problems
@@ -116,8 +115,7 @@ contains
    subroutine take_words(file, group, name, allowed, words, problems)
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
-      character(*), intent(in) :: name
-      character(*), intent(in) :: allowed
+      character(*), intent(in) :: name, allowed
       !> Receives the words, separated by a blank; left as it is if they are not given, or something is wrong.
       character(:), allocatable, intent(inout) :: words
       type(problems_t), intent(inout) :: problems

@@ -83,8 +83,7 @@ contains
    subroutine new_namelist_file(self, path, text, problems)
       !> Receives the text with its groups and assignments.
       type(namelist_file_t), intent(out) :: self
-      character(*), intent(in) :: path
-      character(*), intent(in) :: text
+      character(*), intent(in) :: path, text
       type(problems_t), intent(inout) :: problems
 
       self%path = path

@@ -68,8 +68,7 @@ contains
    pure function say_too_many(lengths) result(text)
       !> Number of values of each axis.
       integer(i8), intent(in) :: lengths(:)
-      character(:), allocatable :: text
-      character(:), allocatable :: counts
+      character(:), allocatable :: text, counts
       real(dp) :: n_points
       integer :: k
 

@@ -105,8 +105,7 @@ contains
 
    !> Take note of a variable whose sweep cannot be used.
    subroutine break_variable(variable, line, input)
-      integer, intent(in) :: variable
-      integer, intent(in) :: line
+      integer, intent(in) :: variable, line
       !> Receives that the variable is broken, and swept unless it stands elsewhere as well.
       type(case_t), intent(inout) :: input
 

@@ -329,8 +329,7 @@ contains
       class(heads_t), intent(in) :: self
       !> The name that is not known.
       character(*), intent(in) :: name
-      character(:), allocatable :: text
-      character(:), allocatable :: known, near
+      character(:), allocatable :: text, known, near
       type(head_t) :: head
       integer :: k
 

@@ -87,8 +87,7 @@ contains
       !> The unknown name, in small letters and without `&`.
       character(*), intent(in) :: group
       character(*), intent(in) :: common
-      character(:), allocatable :: text
-      character(:), allocatable :: known
+      character(:), allocatable :: text, known
 
       known = list_known_groups(model, common)
       if (allocated(model%scene)) then
@@ -155,8 +154,7 @@ contains
       character(*), intent(in) :: group
       !> The unknown name, in small letters.
       character(*), intent(in) :: name
-      character(:), allocatable :: text
-      character(:), allocatable :: home, near
+      character(:), allocatable :: text, home, near
       integer :: k
 
       text = say_name_of_model(model, group, name)

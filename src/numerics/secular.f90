@@ -92,8 +92,7 @@ contains
    !> The equation as seen from a pole above the root.
    pure subroutine look_from_above(equation, a, c, near)
       type(secular_equation_t), intent(inout) :: equation
-      real(dp), intent(in) :: a(:)
-      real(dp), intent(in) :: c
+      real(dp), intent(in) :: a(:), c
       integer, intent(in) :: near
 
       equation%level = -c

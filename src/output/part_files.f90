@@ -129,8 +129,7 @@ contains
       !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
       type(layout_t), intent(in) :: layout
-      integer(i8), intent(inout) :: by_status(0:)
-      integer(i8), intent(inout) :: by_doubt(0:)
+      integer(i8), intent(inout) :: by_status(0:), by_doubt(0:)
       !> Number of points that have no results yet.
       integer(i8), intent(out) :: n_missing
       type(datasets_t) :: datasets

@@ -210,8 +210,7 @@ contains
       !> The open file; the sums of the profiles of these blocks are taken from it.
       class(results_writer_t), intent(inout) :: self
       integer(i8), intent(in) :: first
-      real(dp), intent(in) :: results(:, :)
-      real(dp), intent(in) :: error_estimate(:)
+      real(dp), intent(in) :: results(:, :), error_estimate(:)
       integer, intent(in) :: status(:)
       real(dp), intent(in) :: counts(:, :)
       type(error_t), allocatable, intent(out) :: error

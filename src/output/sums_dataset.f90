@@ -93,8 +93,7 @@ contains
       !> The open dataset, in whose space the blocks are selected.
       class(sums_dataset_t), intent(in) :: self
       type(hdf5_calls_t), intent(inout) :: calls
-      integer(i8), intent(in) :: index
-      integer(i8), intent(in) :: n
+      integer(i8), intent(in) :: index, n
       !> Space of as many values as there are blocks; the caller closes it.
       integer(hid_t), intent(out) :: memory_space
 

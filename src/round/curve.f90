@@ -178,8 +178,7 @@ contains
    pure subroutine sum_terms(curve, spot, load, load_slope, approach, approach_slope)
       class(curve_t), intent(in) :: curve
       type(spot_t), intent(in) :: spot
-      real(dp), intent(out) :: load, load_slope
-      real(dp), intent(out) :: approach, approach_slope
+      real(dp), intent(out) :: load, load_slope, approach, approach_slope
       real(dp) :: root
 
       root = sqrt(spot%radius)

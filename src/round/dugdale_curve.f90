@@ -88,8 +88,7 @@ contains
       class(dugdale_curve_t), intent(in) :: self
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
-      real(dp), intent(out) :: load, load_slope
-      real(dp), intent(out) :: approach, approach_slope
+      real(dp), intent(out) :: load, load_slope, approach, approach_slope
       type(state_t) :: state
 
       call self%get_state(u, is_beyond, state)

@@ -196,8 +196,7 @@ contains
    pure subroutine get_value(margins, stretch, corner, logarithm, value, is_converged)
       class(margins_t), intent(in) :: margins
       type(stretch_t), intent(in) :: stretch
-      real(dp), intent(in) :: corner
-      real(dp), intent(in) :: logarithm
+      real(dp), intent(in) :: corner, logarithm
       !> Receives the value.
       real(dp), intent(out) :: value
       !> Becomes false if the state is not found.
@@ -304,8 +303,7 @@ contains
 
    !> A position between two, at a share of the path, evenly in the logarithm of the distance from an origin.
    pure real(dp) function between(ends, origin, share)
-      real(dp), intent(in) :: ends(2)
-      real(dp), intent(in) :: origin
+      real(dp), intent(in) :: ends(2), origin
       !> The share, between 0 and 1.
       real(dp), intent(in) :: share
 

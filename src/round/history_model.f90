@@ -6,7 +6,7 @@ module adfric_round_history_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
    use adfric_round_case, only: indenter_case_t, resolve_case, tangential_compliance, is_possible_case => is_possible
-   use adfric_round_check, only: check_body
+   use adfric_round_check, only: check_history_body
    use adfric_round_contact, only: branch_stable, find_contact
    use adfric_round_contact_state, only: contact_t
    use adfric_round_edge_slope, only: measure_edge
@@ -74,7 +74,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
 
-      call check_body(self%variables, values, .true., problems)
+      call check_history_body(self%variables, values, problems)
    end subroutine check_bodies
 
    !> See `history_model_t`.

@@ -312,8 +312,7 @@ contains
    pure subroutine evaluate(self, x, value, slope)
       class(path_equation_t), intent(in) :: self
       real(dp), intent(in) :: x
-      real(dp), intent(out) :: value
-      real(dp), intent(out) :: slope
+      real(dp), intent(out) :: value, slope
       type(waypoint_t) :: waypoint, near
       real(dp) :: quantity
 

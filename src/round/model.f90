@@ -118,8 +118,7 @@ contains
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
       class(indenter_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(inout) :: measures(:)
 
       if (is_set(values(in%contact_radius))) then

@@ -114,8 +114,7 @@ contains
    pure real(dp) function inner_energy(self, number, length, total) result(energy)
       type(sheared_t), intent(in) :: self
       integer, intent(in) :: number
-      real(dp), intent(in) :: length
-      real(dp), intent(in) :: total
+      real(dp), intent(in) :: length, total
       real(dp) :: low, reach, decades, u
       integer :: panel, n_panels, node
 

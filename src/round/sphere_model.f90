@@ -141,8 +141,7 @@ contains
    !> See `model_t`: a paraboloid stands for the sphere. Reduced units have no radius of the sphere.
    subroutine measure(self, values, results, measures)
       class(sphere_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(inout) :: measures(:)
 
       if (is_reduced(values)) return

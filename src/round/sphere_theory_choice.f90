@@ -99,8 +99,7 @@ contains
    !> Was the choice made for these parameters?
    pure logical function is_choice_of(self, lambda, ratio, control, needs_edge, tolerance)
       type(theory_choice_t), intent(in) :: self
-      real(dp), intent(in) :: lambda
-      real(dp), intent(in) :: ratio
+      real(dp), intent(in) :: lambda, ratio
       integer, intent(in) :: control
       !> Is the radius c of adhesion needed, too?
       logical, intent(in) :: needs_edge

@@ -63,11 +63,7 @@ contains
    pure subroutine new_batch_store(self, n, n_results, n_counts, block_size, max_blocks)
       !> Receives the batches, none of which is taken or has memory yet.
       type(batch_store_t), intent(out) :: self
-      integer, intent(in) :: n
-      integer, intent(in) :: n_results
-      integer, intent(in) :: n_counts
-      integer, intent(in) :: block_size
-      integer, intent(in) :: max_blocks
+      integer, intent(in) :: n, n_results, n_counts, block_size, max_blocks
 
       allocate (self%batches(n))
       allocate (self%is_taken(n), source=.false.)

@@ -136,8 +136,7 @@ contains
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(converted_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
 
@@ -189,8 +188,7 @@ contains
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(converted_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
       real(dp), intent(inout) :: profiles(:, :, :)
@@ -217,8 +215,7 @@ contains
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
       class(converted_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(out) :: profiles(:, :, :)
 
       call self%inner%solve_profiles(self%inner_values(values), self%inner_results(values, results), profiles)

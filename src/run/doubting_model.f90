@@ -66,8 +66,7 @@ contains
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(doubting_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
 
@@ -79,8 +78,7 @@ contains
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(doubting_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
       real(dp), intent(inout) :: profiles(:, :, :)

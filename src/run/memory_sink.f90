@@ -76,8 +76,7 @@ contains
    subroutine put(self, first, results, error_estimate, status, counts, error)
       class(memory_sink_t), intent(inout) :: self
       integer(i8), intent(in) :: first
-      real(dp), intent(in) :: results(:, :)
-      real(dp), intent(in) :: error_estimate(:)
+      real(dp), intent(in) :: results(:, :), error_estimate(:)
       integer, intent(in) :: status(:)
       real(dp), intent(in) :: counts(:, :)
       !> Never allocated: there is space for all points.

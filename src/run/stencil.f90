@@ -104,8 +104,7 @@ contains
    subroutine solve_side(model, variable, values, results, status, steps, is_asked, side, counts, is_out_of_memory)
       class(model_t), intent(in) :: model
       integer, intent(in) :: variable
-      real(dp), intent(in) :: values(:, :)
-      real(dp), intent(in) :: results(:, :)
+      real(dp), intent(in) :: values(:, :), results(:, :)
       integer, intent(in) :: status(:)
       !> Where the neighbour stands, relative to each point.
       real(dp), intent(in) :: steps(:)
@@ -196,8 +195,7 @@ contains
 
    !> Slope at the end of a row of two or three points.
    pure function slope_at_end(x, results, near, far, i) result(slope)
-      real(dp), intent(in) :: x
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: x, results(:)
       !> The neighbours on one side, the near ones and those at twice the distance.
       type(side_t), intent(in) :: near, far
       integer, intent(in) :: i

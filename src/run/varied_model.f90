@@ -131,8 +131,7 @@ contains
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(varied_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
       real(dp), allocatable :: own(:, :)
@@ -146,8 +145,7 @@ contains
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(varied_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
       real(dp), intent(inout) :: profiles(:, :, :)
@@ -279,8 +277,7 @@ contains
    function describe_results(self, values) result(results)
       class(varied_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      type(result_t), allocatable :: results(:)
-      type(result_t), allocatable :: own(:), units(:), numbers(:), rows(:)
+      type(result_t), allocatable :: results(:), own(:), units(:), numbers(:), rows(:)
       integer :: k
 
       allocate (own, source=self%inner%describe_results(values))

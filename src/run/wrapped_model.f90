@@ -114,8 +114,7 @@ contains
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
       class(wrapped_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(out) :: profiles(:, :, :)
 
       call self%inner%solve_profiles(self%inner_values(values), self%inner_results(values, results), profiles)
@@ -196,8 +195,7 @@ contains
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
       class(wrapped_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(inout) :: measures(:)
 
       call self%inner%measure(self%inner_values(values), self%inner_results(values, results), measures)
