@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every module, type, component and procedure of src/ and drivers/ has a comment: a line `!>` stands before it.
 
-So has every argument of an interface, and of a procedure that another folder uses or that is for other programs, but `self`, which
-its type describes. Within a folder an argument has a comment where its name, its type and its unit do not say what it is, which no
-test can judge.
+So has every argument of an interface, and of a public procedure that another folder uses or that is for other programs, but `self`,
+which its type describes. What is said elsewhere is not said again: a procedure whose comment begins with "See `x_t`" has the
+arguments of the interface of that type, and one of C ("See adfric.h") those of the header.
+Within a folder an argument has a comment where its name, its type and its unit do not say what it is, which no test can judge.
 A function of C in an interface needs none, since it stands where the C code has it; its arguments do.
 """
 
@@ -22,8 +23,9 @@ USE = re.compile(r"^use\b[^'\"]*?\b(adfric\w*)\s*(?:,\s*only\s*:\s*(.*))?$", re.
 BINDING = re.compile(r"^procedure\b[^'\"]*?(?:::)\s*(.*)$", re.IGNORECASE)
 # What the comment of a procedure begins with whose arguments are described elsewhere.
 ELSEWHERE = re.compile(r"^See (?:`(\w+_t)`|adfric\.h)")
-# Folders whose procedures are for other programs.
+# Folders whose procedures are for other programs, where they are public.
 FOR_OTHERS = ("api", "c", "contact")
+PUBLIC = re.compile(r"^public\s*::\s*(.*)$", re.IGNORECASE)
 
 
 def statements_of(text):
@@ -77,6 +79,11 @@ def procedures_of_types(text, types):
         elif open_type in types and (binding := BINDING.match(statement)):
             bound |= {name.split("=>")[-1].strip().lower() for name in binding[1].split(",")}
     return bound
+
+
+def public_names(text):
+    """What a module says is public."""
+    return {name for _, statement, _ in statements_of(text) if (public := PUBLIC.match(statement)) for name in names_of(public[1])}
 
 
 def comment_above(lines, number):
@@ -138,7 +145,9 @@ def faults_of(root):
         faults += [f"{path.relative_to(root).as_posix()}:{number}: there is no type {named}"
                    for number, named in types_pointed_at(text) if named not in types]
         names = set().union(*(shared[module] for module in re.findall(r"^module (adfric\w*)$", text, re.MULTILINE)))
-        needed = None if path.parent.name in FOR_OTHERS else names | procedures_of_types(text, names)
+        if path.parent.name in FOR_OTHERS:
+            names |= public_names(text)
+        needed = names | procedures_of_types(text, names)
         faults += [f"{path.relative_to(root).as_posix()}:{number}: no comment `!>` before {what}"
                    for number, before, what in things_of(text, needed) if not before.startswith("!>")]
     return faults

@@ -139,13 +139,11 @@ contains
 
    !> Give the name of the model of a case, or its scene.
    subroutine give_text(self, is_scene, text, status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in) :: self
       !> Is the scene wanted, and not the name of the model?
       logical, intent(in) :: is_scene
       !> Receives the text.
       type(c_ptr), intent(in) :: text
-      !> Receives what has become of the call.
       integer(c_int), intent(out) :: status
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error

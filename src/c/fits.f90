@@ -87,7 +87,6 @@ contains
       type(table_info_t), intent(in) :: given
       !> Receives it.
       type(text_table_t), intent(out) :: table
-      !> Allocated if something is missing, or out of range.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: name
       character(longest_name), allocatable :: columns(:), units(:)

@@ -164,9 +164,7 @@ contains
 
    !> Find the tables of a model, or make them.
    subroutine find_tables(index, tables, error)
-      !> Index of the model, from 0.
       integer, intent(in) :: index
-      !> Receives the tables.
       type(tables_t), pointer, intent(out) :: tables
       !> Allocated if there is too little memory.
       type(error_t), allocatable, intent(out) :: error

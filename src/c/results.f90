@@ -81,7 +81,6 @@ contains
 
    !> Solve a case of one point.
    subroutine solve_single(state, handle, names, values, error)
-      !> The case.
       type(case_state_t), intent(inout) :: state
       !> Its handle.
       integer(c_int64_t), intent(in) :: handle
@@ -122,7 +121,6 @@ contains
 
    !> Solve a case, and give what it finds a handle.
    subroutine solve_case(state, n_threads, listener, found, error)
-      !> The case.
       type(case_state_t), intent(inout) :: state
       !> Number of threads; 0: as many as OpenMP gives.
       integer, intent(in) :: n_threads
@@ -130,7 +128,6 @@ contains
       class(listener_t), intent(inout) :: listener
       !> Receives the handle of the results.
       type(c_ptr), intent(in) :: found
-      !> Says what is wrong, or that the call was stopped.
       type(error_t), allocatable, intent(out) :: error
       type(memory_sink_t), allocatable :: sink
       type(run_summary_t) :: summary
@@ -151,13 +148,11 @@ contains
 
    !> Keep what was found.
    subroutine keep_results(state, sink, summary, found, error)
-      !> The case.
       type(case_state_t), intent(in) :: state
       !> What was found; the results take it over.
       type(memory_sink_t), allocatable, intent(inout) :: sink
       !> Counts and times of the solution.
       type(run_summary_t), intent(in) :: summary
-      !> Receives the handle of the results.
       type(c_ptr), intent(in) :: found
       !> Allocated if there is too little memory.
       type(error_t), allocatable, intent(out) :: error
@@ -256,7 +251,6 @@ contains
 
    !> Find an array by its name.
    subroutine find_index(arrays, name, index, error)
-      !> The arrays.
       type(arrays_t), intent(in) :: arrays
       !> The name; capitals do not count.
       character(*), intent(in) :: name
@@ -273,7 +267,6 @@ contains
 
    !> Give out an array.
    subroutine give_array(arrays, index, to, error)
-      !> The arrays.
       type(arrays_t), intent(in) :: arrays
       !> Index of the array, from 1.
       integer, intent(in) :: index

@@ -10,9 +10,8 @@ module adfric_c_scenes
    use adfric_base_text, only: longest_name, show_count
    use adfric_c_cases, only: keep_case, take_case
    use adfric_c_handles, only: leave_object
-   use adfric_c_tables, only: describe_variable, result_info_t, variable_info_t
-   use adfric_c_texts, only: keep_text, read_text, read_words, refuse_null, status_of, too_little_memory
-   use adfric_output_constants, only: file_unit
+   use adfric_c_tables, only: describe_variable, result_info_t, set_result, variable_info_t
+   use adfric_c_texts, only: read_text, read_words, refuse_null, status_of, too_little_memory
    implicit none (type, external)
    private
 
@@ -103,13 +102,7 @@ contains
          !$omp critical (adfric_api)
          if (.not. allocated(error)) then
             call describe_name(state%run%model, state%input, word, unit, long_name, meanings, error)
-            if (.not. allocated(error)) then
-               call keep_text(word, found%name, error)
-               call keep_text(file_unit(unit), found%unit, error)
-               call keep_text(long_name, found%long_name, error)
-               call keep_text(meanings, found%flag_meanings, error)
-               found%first_flag = 0
-            end if
+            if (.not. allocated(error)) call set_result(found, word, unit, long_name, meanings, error)
          end if
          !$omp end critical (adfric_api)
          if (.not. allocated(error)) then

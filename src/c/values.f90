@@ -214,7 +214,6 @@ contains
 
    !> Sweep variables.
    subroutine sweep_several(self, names, n, values, status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in) :: self
       !> Names of the variables.
       type(c_ptr), intent(in) :: names(:)
@@ -222,7 +221,6 @@ contains
       integer(c_int64_t), intent(in) :: n
       !> The values, those of a variable side by side.
       type(c_ptr), intent(in) :: values
-      !> Receives what has become of the call.
       integer(c_int), intent(out) :: status
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error

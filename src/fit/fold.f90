@@ -13,7 +13,6 @@ module adfric_fit_fold
    use adfric_fit_model_points, only: fold_t
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_order, only: order_of
-   use adfric_fit_path, only: sphere_path_t
    use adfric_fit_sphere_curve, only: sphere_curve_t, take_values
    use adfric_round_sphere_contact, only: theory_hertz, theory_dmt
    use adfric_round_sphere_variables, only: out => sphere_output

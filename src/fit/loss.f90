@@ -9,7 +9,7 @@
 module adfric_fit_loss
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_fit_problem, only: loss_gauss, loss_huber, loss_soft_l1, loss_cauchy
+   use adfric_fit_problem, only: loss_huber, loss_soft_l1, loss_cauchy
    implicit none (type, external)
    private
    public :: get_loss, loss_width_of

@@ -14,7 +14,7 @@ module adfric_fit_model_curve
    use adfric_base_kinds, only: dp
    use adfric_fit_curve, only: fit_curve_t, take_points, nuisance_slopes
    use adfric_fit_model_foot, only: feet_t, find_feet
-   use adfric_fit_model_points, only: model_points_t, new_model_points, fold_t, is_beyond_fold
+   use adfric_fit_model_points, only: model_points_t, new_model_points, is_beyond_fold
    use adfric_fit_model_slopes, only: slopes_t, set_slopes
    use adfric_fit_order, only: median_step
    use adfric_fit_problem, only: free_t, fit_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &

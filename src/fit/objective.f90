@@ -8,7 +8,6 @@ module adfric_fit_objective
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_base_watch, only: watch_t
-   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_loss, only: get_loss, loss_width_of
    use adfric_fit_model_curve, only: model_curve_t, new_model_curve
    use adfric_fit_problem, only: fit_t, free_t, event_t, n_nuisances, loss_gauss

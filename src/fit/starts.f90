@@ -10,7 +10,6 @@ module adfric_fit_starts
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_curve_starts, only: find_curve_starts, has_curve_starts
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset, &
@@ -19,7 +18,7 @@ module adfric_fit_starts
    use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_numerics_bounded_least_squares, only: squares_work_t
-   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_contact, only: theory_hertz
    use adfric_round_sphere_units, only: get_sphere_units
    use adfric_round_sphere_variables, only: in => sphere_input, out => sphere_output
    implicit none (type, external)

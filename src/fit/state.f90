@@ -17,7 +17,7 @@ module adfric_fit_state
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
-   use adfric_round_sphere_contact, only: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
+   use adfric_round_sphere_contact, only: theory_jkr, theory_dmt, theory_maugis_dugdale
    use adfric_round_sphere_dugdale_curve, only: curve_angle_t, curve_point_t, get_angle_point, get_disc, &
       & get_disc_radius
    implicit none (type, external)

@@ -6,9 +6,8 @@
 module adfric_foundation_stepping_approach_search
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_response, only: bound_response
-   use adfric_foundation_stepping_states, only: stepping_surface_t, stepping_states_t, start, find_least, find_greatest, sum_up, &
-      & shift, &
-      & largest_depth, is_shared, stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
+   use adfric_foundation_stepping_states, only: stepping_surface_t, stepping_states_t, start, find_extreme, is_shared, sum_up, &
+      & shift, largest_depth, stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
    use adfric_foundation_stepping_steady_column, only: take_step, take_edge_step, move, most_edge_steps
    implicit none (type, external)
    private
@@ -53,7 +52,7 @@ contains
          return
       end if
       call start(surface, limit, .false., least)
-      call find_least(surface, limit, least)
+      call find_extreme(surface, limit, .true., least)
       do k = 1, most_penetrations
          if (states%have_failed .or. least%have_failed) return
          ! the penetration has met one that carries the load or more
@@ -71,7 +70,7 @@ contains
          step = min(step, limit - depth)
          depth = depth + step
          call shift(states, step)
-         call find_greatest(surface, depth, states)
+         call find_extreme(surface, depth, .false., states)
       end do
       if (k <= most_penetrations) status = stepping_solved
    end subroutine search_upwards
@@ -108,7 +107,7 @@ contains
 
       depth = -surface%law%attach_gap + drawn_in*(1 + surface%law%attach_gap)
       call start(surface, depth, .true., states)
-      call find_greatest(surface, depth, states)
+      call find_extreme(surface, depth, .false., states)
       status = merge(stepping_failed, stepping_solved, states%have_failed)
       if (states%have_failed .or. states%load <= load) return
       ! a tension: there is a state if there is a last one, and one before it if the load falls below it once more
@@ -137,7 +136,7 @@ contains
       status = stepping_failed
       do k = 1, most_penetrations
          call start(surface, depth, .true., states)
-         call find_greatest(surface, depth, states)
+         call find_extreme(surface, depth, .false., states)
          if (states%have_failed) return
          if (.not. states%slope > 0 .and. states%load > load) then
             ! nothing touches: no smaller penetration carries less
@@ -173,7 +172,7 @@ contains
       do k = 1, steps_of_scan
          depth = depth + step
          call shift(states, step)
-         call find_greatest(surface, depth, states)
+         call find_extreme(surface, depth, .false., states)
          if (states%have_failed .or. states%load <= load) return
       end do
    end subroutine scan_for_fall
@@ -204,7 +203,7 @@ contains
          if (k > 1 .or. reach < limit - depth) then
             beyond = states
             call shift(beyond, reach)
-            call find_greatest(surface, depth + reach, beyond)
+            call find_extreme(surface, depth + reach, .false., beyond)
             if (beyond%have_failed) return
             slope = beyond%slope
             slope_limit = depth + reach

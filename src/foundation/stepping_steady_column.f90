@@ -13,7 +13,7 @@ module adfric_foundation_stepping_steady_column
    use adfric_foundation_stepping_law, only: stepping_law_t
    use adfric_foundation_stepping_period, only: column_state_t, stepped_period_t, step_period, in_contact
    use adfric_foundation_stepping_response, only: get_edge_steps
-   use adfric_foundation_stepping_solid, only: multiply, product_of
+   use adfric_foundation_stepping_solid, only: multiply
    use adfric_foundation_stepping_path, only: column_path_t, expm1_of
    implicit none (type, external)
    private

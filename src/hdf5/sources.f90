@@ -6,7 +6,6 @@ module adfric_hdf5_sources
       h5pget_virtual_count_f, h5pget_virtual_filename_f, h5pget_virtual_dsetname_f, h5pget_virtual_vspace_f, &
       h5sget_simple_extent_ndims_f, h5sget_simple_extent_npoints_f, h5sget_select_type_f, h5sget_select_npoints_f, &
       h5sselect_all_f, h5sselect_hyperslab_f, H5D_VIRTUAL_F, H5S_SEL_ALL_F, H5S_SELECT_OR_F
-   use adfric_base_kinds, only: i8
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_hdf5_datasets, only: close_dataset
    use adfric_hdf5_file, only: open_source, close_file

@@ -1,10 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The names that an input may use, and what to say of a name that is not among them.
 module adfric_input_vocabulary
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, show_text
    use adfric_base_words, only: count_words, get_word, has_word
-   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: variable_t, kind_real, kind_integer
@@ -186,18 +185,17 @@ contains
    end function say_unknown_name
 
    !> Report the variables of a group that are not among the known ones.
-   subroutine report_unknown_names(file, group, known, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine report_unknown_names(r, group, known)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
       character(*), intent(in) :: known
-      type(problems_t), intent(inout) :: problems
       integer :: i
 
-      do i = 1, size(file%assignments)
-         if (problems%is_enough()) return
-         associate (assignment => file%assignments(i))
+      do i = 1, size(r%file%assignments)
+         if (r%problems%is_enough()) return
+         associate (assignment => r%file%assignments(i))
             if (assignment%group /= group .or. has_word(known, assignment%name)) cycle
-            call file%report(problems, group, trim(assignment%name), say_unknown_name(known, trim(assignment%name)), &
+            call r%file%report(r%problems, group, trim(assignment%name), say_unknown_name(known, trim(assignment%name)), &
                assignment%first)
          end associate
       end do

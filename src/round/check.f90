@@ -5,7 +5,7 @@ module adfric_round_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
-   use adfric_round_case, only: has_plain_base, has_plain_spring, indenter_case_t, resolve_case, is_possible, theory_of
+   use adfric_round_case, only: has_plain_base, has_plain_spring, indenter_case_t, resolve_case, is_possible
    use adfric_round_contact, only: branch_stable
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_friction_check, only: check_friction, is_moved
