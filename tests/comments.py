@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every module, type, component and procedure of src/ and drivers/ has a comment: a line `!>` stands before it.
 
-So has every argument of an interface, and of a procedure that another folder uses or that is for other programs, but `self`, which
-its type describes. Within a folder an argument has a comment where its name, its type and its unit do not say what it is, which no
-test can judge.
+So has every argument of an interface, and of a public procedure that another folder uses or that is for other programs, but `self`,
+which its type describes. What is said elsewhere is not said again: a procedure whose comment begins with "See `x_t`" has the
+arguments of the interface of that type, and one of C ("See adfric.h") those of the header.
+Within a folder an argument has a comment where its name, its type and its unit do not say what it is, which no test can judge.
 A function of C in an interface needs none, since it stands where the C code has it; its arguments do.
 """
 
@@ -20,8 +21,11 @@ PROCEDURE = re.compile(r"^(?!end\b)(?:[\w()=,.%* ]*\s)?(?:subroutine|function)\s
 DECLARATION = re.compile(r"^[^!'\"]*?::\s*(.*)$")
 USE = re.compile(r"^use\b[^'\"]*?\b(adfric\w*)\s*(?:,\s*only\s*:\s*(.*))?$", re.IGNORECASE)
 BINDING = re.compile(r"^procedure\b[^'\"]*?(?:::)\s*(.*)$", re.IGNORECASE)
-# Folders whose procedures are for other programs.
+# What the comment of a procedure begins with whose arguments are described elsewhere.
+ELSEWHERE = re.compile(r"^See (?:`(\w+_t)`|adfric\.h)")
+# Folders whose procedures are for other programs, where they are public.
 FOR_OTHERS = ("api", "c", "contact")
+PUBLIC = re.compile(r"^public\s*::\s*(.*)$", re.IGNORECASE)
 
 
 def statements_of(text):
@@ -77,18 +81,33 @@ def procedures_of_types(text, types):
     return bound
 
 
+def public_names(text):
+    """What a module says is public."""
+    return {name for _, statement, _ in statements_of(text) if (public := PUBLIC.match(statement)) for name in names_of(public[1])}
+
+
+def comment_above(lines, number):
+    """The comment `!>` that stands before a line, as one text."""
+    first = number - 1
+    while first and lines[first - 1].strip().startswith("!>"):
+        first -= 1
+    return " ".join(line.strip()[2:].strip() for line in lines[first:number - 1])
+
+
 def things_of(text, shared=None):
     """What needs a comment: the number of its line, the line before it, and what it is.
 
     `shared` has the procedures whose arguments need one; None: all do.
     """
-    open_type, procedure, arguments, is_inside = "", "", set(), False
+    lines = text.splitlines()
+    open_type, procedure, arguments, is_inside, is_elsewhere = "", "", set(), False, False
     for number, statement, before in statements_of(text):
         if module := MODULE.match(statement):
             yield number, before, f"module {module[1]}"
         elif head := PROCEDURE.match(statement):
             for name in sorted(arguments):
                 yield number, "", f"argument {name} of {procedure}, whose declaration is not found"
+            is_elsewhere = bool(ELSEWHERE.match(comment_above(lines, number)))
             procedure, arguments = head[1], {name.strip().lower() for name in (head[2] or "").split(",")} - {""}
             if not re.search(r"\bbind\s*\(\s*c\s*,\s*name\b", statement, re.IGNORECASE):
                 yield number, before, f"procedure {procedure}"
@@ -104,18 +123,31 @@ def things_of(text, shared=None):
                 yield number, before, f"component {', '.join(names)} of {open_type}"
             elif found := [name for name in names if name in arguments]:
                 arguments.difference_update(found)
-                if is_inside and shared is not None and (procedure.lower() not in shared or found == ["self"]):
+                if is_inside and (is_elsewhere or shared is not None and (procedure.lower() not in shared or found == ["self"])):
                     continue
                 yield number, before, f"argument {', '.join(found)} of {procedure}"
+
+
+def types_pointed_at(text):
+    """The types that comments point at for the arguments of a procedure, with the numbers of their lines."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.strip().startswith("!>") and (elsewhere := ELSEWHERE.match(line.strip()[2:].strip())) and elsewhere[1]:
+            yield number, elsewhere[1]
 
 
 def faults_of(root):
     """Everything without its comment, as FILE:LINE: what it is."""
     shared, faults = shared_names(root), []
+    types = {kind[1] for path in sources_of(root) for _, statement, _ in statements_of(path.read_text())
+             if (kind := TYPE.match(statement))}
     for path in sources_of(root):
         text = path.read_text()
+        faults += [f"{path.relative_to(root).as_posix()}:{number}: there is no type {named}"
+                   for number, named in types_pointed_at(text) if named not in types]
         names = set().union(*(shared[module] for module in re.findall(r"^module (adfric\w*)$", text, re.MULTILINE)))
-        needed = None if path.parent.name in FOR_OTHERS else names | procedures_of_types(text, names)
+        if path.parent.name in FOR_OTHERS:
+            names |= public_names(text)
+        needed = names | procedures_of_types(text, names)
         faults += [f"{path.relative_to(root).as_posix()}:{number}: no comment `!>` before {what}"
                    for number, before, what in things_of(text, needed) if not before.startswith("!>")]
     return faults
@@ -166,6 +198,19 @@ class Comments(unittest.TestCase):
         self.check(text, use="implicit none")
         self.check(text, (11, "argument x of g"), use="use adfric_base_a, only: t")
         self.check(text, (15, "argument y of h"), use="use :: adfric_base_a, only: own => h")
+
+    def test_said_elsewhere(self):
+        """Arguments that a type describes, or the header of C, need no comment; a type that is not there describes none."""
+        text = ("!> A.\nmodule adfric_base_a\n   !> T.\n   type :: t_t\n   end type t_t\ncontains\n   !> See `t_t`:\n   !> more.\n"
+                "   subroutine f(x)\n      real, intent(in) :: x\n   end subroutine f\n   !> See adfric.h.\n"
+                "   subroutine g(x)\n      real, intent(in) :: x\n   end subroutine g\nend module adfric_base_a\n")
+        self.check(text)
+        self.check(text.replace("See `", "As `"), (10, "argument x of f"))
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "src", "base", "a.f90")
+            file.parent.mkdir(parents=True)
+            file.write_text(text.replace("See `t_t`", "See `other_t`"))
+            self.assertEqual(["src/base/a.f90:7: there is no type other_t"], faults_of(Path(folder)))
 
     def test_interfaces(self):
         """Arguments of bindings and of abstract interfaces count, procedures that are arguments, too."""

@@ -59,11 +59,8 @@ contains
 
    !> A result of every point that is one of several states.
    subroutine find_states(model, found, name, values, error)
-      !> The model, whose table of results is searched.
       class(model_t), intent(in) :: model
-      !> What was found.
       type(memory_sink_t), intent(in) :: found
-      !> Name of the result.
       character(*), intent(in) :: name
       !> Receives the numbers of the states, -1 where there is none; shape `(n_points)`.
       integer, allocatable, intent(out) :: values(:)
@@ -190,16 +187,12 @@ contains
    subroutine describe_result(model, input, index, is_complete, unit, long_name, states)
       !> The model, which describes its results.
       class(model_t), intent(in) :: model
-      !> Values of the variables.
       type(case_t), intent(in) :: input
       !> Index of the result, from 1; those that every model has stand behind the others.
       integer, intent(in) :: index
       !> Do the values describe a case, on which units may depend?
       logical, intent(in) :: is_complete
-      !> Receives the unit.
-      character(:), allocatable, intent(out) :: unit
-      !> Receives a few words.
-      character(:), allocatable, intent(out) :: long_name
+      character(:), allocatable, intent(out) :: unit, long_name
       !> Receives the names of the states, separated by a blank; empty if there are none.
       character(:), allocatable, intent(out) :: states
       type(result_t), allocatable :: results(:)
@@ -222,17 +215,13 @@ contains
 
    !> What an axis is.
    subroutine describe_axis(model, input, axis, is_complete, unit, long_name)
-      !> The model, which describes its axes.
       class(model_t), intent(in) :: model
-      !> Values of the variables.
       type(case_t), intent(in) :: input
       !> Index of the axis, from 1.
       integer, intent(in) :: axis
-      !> Do the values describe a case, on which units may depend?
       logical, intent(in) :: is_complete
       !> Receives the unit; empty if the values are needed for it.
       character(:), allocatable, intent(out) :: unit
-      !> Receives a few words.
       character(:), allocatable, intent(out) :: long_name
       type(profile_axis_t), allocatable :: axes(:)
 
@@ -274,9 +263,7 @@ contains
 
    !> Names of what a model has, separated by a blank.
    function names_of(model, what) result(words)
-      !> The model, whose tables have the names.
       class(model_t), intent(in) :: model
-      !> One of `lists`.
       character(*), intent(in) :: what
       character(:), allocatable :: words
       type(extra_t), allocatable :: extras(:)
@@ -309,7 +296,6 @@ contains
 
    !> The first words of a list.
    pure function first_words(words, n) result(first)
-      !> Words, separated by a blank.
       character(*), intent(in) :: words
       !> How many are wanted.
       integer, intent(in) :: n

@@ -77,15 +77,11 @@ contains
 
    !> Solve every point by the threads that there are.
    subroutine solve_all(run, found, progress, summary, error)
-      !> The run, whose values have been checked.
       class(run_t), intent(inout) :: run
       !> Receives the results; of no use if there is an error.
       type(memory_sink_t), allocatable, intent(out) :: found
-      !> Is told from time to time how many points are solved, and may end the call.
       class(progress_t), intent(inout), target :: progress
-      !> Receives counts and times.
       type(run_summary_t), intent(out) :: summary
-      !> Allocated if the machine has too little memory, or the caller has ended the call.
       type(error_t), allocatable, intent(out) :: error
       class(watch_t), pointer :: watch
 

@@ -13,6 +13,7 @@ module adfric_api_state
    use adfric_input_consistency, only: check_consistency
    use adfric_input_fit, only: fit_input_t, has_fit_groups, read_fit
    use adfric_input_namelist_file, only: namelist_file_t, no_namelist_file
+   use adfric_input_reading, only: new_reading, reading_t
    use adfric_input_run, only: read_case, read_job, read_job_of_text, run_input_t, say_unknown_model
    use adfric_input_scene, only: make_model
    use adfric_input_sweep_size, only: find_size_problem
@@ -117,7 +118,6 @@ contains
 
    !> Take note of the variables that the caller gives values afterwards.
    subroutine announce(later, file, run, error)
-      !> Names of the variables, or `group%name`.
       character(*), intent(in) :: later(:)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
@@ -141,7 +141,6 @@ contains
 
    !> Hold the names that the caller has announced against the table of the model.
    subroutine check_announced(later, model, problems)
-      !> Names of the variables, or `group%name`.
       character(*), intent(in) :: later(:)
       !> The solver, in the language of scenes.
       class(model_t), intent(in) :: model
@@ -156,7 +155,6 @@ contains
 
    !> Take over what an input describes.
    subroutine take_input(self, run)
-      !> Receives the model with its values.
       type(case_state_t), intent(inout) :: self
       !> What the input describes; nothing is left of it.
       type(run_input_t), intent(inout) :: run
@@ -310,11 +308,12 @@ contains
    !> Let the model check all values together, as those of a namelist.
    subroutine check_case(self, error)
       !> The simulation, which is open; the points receive the values.
-      class(case_state_t), intent(inout) :: self
+      class(case_state_t), intent(inout), target :: self
       !> Says what is missing, contradictory or impossible, a line each.
       type(error_t), allocatable, intent(out) :: error
-      type(namelist_file_t) :: nothing
-      type(problems_t) :: problems
+      type(namelist_file_t), target :: nothing
+      type(problems_t), target :: problems
+      type(reading_t) :: reading
       type(dataset_t) :: none
       character(:), allocatable :: text
       integer :: i
@@ -330,7 +329,8 @@ contains
          if (self%input%is_given(i)) self%run%datasets(i) = self%input%datasets(i)
       end do
       call no_namelist_file(nothing)
-      call check_consistency(nothing, self%run%model, self%input, self%run%plan%axes, problems)
+      call new_reading(reading, nothing, problems, self%run%model, self%input)
+      call check_consistency(reading, self%run%plan%axes)
       text = find_size_problem(self%run%plan)
       if (len(text) > 0) call problems%add('', '', text)
       call error_of(problems, error)
@@ -362,13 +362,10 @@ contains
 
    !> Find a variable.
    subroutine find_variable(self, name, index, error)
-      !> The simulation.
       class(case_state_t), intent(in) :: self
-      !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
       !> Index of the variable in the model's table; 0 if there is an error.
       integer, intent(out) :: index
-      !> Allocated if the simulation is closed, or there is no such variable.
       type(error_t), allocatable, intent(out) :: error
       type(problems_t) :: problems
 
@@ -385,9 +382,7 @@ contains
 
    !> Take note of a variable that has one value now: what was found does not belong to it.
    subroutine mark(self, index, is_given)
-      !> The simulation.
       class(case_state_t), intent(inout) :: self
-      !> Index of the variable in the model's table.
       integer, intent(in) :: index
       !> Is the value given by the caller, and not the default?
       logical, intent(in) :: is_given

@@ -116,13 +116,10 @@ contains
 
    !> Give a value as it would stand in a namelist.
    subroutine give_literal(variable, text, stored, problems)
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> Text of the value.
       character(*), intent(in) :: text
-      !> Receives the value; left as it is if something is wrong.
       real(dp), intent(inout) :: stored
-      !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
       real(dp) :: value
@@ -140,15 +137,12 @@ contains
 
    !> Take over a value, or report what is wrong with it.
    subroutine take(variable, value, flaw, stored, problems)
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> The value, which has a meaning if nothing is wrong.
       real(dp), intent(in) :: value
       !> What is wrong; empty if nothing is.
       character(*), intent(in) :: flaw
-      !> Receives the value; left as it is if something is wrong.
       real(dp), intent(inout) :: stored
-      !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
 
       if (len(flaw) > 0) then
@@ -217,7 +211,6 @@ contains
       real(dp), intent(in) :: samples(:, :)
       !> Number of dimensions, 2 for columns.
       integer, intent(in) :: rank
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       !> Receives what is known of the columns.
       type(dataset_t), intent(inout) :: dataset

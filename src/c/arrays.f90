@@ -148,11 +148,9 @@ contains
 
    !> Give the last array numbers of its own.
    subroutine set_values(self, values, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
       !> The numbers.
       real(dp), intent(in) :: values(:)
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       type(array_t), pointer :: item
       integer :: failure
@@ -169,11 +167,9 @@ contains
 
    !> Give the last array states of its own.
    subroutine set_states(self, values, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
       !> Numbers of the states, NaN where there is none.
       real(dp), intent(in) :: values(:)
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       type(array_t), pointer :: item
       integer(i8) :: i
@@ -193,13 +189,11 @@ contains
 
    !> Add what is swept, and the axes of the profiles.
    subroutine add_coordinates(self, coordinates, layout, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
       !> What is swept.
       type(coordinates_t), intent(in) :: coordinates
       !> Layout of the results file.
       type(layout_t), intent(in) :: layout
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       type(c_ptr) :: axis
       integer :: k
@@ -215,15 +209,12 @@ contains
 
    !> Add values along a dimension.
    subroutine add_scale(self, scale, dimension, role, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
       !> The values, with name and unit.
       type(scale_t), intent(in) :: scale
       !> Name of the dimension.
       type(c_ptr), intent(in) :: dimension
-      !> One of `role_...`.
       integer(c_int32_t), intent(in) :: role
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       type(field_t) :: field
 
@@ -237,11 +228,9 @@ contains
 
    !> Add what has one value.
    subroutine add_constants(self, constants, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
       !> The constants.
       type(constant_t), intent(in) :: constants(:)
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       type(field_t) :: field
       type(c_ptr) :: no_dimensions(0)
@@ -265,11 +254,9 @@ contains
 
    !> Add the lists, each behind the indices in it.
    subroutine add_lists(self, lists, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
       !> The lists.
       type(scale_t), intent(in) :: lists(:)
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       type(scale_t) :: indices
       type(c_ptr) :: dimension
@@ -285,13 +272,9 @@ contains
 
    !> Add the results.
    subroutine add_fields(self, coordinates, layout, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
-      !> What is swept.
       type(coordinates_t), intent(in) :: coordinates
-      !> Layout of the results file.
       type(layout_t), intent(in) :: layout
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
 
@@ -315,15 +298,11 @@ contains
 
    !> Add the profiles.
    subroutine add_profiles(self, coordinates, layout, run, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
-      !> What is swept.
       type(coordinates_t), intent(in) :: coordinates
-      !> Layout of the results file.
       type(layout_t), intent(in) :: layout
       !> The run, which says how profiles stand in memory.
       class(run_t), intent(in) :: run
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       type(c_ptr), allocatable :: axes(:)
       integer :: i, k, counts(3), rank
@@ -346,11 +325,9 @@ contains
 
    !> Add what a fit has beside its results. Words are states with the words for their meanings.
    subroutine add_extras(self, extras, error)
-      !> The arrays.
       type(arrays_t), target, intent(inout) :: self
       !> What there is.
       type(extra_t), intent(in) :: extras(:)
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       type(field_t) :: field
       type(c_ptr), allocatable :: dimensions(:)

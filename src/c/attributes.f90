@@ -66,11 +66,9 @@ contains
 
    !> Add what the heading of a file says.
    subroutine add_texts(self, heading, error)
-      !> The attributes.
       type(attributes_t), target, intent(inout) :: self
       !> The heading that a file of the run would have.
       type(heading_t), intent(in) :: heading
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
 
@@ -95,15 +93,11 @@ contains
 
    !> Add the time, and what the model has counted.
    subroutine add_numbers(self, run, found, seconds, error)
-      !> The attributes.
       type(attributes_t), target, intent(inout) :: self
       !> The run, whose model counts.
       class(run_t), intent(in) :: run
-      !> What was found.
       type(memory_sink_t), intent(in) :: found
-      !> Time that the solution took [s].
       real(dp), intent(in) :: seconds
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       real(dp) :: means(size(run%model%counts))
       integer :: i
@@ -119,11 +113,9 @@ contains
    subroutine add(self, name, number, error)
       !> The attributes, the last one of which is new.
       type(attributes_t), target, intent(inout) :: self
-      !> Its name.
       character(*), intent(in) :: name
       !> Its number; NaN if it gets a text.
       real(dp), intent(in) :: number
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
 
       self%n = self%n + 1
@@ -134,13 +126,10 @@ contains
 
    !> Add an attribute that is a text.
    subroutine add_text(self, name, text, error)
-      !> The attributes, the last one of which is new.
       type(attributes_t), target, intent(inout) :: self
-      !> Its name.
       character(*), intent(in) :: name
       !> Its text.
       character(*), intent(in) :: text
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
 

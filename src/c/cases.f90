@@ -17,30 +17,21 @@ contains
 
    !> See adfric.h.
    integer(c_int) function open_case(model, opened) bind(c, name='adfric_open') result(status)
-      !> Name of the model.
-      type(c_ptr), intent(in), value :: model
-      !> Receives the handle.
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: model, opened
 
       call make_case(from_model, model, 'model', opened, status)
    end function open_case
 
    !> See adfric.h.
    integer(c_int) function read_case(path, opened) bind(c, name='adfric_read') result(status)
-      !> Name of the input.
-      type(c_ptr), intent(in), value :: path
-      !> Receives the handle.
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: path, opened
 
       call make_case(from_file, path, 'path', opened, status)
    end function read_case
 
    !> See adfric.h.
    integer(c_int) function read_case_text(text, opened) bind(c, name='adfric_read_text') result(status)
-      !> Text of the input.
-      type(c_ptr), intent(in), value :: text
-      !> Receives the handle.
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: text, opened
 
       call make_case(from_text, text, 'text', opened, status)
    end function read_case_text
@@ -101,7 +92,6 @@ contains
 
    !> See adfric.h.
    integer(c_int) function close_case(self) bind(c, name='adfric_close_case') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -133,9 +123,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function model_of(self, model) bind(c, name='adfric_model_of') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Receives the name of the model.
       type(c_ptr), intent(in), value :: model
 
       call give_text(self, .false., model, status)
@@ -143,9 +131,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function scene_of(self, scene) bind(c, name='adfric_scene_of') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Receives the scene in words; empty for a case of a model.
       type(c_ptr), intent(in), value :: scene
 
       call give_text(self, .true., scene, status)
@@ -153,13 +139,11 @@ contains
 
    !> Give the name of the model of a case, or its scene.
    subroutine give_text(self, is_scene, text, status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in) :: self
       !> Is the scene wanted, and not the name of the model?
       logical, intent(in) :: is_scene
       !> Receives the text.
       type(c_ptr), intent(in) :: text
-      !> Receives what has become of the call.
       integer(c_int), intent(out) :: status
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -187,9 +171,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function point_count(self, n) bind(c, name='adfric_point_count') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Receives the number of points.
       type(c_ptr), intent(in), value :: n
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -209,7 +191,6 @@ contains
 
    !> See adfric.h.
    integer(c_int) function check_case(self) bind(c, name='adfric_check') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error

@@ -60,7 +60,6 @@ contains
 
    !> Name a swept variable as the results file does, and give it its values.
    subroutine set_scale(run, axis, index, scale)
-      !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Index of the axis, from 1.
       integer, intent(in) :: axis

@@ -28,14 +28,9 @@ contains
 
    !> See adfric.h.
    integer(c_int) function read_fit(text, n_tables, tables, opened) bind(c, name='adfric_read_fit') result(status)
-      !> Text of the input.
       type(c_ptr), intent(in), value :: text
-      !> Number of tables.
       integer(c_int32_t), intent(in), value :: n_tables
-      !> The tables; may be null where there are none.
-      type(c_ptr), intent(in), value :: tables
-      !> Receives the handle.
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: tables, opened
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(text_table_t), allocatable :: in_memory(:)
@@ -92,7 +87,6 @@ contains
       type(table_info_t), intent(in) :: given
       !> Receives it.
       type(text_table_t), intent(out) :: table
-      !> Allocated if something is missing, or out of range.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: name
       character(longest_name), allocatable :: columns(:), units(:)

@@ -64,11 +64,9 @@ contains
 
    !> See `progress_t`.
    subroutine report(self, n_done, n_total)
-      !> The listener.
       class(listener_t), intent(inout) :: self
       !> Number of points that are solved.
       integer(i8), intent(in) :: n_done
-      !> Number of all points.
       integer(i8), intent(in) :: n_total
       real(dp) :: now
 

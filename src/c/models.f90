@@ -35,7 +35,6 @@ contains
 
    !> See adfric.h.
    integer(c_int) function model_count(n) bind(c, name='adfric_model_count') result(status)
-      !> Receives the number.
       type(c_ptr), intent(in), value :: n
       integer(c_int32_t), pointer :: number
       type(error_t), allocatable :: error
@@ -50,9 +49,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function model_at(index, model) bind(c, name='adfric_model') result(status)
-      !> Index of the model, from 0.
       integer(c_int32_t), intent(in), value :: index
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: model
       type(model_info_t), pointer :: info
       type(tables_t), pointer :: tables
@@ -72,11 +69,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function variable_at(model, index, variable) bind(c, name='adfric_variable') result(status)
-      !> Name of the model.
       type(c_ptr), intent(in), value :: model
-      !> Index of the variable, from 0.
       integer(c_int32_t), intent(in), value :: index
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: variable
       type(variable_info_t), pointer :: info
       type(tables_t), pointer :: tables
@@ -96,11 +90,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function result_at(model, index, result) bind(c, name='adfric_result') result(status)
-      !> Name of the model.
       type(c_ptr), intent(in), value :: model
-      !> Index of the result, from 0.
       integer(c_int32_t), intent(in), value :: index
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: result
       type(tables_t), pointer :: tables
       type(error_t), allocatable :: error
@@ -115,11 +106,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function profile_at(model, index, profile) bind(c, name='adfric_profile') result(status)
-      !> Name of the model.
       type(c_ptr), intent(in), value :: model
-      !> Index of the profile, from 0.
       integer(c_int32_t), intent(in), value :: index
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: profile
       type(tables_t), pointer :: tables
       type(error_t), allocatable :: error
@@ -176,9 +164,7 @@ contains
 
    !> Find the tables of a model, or make them.
    subroutine find_tables(index, tables, error)
-      !> Index of the model, from 0.
       integer, intent(in) :: index
-      !> Receives the tables.
       type(tables_t), pointer, intent(out) :: tables
       !> Allocated if there is too little memory.
       type(error_t), allocatable, intent(out) :: error

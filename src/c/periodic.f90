@@ -14,29 +14,10 @@ contains
    !> See adfric.h.
    integer(c_int) function periodic_pressure(ny, nx, heights, period_y, period_x, mean_pressure, tolerance, pressure, gap, &
       & penetration, contact_fraction, status) bind(c, name='adfric_periodic_pressure') result(outcome)
-      !> Number of cells along y.
-      integer(c_int64_t), intent(in), value :: ny
-      !> Number of cells along x.
-      integer(c_int64_t), intent(in), value :: nx
-      !> Heights of the rough body.
+      integer(c_int64_t), intent(in), value :: ny, nx
       real(c_double), intent(in), optional :: heights(nx, ny)
-      !> Period along y.
-      real(c_double), intent(in), value :: period_y
-      !> Period along x.
-      real(c_double), intent(in), value :: period_x
-      !> Mean pressure [E*].
-      real(c_double), intent(in), value :: mean_pressure
-      !> Largest violation of the conditions of contact.
-      real(c_double), intent(in), value :: tolerance
-      !> Receives the pressure [E*].
-      real(c_double), intent(inout), optional :: pressure(nx, ny)
-      !> Receives the gap.
-      real(c_double), intent(inout), optional :: gap(nx, ny)
-      !> Receives the penetration.
-      real(c_double), intent(inout), optional :: penetration
-      !> Receives the share of the surface in contact.
-      real(c_double), intent(inout), optional :: contact_fraction
-      !> Receives what has become of the contact.
+      real(c_double), intent(in), value :: period_y, period_x, mean_pressure, tolerance
+      real(c_double), intent(inout), optional :: pressure(nx, ny), gap(nx, ny), penetration, contact_fraction
       integer(c_int32_t), intent(inout), optional :: status
       type(error_t), allocatable :: error
 
@@ -53,29 +34,10 @@ contains
    !> See adfric.h.
    integer(c_int) function periodic_penetration(ny, nx, heights, period_y, period_x, penetration, tolerance, pressure, gap, &
       & mean_pressure, contact_fraction, status) bind(c, name='adfric_periodic_penetration') result(outcome)
-      !> Number of cells along y.
-      integer(c_int64_t), intent(in), value :: ny
-      !> Number of cells along x.
-      integer(c_int64_t), intent(in), value :: nx
-      !> Heights of the rough body.
+      integer(c_int64_t), intent(in), value :: ny, nx
       real(c_double), intent(in), optional :: heights(nx, ny)
-      !> Period along y.
-      real(c_double), intent(in), value :: period_y
-      !> Period along x.
-      real(c_double), intent(in), value :: period_x
-      !> Penetration.
-      real(c_double), intent(in), value :: penetration
-      !> Largest violation of the conditions of contact.
-      real(c_double), intent(in), value :: tolerance
-      !> Receives the pressure [E*].
-      real(c_double), intent(inout), optional :: pressure(nx, ny)
-      !> Receives the gap.
-      real(c_double), intent(inout), optional :: gap(nx, ny)
-      !> Receives the mean pressure [E*].
-      real(c_double), intent(inout), optional :: mean_pressure
-      !> Receives the share of the surface in contact.
-      real(c_double), intent(inout), optional :: contact_fraction
-      !> Receives what has become of the contact.
+      real(c_double), intent(in), value :: period_y, period_x, penetration, tolerance
+      real(c_double), intent(inout), optional :: pressure(nx, ny), gap(nx, ny), mean_pressure, contact_fraction
       integer(c_int32_t), intent(inout), optional :: status
       type(error_t), allocatable :: error
 

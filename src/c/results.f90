@@ -35,16 +35,10 @@ contains
 
    !> See adfric.h.
    integer(c_int) function solve(self, n_threads, progress, context, found) bind(c, name='adfric_solve') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Number of threads; 0: as many as OpenMP gives.
       integer(c_int32_t), intent(in), value :: n_threads
-      !> Is told how far the call is; may be null.
       type(c_funptr), intent(in), value :: progress
-      !> Is handed to it.
-      type(c_ptr), intent(in), value :: context
-      !> Receives the handle of the results.
-      type(c_ptr), intent(in), value :: found
+      type(c_ptr), intent(in), value :: context, found
       type(listener_t) :: listener
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -63,14 +57,9 @@ contains
 
    !> See adfric.h.
    integer(c_int) function solve_point(self, n_names, names, values) bind(c, name='adfric_solve_point') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Number of names.
       integer(c_int32_t), intent(in), value :: n_names
-      !> Names of results.
-      type(c_ptr), intent(in), value :: names
-      !> Receives their values.
-      type(c_ptr), intent(in), value :: values
+      type(c_ptr), intent(in), value :: names, values
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       real(c_double), pointer :: numbers(:)
@@ -92,7 +81,6 @@ contains
 
    !> Solve a case of one point.
    subroutine solve_single(state, handle, names, values, error)
-      !> The case.
       type(case_state_t), intent(inout) :: state
       !> Its handle.
       integer(c_int64_t), intent(in) :: handle
@@ -133,7 +121,6 @@ contains
 
    !> Solve a case, and give what it finds a handle.
    subroutine solve_case(state, n_threads, listener, found, error)
-      !> The case.
       type(case_state_t), intent(inout) :: state
       !> Number of threads; 0: as many as OpenMP gives.
       integer, intent(in) :: n_threads
@@ -141,7 +128,6 @@ contains
       class(listener_t), intent(inout) :: listener
       !> Receives the handle of the results.
       type(c_ptr), intent(in) :: found
-      !> Says what is wrong, or that the call was stopped.
       type(error_t), allocatable, intent(out) :: error
       type(memory_sink_t), allocatable :: sink
       type(run_summary_t) :: summary
@@ -162,13 +148,11 @@ contains
 
    !> Keep what was found.
    subroutine keep_results(state, sink, summary, found, error)
-      !> The case.
       type(case_state_t), intent(in) :: state
       !> What was found; the results take it over.
       type(memory_sink_t), allocatable, intent(inout) :: sink
       !> Counts and times of the solution.
       type(run_summary_t), intent(in) :: summary
-      !> Receives the handle of the results.
       type(c_ptr), intent(in) :: found
       !> Allocated if there is too little memory.
       type(error_t), allocatable, intent(out) :: error
@@ -209,9 +193,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function array_count(self, n) bind(c, name='adfric_array_count') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Receives the number of arrays.
       type(c_ptr), intent(in), value :: n
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -231,11 +213,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function array_at(self, index, array) bind(c, name='adfric_array_at') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Index of the array, from 0.
       integer(c_int32_t), intent(in), value :: index
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: array
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -251,12 +230,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function array_of(self, name, array) bind(c, name='adfric_array_of') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the array.
-      type(c_ptr), intent(in), value :: name
-      !> Receives what is known of it.
-      type(c_ptr), intent(in), value :: array
+      type(c_ptr), intent(in), value :: name, array
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
       character(:), allocatable :: word
@@ -276,7 +251,6 @@ contains
 
    !> Find an array by its name.
    subroutine find_index(arrays, name, index, error)
-      !> The arrays.
       type(arrays_t), intent(in) :: arrays
       !> The name; capitals do not count.
       character(*), intent(in) :: name
@@ -293,7 +267,6 @@ contains
 
    !> Give out an array.
    subroutine give_array(arrays, index, to, error)
-      !> The arrays.
       type(arrays_t), intent(in) :: arrays
       !> Index of the array, from 1.
       integer, intent(in) :: index
@@ -311,9 +284,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function attribute_count(self, n) bind(c, name='adfric_attribute_count') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Receives the number of attributes.
       type(c_ptr), intent(in), value :: n
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -333,11 +304,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function attribute_at(self, index, attribute) bind(c, name='adfric_attribute') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
-      !> Index of the attribute, from 0.
       integer(c_int32_t), intent(in), value :: index
-      !> Receives what is known of it.
       type(c_ptr), intent(in), value :: attribute
       type(results_t), pointer :: results
       type(error_t), allocatable :: error
@@ -358,7 +326,6 @@ contains
 
    !> See adfric.h.
    integer(c_int) function close_results(self) bind(c, name='adfric_close_results') result(status)
-      !> Handle of the results.
       integer(c_int64_t), intent(in), value :: self
       type(results_t), pointer :: results
       type(error_t), allocatable :: error

@@ -10,9 +10,8 @@ module adfric_c_scenes
    use adfric_base_text, only: longest_name, show_count
    use adfric_c_cases, only: keep_case, take_case
    use adfric_c_handles, only: leave_object
-   use adfric_c_tables, only: describe_variable, result_info_t, variable_info_t
-   use adfric_c_texts, only: keep_text, read_text, read_words, refuse_null, status_of, too_little_memory
-   use adfric_output_constants, only: file_unit
+   use adfric_c_tables, only: describe_variable, result_info_t, set_result, variable_info_t
+   use adfric_c_texts, only: read_text, read_words, refuse_null, status_of, too_little_memory
    implicit none (type, external)
    private
 
@@ -23,14 +22,9 @@ contains
 
    !> See adfric.h.
    integer(c_int) function open_scene(text, n_names, names, opened) bind(c, name='adfric_open_scene') result(status)
-      !> Text of the input.
       type(c_ptr), intent(in), value :: text
-      !> Number of variables that get their values later.
       integer(c_int32_t), intent(in), value :: n_names
-      !> Their names; may be null where there are none.
-      type(c_ptr), intent(in), value :: names
-      !> Receives the handle.
-      type(c_ptr), intent(in), value :: opened
+      type(c_ptr), intent(in), value :: names, opened
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(longest_name), allocatable :: later(:)
@@ -61,12 +55,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function variable_of(self, name, variable) bind(c, name='adfric_variable_of') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
-      type(c_ptr), intent(in), value :: name
-      !> Receives what is known of it.
-      type(c_ptr), intent(in), value :: variable
+      type(c_ptr), intent(in), value :: name, variable
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(problems_t) :: problems
@@ -97,12 +87,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function describe(self, name, described) bind(c, name='adfric_describe') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of a variable, a result, a profile or an axis.
-      type(c_ptr), intent(in), value :: name
-      !> Receives what is known of it.
-      type(c_ptr), intent(in), value :: described
+      type(c_ptr), intent(in), value :: name, described
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       type(result_info_t), pointer :: info
@@ -116,13 +102,7 @@ contains
          !$omp critical (adfric_api)
          if (.not. allocated(error)) then
             call describe_name(state%run%model, state%input, word, unit, long_name, meanings, error)
-            if (.not. allocated(error)) then
-               call keep_text(word, found%name, error)
-               call keep_text(file_unit(unit), found%unit, error)
-               call keep_text(long_name, found%long_name, error)
-               call keep_text(meanings, found%flag_meanings, error)
-               found%first_flag = 0
-            end if
+            if (.not. allocated(error)) call set_result(found, word, unit, long_name, meanings, error)
          end if
          !$omp end critical (adfric_api)
          if (.not. allocated(error)) then

@@ -15,21 +15,10 @@ contains
    !> See adfric.h.
    integer(c_int) function sphere_load(n, lambda, load, is_unstable, contact_radius, adhesion_radius, approach, status) &
       & bind(c, name='adfric_sphere_load') result(outcome)
-      !> Number of contacts.
       integer(c_int64_t), intent(in), value :: n
-      !> Maugis's parameter.
-      real(c_double), intent(in), optional :: lambda(n)
-      !> Load.
-      real(c_double), intent(in), optional :: load(n)
-      !> Not 0: the state that is not stable; may be absent.
+      real(c_double), intent(in), optional :: lambda(n), load(n)
       integer(c_int8_t), intent(in), optional :: is_unstable(n)
-      !> Receives the radius of intimate contact.
-      real(c_double), intent(inout), optional :: contact_radius(n)
-      !> Receives the radius up to which adhesion acts.
-      real(c_double), intent(inout), optional :: adhesion_radius(n)
-      !> Receives the approach.
-      real(c_double), intent(inout), optional :: approach(n)
-      !> Receives what has become of each contact.
+      real(c_double), intent(inout), optional :: contact_radius(n), adhesion_radius(n), approach(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -50,21 +39,10 @@ contains
    !> See adfric.h.
    integer(c_int) function sphere_approach(n, lambda, approach, is_unstable, contact_radius, adhesion_radius, load, status) &
       & bind(c, name='adfric_sphere_approach') result(outcome)
-      !> Number of contacts.
       integer(c_int64_t), intent(in), value :: n
-      !> Maugis's parameter.
-      real(c_double), intent(in), optional :: lambda(n)
-      !> Approach.
-      real(c_double), intent(in), optional :: approach(n)
-      !> Not 0: the state that is not stable; may be absent.
+      real(c_double), intent(in), optional :: lambda(n), approach(n)
       integer(c_int8_t), intent(in), optional :: is_unstable(n)
-      !> Receives the radius of intimate contact.
-      real(c_double), intent(inout), optional :: contact_radius(n)
-      !> Receives the radius up to which adhesion acts.
-      real(c_double), intent(inout), optional :: adhesion_radius(n)
-      !> Receives the load.
-      real(c_double), intent(inout), optional :: load(n)
-      !> Receives what has become of each contact.
+      real(c_double), intent(inout), optional :: contact_radius(n), adhesion_radius(n), load(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -85,19 +63,9 @@ contains
    !> See adfric.h.
    integer(c_int) function sphere_radius(n, lambda, contact_radius, adhesion_radius, load, approach, status) &
       & bind(c, name='adfric_sphere_radius') result(outcome)
-      !> Number of contacts.
       integer(c_int64_t), intent(in), value :: n
-      !> Maugis's parameter.
-      real(c_double), intent(in), optional :: lambda(n)
-      !> Radius of intimate contact.
-      real(c_double), intent(in), optional :: contact_radius(n)
-      !> Receives the radius up to which adhesion acts.
-      real(c_double), intent(inout), optional :: adhesion_radius(n)
-      !> Receives the load.
-      real(c_double), intent(inout), optional :: load(n)
-      !> Receives the approach.
-      real(c_double), intent(inout), optional :: approach(n)
-      !> Receives what has become of each contact.
+      real(c_double), intent(in), optional :: lambda(n), contact_radius(n)
+      real(c_double), intent(inout), optional :: adhesion_radius(n), load(n), approach(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -115,19 +83,10 @@ contains
    !> See adfric.h.
    integer(c_int) function sphere_pull_off(n, lambda, holds_approach, load, approach, contact_radius, status) &
       & bind(c, name='adfric_sphere_pull_off') result(outcome)
-      !> Number of contacts.
       integer(c_int64_t), intent(in), value :: n
-      !> Maugis's parameter.
       real(c_double), intent(in), optional :: lambda(n)
-      !> Not 0: the approach is held; may be absent.
       integer(c_int8_t), intent(in), optional :: holds_approach(n)
-      !> Receives the load.
-      real(c_double), intent(inout), optional :: load(n)
-      !> Receives the approach.
-      real(c_double), intent(inout), optional :: approach(n)
-      !> Receives the radius of intimate contact.
-      real(c_double), intent(inout), optional :: contact_radius(n)
-      !> Receives what has become of each contact.
+      real(c_double), intent(inout), optional :: load(n), approach(n), contact_radius(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -147,22 +106,9 @@ contains
    !> See adfric.h.
    integer(c_int) function sphere_scales(n, radius, contact_modulus, work_of_adhesion, length, closer, force, strength) &
       & bind(c, name='adfric_sphere_scales') result(outcome)
-      !> Number of spheres.
       integer(c_int64_t), intent(in), value :: n
-      !> Radius [m].
-      real(c_double), intent(in), optional :: radius(n)
-      !> Contact modulus [Pa].
-      real(c_double), intent(in), optional :: contact_modulus(n)
-      !> Work of adhesion [J/m^2].
-      real(c_double), intent(in), optional :: work_of_adhesion(n)
-      !> Receives the unit of radii in the plane of contact [m].
-      real(c_double), intent(inout), optional :: length(n)
-      !> Receives the unit of the approach [m].
-      real(c_double), intent(inout), optional :: closer(n)
-      !> Receives the unit of loads [N].
-      real(c_double), intent(inout), optional :: force(n)
-      !> Receives the unit of stresses [Pa].
-      real(c_double), intent(inout), optional :: strength(n)
+      real(c_double), intent(in), optional :: radius(n), contact_modulus(n), work_of_adhesion(n)
+      real(c_double), intent(inout), optional :: length(n), closer(n), force(n), strength(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
 

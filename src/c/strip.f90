@@ -15,31 +15,10 @@ contains
    integer(c_int) function strip_load(n, phase, ratio, stress, range, load, &
       & is_instantaneous, is_approach, penetration, friction, width, shift, status) &
       & bind(c, name='adfric_strip_load') result(outcome)
-      !> Number of contacts.
       integer(c_int64_t), intent(in), value :: n
-      !> Relaxation phase.
-      real(c_double), intent(in), optional :: phase(n)
-      !> Ratio of retardation and relaxation time.
-      real(c_double), intent(in), optional :: ratio(n)
-      !> Adhesion stress.
-      real(c_double), intent(in), optional :: stress(n)
-      !> Range of adhesion.
-      real(c_double), intent(in), optional :: range(n)
-      !> Load.
-      real(c_double), intent(in), optional :: load(n)
-      !> Not 0: the displacement jumps; may be absent.
-      integer(c_int8_t), intent(in), optional :: is_instantaneous(n)
-      !> Not 0: the branch where loading arrives; may be absent.
-      integer(c_int8_t), intent(in), optional :: is_approach(n)
-      !> Receives the penetration.
-      real(c_double), intent(inout), optional :: penetration(n)
-      !> Receives the friction force.
-      real(c_double), intent(inout), optional :: friction(n)
-      !> Receives the width of the contact.
-      real(c_double), intent(inout), optional :: width(n)
-      !> Receives the shift of the contact.
-      real(c_double), intent(inout), optional :: shift(n)
-      !> Receives what has become of each contact.
+      real(c_double), intent(in), optional :: phase(n), ratio(n), stress(n), range(n), load(n)
+      integer(c_int8_t), intent(in), optional :: is_instantaneous(n), is_approach(n)
+      real(c_double), intent(inout), optional :: penetration(n), friction(n), width(n), shift(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i
@@ -64,31 +43,10 @@ contains
    integer(c_int) function strip_penetration(n, phase, ratio, stress, range, penetration, &
       & is_instantaneous, is_approach, load, friction, width, shift, status) &
       & bind(c, name='adfric_strip_penetration') result(outcome)
-      !> Number of contacts.
       integer(c_int64_t), intent(in), value :: n
-      !> Relaxation phase.
-      real(c_double), intent(in), optional :: phase(n)
-      !> Ratio of retardation and relaxation time.
-      real(c_double), intent(in), optional :: ratio(n)
-      !> Adhesion stress.
-      real(c_double), intent(in), optional :: stress(n)
-      !> Range of adhesion.
-      real(c_double), intent(in), optional :: range(n)
-      !> Penetration.
-      real(c_double), intent(in), optional :: penetration(n)
-      !> Not 0: the displacement jumps; may be absent.
-      integer(c_int8_t), intent(in), optional :: is_instantaneous(n)
-      !> Not 0: the branch where loading arrives; may be absent.
-      integer(c_int8_t), intent(in), optional :: is_approach(n)
-      !> Receives the load.
-      real(c_double), intent(inout), optional :: load(n)
-      !> Receives the friction force.
-      real(c_double), intent(inout), optional :: friction(n)
-      !> Receives the width of the contact.
-      real(c_double), intent(inout), optional :: width(n)
-      !> Receives the shift of the contact.
-      real(c_double), intent(inout), optional :: shift(n)
-      !> Receives what has become of each contact.
+      real(c_double), intent(in), optional :: phase(n), ratio(n), stress(n), range(n), penetration(n)
+      integer(c_int8_t), intent(in), optional :: is_instantaneous(n), is_approach(n)
+      real(c_double), intent(inout), optional :: load(n), friction(n), width(n), shift(n)
       integer(c_int32_t), intent(inout), optional :: status(n)
       type(error_t), allocatable :: error
       integer(c_int64_t) :: i

@@ -13,12 +13,11 @@ module adfric_c_tables
    use adfric_input_variable, only: describe_allowed
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: common_results, kind_choice, kind_dataset, kind_integer, kind_logical, kind_real, &
-      & profile_t, result_t, variable_t
+      & result_t, variable_t
    use adfric_output_constants, only: file_unit
    implicit none (type, external)
    private
-   public :: model_info_t, variable_info_t, result_info_t, tables_t, new_tables, describe_variable, &
-      & unit_of_numbers
+   public :: model_info_t, variable_info_t, result_info_t, tables_t, new_tables, describe_variable, set_result
 
    !> `adfric_model_info` of adfric.h.
    type, bind(c) :: model_info_t
@@ -79,14 +78,20 @@ contains
          call set_numbers(self%variables(i), model%variables(i))
       end do
       do i = 1, n
-         call set_result(self%results(i), model%results(i), error)
+         associate (row => model%results(i))
+            call set_result(self%results(i), row%name, row%unit, row%long_name, row%flag_meanings, error)
+         end associate
       end do
       common = common_results()
       do i = 1, size(common)
-         call set_result(self%results(n + i), common(i), error)
+         associate (row => common(i))
+            call set_result(self%results(n + i), row%name, row%unit, row%long_name, row%flag_meanings, error)
+         end associate
       end do
       do i = 1, size(model%profiles)
-         call set_profile(self%profiles(i), model%profiles(i), error)
+         associate (row => model%profiles(i))
+            call set_result(self%profiles(i), row%name, row%unit, row%long_name, '', error)
+         end associate
       end do
    end subroutine new_tables
 
@@ -107,9 +112,7 @@ contains
    subroutine set_model(self, model, error)
       !> The tables, with as many rows as the model has.
       type(tables_t), intent(inout) :: self
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
 
       call keep_text(model%name, self%model%name, error)
@@ -123,11 +126,8 @@ contains
 
    !> Texts of a variable.
    subroutine set_texts(info, variable, error)
-      !> Receives the texts.
       type(variable_info_t), intent(inout) :: info
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
-      !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
       logical :: has_columns
 
@@ -154,9 +154,7 @@ contains
 
    !> Numbers of a variable.
    pure subroutine set_numbers(info, variable)
-      !> Receives the numbers.
       type(variable_info_t), intent(inout) :: info
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
 
       ! the kinds of C are those of the tables
@@ -178,7 +176,6 @@ contains
 
    !> The default of a variable as it would stand in an input; empty if there is none.
    function text_of_default(variable) result(text)
-      !> Row of the model's table.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
 
@@ -206,40 +203,20 @@ contains
       if (kind /= kind_logical .and. kind /= kind_choice) text = file_unit(unit)
    end function unit_of_numbers
 
-   !> What is said of a result.
-   subroutine set_result(info, result, error)
+   !> What is said of a result or a profile.
+   subroutine set_result(info, name, unit, long_name, flag_meanings, error)
       !> Receives the texts.
-      type(result_info_t), intent(inout) :: info
-      !> Row of the model's table.
-      type(result_t), intent(in) :: result
+      type(result_info_t), intent(out) :: info
+      !> Its name, its unit as in a table, what it is, and the meanings of its states; empty if it is a number.
+      character(*), intent(in) :: name, unit, long_name, flag_meanings
       !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
 
-      call keep_text(result%name, info%name, error)
-      call keep_text(file_unit(result%unit), info%unit, error)
-      call keep_text(result%long_name, info%long_name, error)
-      if (result%n_states() > 0) then
-         call keep_text(result%flag_meanings, info%flag_meanings, error)
-      else
-         call keep_text('', info%flag_meanings, error)
-      end if
+      call keep_text(name, info%name, error)
+      call keep_text(file_unit(unit), info%unit, error)
+      call keep_text(long_name, info%long_name, error)
+      call keep_text(flag_meanings, info%flag_meanings, error)
       info%first_flag = 0
    end subroutine set_result
-
-   !> What is said of a profile.
-   subroutine set_profile(info, profile, error)
-      !> Receives the texts.
-      type(result_info_t), intent(inout) :: info
-      !> Row of the model's table.
-      type(profile_t), intent(in) :: profile
-      !> Receives that there is too little memory.
-      type(error_t), allocatable, intent(inout) :: error
-
-      call keep_text(profile%name, info%name, error)
-      call keep_text(file_unit(profile%unit), info%unit, error)
-      call keep_text(profile%long_name, info%long_name, error)
-      call keep_text('', info%flag_meanings, error)
-      info%first_flag = 0
-   end subroutine set_profile
 
 end module adfric_c_tables

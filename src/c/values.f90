@@ -21,11 +21,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function set_real(self, name, value) bind(c, name='adfric_set_real') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
       type(c_ptr), intent(in), value :: name
-      !> The value.
       real(c_double), intent(in), value :: value
 
       call give_value(self, name, value, status)
@@ -33,11 +30,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function set_integer(self, name, value) bind(c, name='adfric_set_integer') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
       type(c_ptr), intent(in), value :: name
-      !> The value.
       integer(c_int64_t), intent(in), value :: value
 
       call give_value(self, name, real(value, dp), status)
@@ -45,11 +39,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function set_logical(self, name, value) bind(c, name='adfric_set_logical') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
       type(c_ptr), intent(in), value :: name
-      !> The value, 0 for false.
       integer(c_int), intent(in), value :: value
 
       call give_value(self, name, value /= 0, status)
@@ -57,12 +48,8 @@ contains
 
    !> See adfric.h.
    integer(c_int) function set_word(self, name, value) bind(c, name='adfric_set_word') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
-      type(c_ptr), intent(in), value :: name
-      !> The word.
-      type(c_ptr), intent(in), value :: value
+      type(c_ptr), intent(in), value :: name, value
       type(error_t), allocatable :: error
       character(:), allocatable :: word
 
@@ -101,16 +88,10 @@ contains
 
    !> See adfric.h.
    integer(c_int) function set_array(self, name, rank, shape, values) bind(c, name='adfric_set_array') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
       type(c_ptr), intent(in), value :: name
-      !> Number of dimensions.
       integer(c_int32_t), intent(in), value :: rank
-      !> Number of values along each.
-      type(c_ptr), intent(in), value :: shape
-      !> The values, the last dimension varies fastest.
-      type(c_ptr), intent(in), value :: values
+      type(c_ptr), intent(in), value :: shape, values
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       character(:), allocatable :: word
@@ -184,9 +165,7 @@ contains
 
    !> See adfric.h.
    integer(c_int) function unset_variable(self, name) bind(c, name='adfric_unset') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
       type(c_ptr), intent(in), value :: name
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
@@ -205,13 +184,9 @@ contains
 
    !> See adfric.h.
    integer(c_int) function sweep(self, name, n, values) bind(c, name='adfric_sweep') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Name of the variable.
       type(c_ptr), intent(in), value :: name
-      !> Number of values.
       integer(c_int64_t), intent(in), value :: n
-      !> The values.
       type(c_ptr), intent(in), value :: values
 
       call sweep_several(self, [name], n, values, status)
@@ -219,15 +194,10 @@ contains
 
    !> See adfric.h.
    integer(c_int) function sweep_together(self, n_names, names, n, values) bind(c, name='adfric_sweep_together') result(status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in), value :: self
-      !> Number of variables.
       integer(c_int32_t), intent(in), value :: n_names
-      !> Their names.
       type(c_ptr), intent(in), value :: names
-      !> Number of values of each.
       integer(c_int64_t), intent(in), value :: n
-      !> The values.
       type(c_ptr), intent(in), value :: values
       type(error_t), allocatable :: error
       type(c_ptr), pointer :: list(:)
@@ -244,7 +214,6 @@ contains
 
    !> Sweep variables.
    subroutine sweep_several(self, names, n, values, status)
-      !> Handle of the case.
       integer(c_int64_t), intent(in) :: self
       !> Names of the variables.
       type(c_ptr), intent(in) :: names(:)
@@ -252,7 +221,6 @@ contains
       integer(c_int64_t), intent(in) :: n
       !> The values, those of a variable side by side.
       type(c_ptr), intent(in) :: values
-      !> Receives what has become of the call.
       integer(c_int), intent(out) :: status
       type(case_state_t), pointer :: state
       type(error_t), allocatable :: error

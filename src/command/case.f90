@@ -36,15 +36,12 @@ contains
 
    !> Read and validate an input. The outcome is a failure if anything is wrong with it.
    subroutine open_input(path, kind, run, details, outcome)
-      !> Name of the input.
       character(*), intent(in) :: path
       !> What the input may be: `run_or_fit`, `run_only` or `fit_only`.
       integer, intent(in) :: kind
-      !> Receives what the input describes, with its model; only to be used if the outcome is no failure.
       type(run_input_t), intent(out) :: run
       !> Receives what the input of a fit says of the data; not allocated for a run.
       type(fit_input_t), allocatable, intent(out) :: details
-      !> Receives the failure, if there is one.
       type(outcome_t), intent(inout) :: outcome
       type(namelist_file_t) :: file
       type(problems_t) :: problems
@@ -63,11 +60,9 @@ contains
    !> Read the case of a run or of a fit.
    subroutine read_run_or_fit(file, kind, run, details, problems)
       type(namelist_file_t), intent(in) :: file
-      !> What the input may be: `run_or_fit`, `run_only` or `fit_only`.
       integer, intent(in) :: kind
       !> In: what `read_job` has found, and the model. Out: the run.
       type(run_input_t), intent(inout) :: run
-      !> Receives what the input of a fit says of the data; not allocated for a run.
       type(fit_input_t), allocatable, intent(out) :: details
       type(problems_t), intent(inout) :: problems
 

@@ -94,7 +94,6 @@ contains
       class(stack_model_t), intent(in) :: model
       type(fit_input_t), intent(in) :: details
       type(run_input_t), intent(in) :: run
-      !> Receives what the command has to say.
       type(outcome_t), intent(inout) :: outcome
       type(time_estimate_t) :: estimate
 
@@ -110,8 +109,7 @@ contains
    !> What is done beside the sweeps, and the number of points.
    function describe_points(run) result(lines)
       type(run_input_t), intent(in) :: run
-      character(:), allocatable :: lines
-      character(:), allocatable :: text
+      character(:), allocatable :: lines, text
 
       lines = ''
       if (run%refinement%is_wanted()) lines = pad('refined', name_width)//run%refinement%describe(run%model)//newline
@@ -125,8 +123,7 @@ contains
    !> The variables that have one value, group by group, but for defaults without an effect.
    function describe_values(run) result(lines)
       type(run_input_t), intent(in) :: run
-      character(:), allocatable :: lines
-      character(:), allocatable :: groups, of_group
+      character(:), allocatable :: lines, groups, of_group
       integer :: g, i
 
       lines = ''

@@ -48,7 +48,6 @@ contains
    !> What the end of a sweep is called.
    function name_of_end(run, axis) result(text)
       class(run_t), intent(in) :: run
-      !> Index of the sweep, from 1.
       integer, intent(in) :: axis
       character(:), allocatable :: text
 
@@ -79,7 +78,6 @@ contains
       real(dp), intent(in) :: values(:)
       !> Where the point is, in words; empty for the first one.
       character(*), intent(in) :: index
-      !> Which bounds have been named.
       logical, intent(inout) :: is_named(:)
       !> The lines, to which new ones are added.
       character(:), allocatable, intent(inout) :: text

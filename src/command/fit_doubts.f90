@@ -98,14 +98,8 @@ contains
 
    !> Slope of a straight line through points of one error, and its standard error.
    pure subroutine find_slope(x, y, slope, error)
-      !> Abscissas.
-      real(dp), intent(in) :: x(:)
-      !> Ordinates.
-      real(dp), intent(in) :: y(:)
-      !> Receives the slope.
-      real(dp), intent(out) :: slope
-      !> Receives its standard error.
-      real(dp), intent(out) :: error
+      real(dp), intent(in) :: x(:), y(:)
+      real(dp), intent(out) :: slope, error
       real(dp) :: at(size(x)), remaining(size(x)), squares
       integer :: n
 

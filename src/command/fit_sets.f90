@@ -55,7 +55,6 @@ contains
    pure function show_end(value, error) result(text)
       !> The end.
       real(dp), intent(in) :: value
-      !> Standard error of the variable; NaN: there is none.
       real(dp), intent(in) :: error
       character(:), allocatable :: text
 

@@ -76,8 +76,7 @@ contains
    function variable_lines(fit, solution) result(lines)
       type(fit_t), intent(in) :: fit
       type(solution_t), intent(in) :: solution
-      character(:), allocatable :: lines
-      character(:), allocatable :: start
+      character(:), allocatable :: lines, start
       real(dp) :: level
       integer :: i, k
 

@@ -123,8 +123,7 @@ contains
       type(model_box_t), intent(in) :: models(:)
       !> A name in small letters, without the & of a group.
       character(*), intent(in) :: topic
-      character(:), allocatable :: text
-      character(:), allocatable :: of_models, of_fits, of_scenes
+      character(:), allocatable :: text, of_models, of_fits, of_scenes
 
       text = ''
       if (has_word(known_commands, topic)) text = usage_page

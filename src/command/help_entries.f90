@@ -137,8 +137,7 @@ contains
    !> Indices of the entries by the alphabet: each is put behind those that come before it.
    pure function sorted(self) result(order)
       type(entries_t), intent(in) :: self
-      integer :: order(self%n)
-      integer :: i, k
+      integer :: order(self%n), i, k
 
       do i = 1, self%n
          do k = i - 1, 1, -1

@@ -74,7 +74,6 @@ contains
 
       !> Is one of the states of a result meant by the name?
       pure logical function is_meant(result, meanings, index)
-         !> Name of the result.
          character(*), intent(in) :: result
          !> Names of its states, separated by a blank.
          character(*), intent(in) :: meanings
@@ -88,7 +87,6 @@ contains
       pure function explained(meanings, index, explanation) result(line)
          !> Names of the states, separated by a blank.
          character(*), intent(in) :: meanings
-         !> Index of the state, from 1.
          integer, intent(in) :: index
          !> What it means.
          character(*), intent(in) :: explanation
@@ -116,8 +114,7 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Name of a group, a variable or a choice, or `group%name`; empty for all variables.
       character(*), intent(in) :: name
-      character(:), allocatable :: text
-      character(:), allocatable :: last_group
+      character(:), allocatable :: text, last_group
       integer :: i
 
       text = ''
@@ -136,7 +133,6 @@ contains
    pure logical function is_meant(variable, name)
       !> Row of the model's table: names, unit, meaning and what is allowed.
       type(variable_t), intent(in) :: variable
-      !> Name of a group, a variable or a choice, or `group%name`; empty for all variables.
       character(*), intent(in) :: name
 
       is_meant = len(name) == 0 .or. name == variable%group .or. name == variable%name &
@@ -146,7 +142,6 @@ contains
 
    !> A variable: meaning on the first line, what it may be on the second.
    function describe_variable(variable) result(text)
-      !> Row of the model's table: names, unit, meaning and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text, usual
 

@@ -210,7 +210,6 @@ contains
    !> Add the variables of a group.
    subroutine add_group(models, group, wanted, names, text)
       type(model_box_t), intent(in) :: models(:)
-      !> Name of the group.
       character(*), intent(in) :: group
       !> Name of a variable, or one of its words; empty for all variables.
       character(*), intent(in) :: wanted
@@ -281,7 +280,6 @@ contains
 
    !> May a variable be meant? A glance that spares most of them the rules.
    pure logical function may_be_meant(row, wanted, old_names)
-      !> Row of the solver.
       type(variable_t), intent(in) :: row
       !> Name of a group, a variable or a word; empty: every variable.
       character(*), intent(in) :: wanted
@@ -296,7 +294,6 @@ contains
    pure logical function is_meant(solver, name, row, wanted)
       !> Name of the solver, and name of the variable in the language of scenes.
       character(*), intent(in) :: solver, name
-      !> Row of the solver.
       type(variable_t), intent(in) :: row
       !> What is meant; empty: every variable.
       character(*), intent(in) :: wanted

@@ -173,7 +173,6 @@ contains
    subroutine set_output(text, command, error)
       !> Value of the option `--output`; empty if there is none.
       character(*), intent(in) :: text
-      !> Receives the name of the results file.
       type(command_t), intent(inout) :: command
       type(error_t), allocatable, intent(out) :: error
 
@@ -191,7 +190,6 @@ contains
    subroutine set_part(text, command, error)
       !> Value of the option `--shard`, such as 3/16; empty if there is none.
       character(*), intent(in) :: text
-      !> Receives the part that is to be solved.
       type(command_t), intent(inout) :: command
       type(error_t), allocatable, intent(out) :: error
       character(*), parameter :: digits = '0123456789'

@@ -16,8 +16,7 @@ contains
    !> A line for each variable that has such a value.
    function warn_of_values(run) result(lines)
       type(run_input_t), intent(in) :: run
-      character(:), allocatable :: lines
-      character(:), allocatable :: unit
+      character(:), allocatable :: lines, unit
       real(dp) :: lower, upper
       integer :: i, k
 

@@ -32,9 +32,7 @@ contains
 
    !> A number with some digits.
    pure function show_to_digits(value, n_digits) result(text)
-      !> The number, or NaN.
       real(dp), intent(in) :: value
-      !> Number of digits.
       integer, intent(in) :: n_digits
       character(:), allocatable :: text
 
@@ -49,7 +47,6 @@ contains
 
    !> Is a number smaller than its error?
    pure logical function is_within(value, error)
-      !> The number, or NaN.
       real(dp), intent(in) :: value
       !> Its error, NaN or 0.
       real(dp), intent(in) :: error
@@ -71,7 +68,6 @@ contains
    pure real(dp) function rounded(value, n_digits)
       !> The number, > 0.
       real(dp), intent(in) :: value
-      !> Number of digits.
       integer, intent(in) :: n_digits
 
       rounded = round_to(value, exponent_of(value) - n_digits + 1)
@@ -79,7 +75,6 @@ contains
 
    !> Decimal exponent of the first digit.
    pure integer function exponent_of(value)
-      !> The number, > 0.
       real(dp), intent(in) :: value
 
       exponent_of = floor(log10(value)*(1 + sign(epsilon(value), log10(value))))
@@ -87,9 +82,7 @@ contains
 
    !> A number as a multiple of a power of ten.
    pure function show_to_step(value, exponent) result(text)
-      !> The number, or NaN.
       real(dp), intent(in) :: value
-      !> Exponent of the power of ten.
       integer, intent(in) :: exponent
       character(:), allocatable :: text
 
@@ -101,7 +94,6 @@ contains
    pure real(dp) function round_to(value, exponent)
       !> The number.
       real(dp), intent(in) :: value
-      !> Exponent of the power of ten.
       integer, intent(in) :: exponent
       character(40) :: buffer
       character(16) :: form

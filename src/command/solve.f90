@@ -69,7 +69,6 @@ contains
       type(block_list_t), intent(out) :: list
       !> Summary of the points that are solved already; of none but in the first process.
       type(run_summary_t), intent(out) :: before
-      !> Not allocated if all went well; the same in all processes.
       type(error_t), allocatable, intent(out) :: error
       logical :: resumes
 
@@ -113,11 +112,9 @@ contains
       type(results_file_t), intent(inout) :: results
       !> Blocks of the run, with those marked that are solved; the same in all processes.
       type(block_list_t), intent(in) :: list
-      !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
       !> Summary of the points that all processes solve now.
       type(run_summary_t), intent(out) :: summary
-      !> Not allocated if all went well; the same in all processes.
       type(error_t), allocatable, intent(out) :: error
       type(shared_blocks_t) :: blocks
       integer(hid_t) :: access

@@ -86,25 +86,14 @@ contains
 
    !> Find the contact for what is prescribed.
    subroutine solve(heights, period, goal, pressure, gap, mean_pressure, penetration, contact_fraction, status, tolerance)
-      !> Heights of the rough body; shape `(nx, ny)`.
-      real(dp), intent(in) :: heights(:, :)
-      !> Periods in x and y.
-      real(dp), intent(in) :: period(2)
+      real(dp), intent(in) :: heights(:, :), period(2)
       !> What is prescribed.
       type(periodic_goal_t), intent(in) :: goal
-      !> Receives the pressure [E*].
-      real(dp), intent(out) :: pressure(:, :)
-      !> Receives the gap.
-      real(dp), intent(out) :: gap(:, :)
-      !> Receives the mean pressure [E*].
-      real(dp), intent(out) :: mean_pressure
+      real(dp), intent(out) :: pressure(:, :), gap(:, :), mean_pressure
       !> Receives the penetration.
       real(dp), intent(out) :: penetration
-      !> Receives the share of the surface in contact.
       real(dp), intent(out) :: contact_fraction
-      !> Receives what has become of the contact.
       integer, intent(out) :: status
-      !> Largest violation of the conditions of contact [-].
       real(dp), intent(in), optional :: tolerance
       type(periodic_goal_t) :: wanted
       type(periodic_surface_t) :: surface
@@ -141,10 +130,7 @@ contains
 
    !> May these arguments be solved?
    pure logical function are_good(heights, period, goal, shape_of_pressure, shape_of_gap)
-      !> Heights of the rough body.
-      real(dp), intent(in) :: heights(:, :)
-      !> Periods in x and y.
-      real(dp), intent(in) :: period(2)
+      real(dp), intent(in) :: heights(:, :), period(2)
       !> What is prescribed, and the largest violation of the conditions of contact.
       type(periodic_goal_t), intent(in) :: goal
       !> Shape of the map of the pressure.

@@ -130,7 +130,6 @@ contains
 
    !> Find the contact for what is prescribed.
    elemental subroutine solve(lambda, control, value, branch, contact_radius, adhesion_radius, load, approach, status)
-      !> Maugis's parameter [-].
       real(dp), intent(in) :: lambda
       !> What is prescribed, one of `control_...`.
       integer, intent(in) :: control
@@ -138,15 +137,7 @@ contains
       real(dp), intent(in) :: value
       !> Which state is meant where there are two, one of `branch_...`.
       integer, intent(in) :: branch
-      !> Receives the radius a of intimate contact, reduced.
-      real(dp), intent(out) :: contact_radius
-      !> Receives the radius c of adhesion, reduced.
-      real(dp), intent(out) :: adhesion_radius
-      !> Receives the load, reduced.
-      real(dp), intent(out) :: load
-      !> Receives the approach, reduced.
-      real(dp), intent(out) :: approach
-      !> Receives what has become of the contact.
+      real(dp), intent(out) :: contact_radius, adhesion_radius, load, approach
       integer, intent(out) :: status
       type(maugis_t) :: theory
       type(sphere_contact_t) :: contact
@@ -178,7 +169,6 @@ contains
    elemental real(dp) function give(value, status)
       !> The value, which has a meaning if the contact is solved.
       real(dp), intent(in) :: value
-      !> What has become of the contact.
       integer, intent(in) :: status
 
       give = not_a_number()

@@ -116,14 +116,7 @@ contains
 
    !> May these numbers be solved?
    elemental logical function are_good(phase, ratio, stress, range, prescribed)
-      !> Relaxation phase.
-      real(dp), intent(in) :: phase
-      !> Ratio of retardation and relaxation time.
-      real(dp), intent(in) :: ratio
-      !> Adhesion stress.
-      real(dp), intent(in) :: stress
-      !> Range of adhesion.
-      real(dp), intent(in) :: range
+      real(dp), intent(in) :: phase, ratio, stress, range
       !> Load or penetration.
       real(dp), intent(in) :: prescribed
 
@@ -135,18 +128,8 @@ contains
 
    !> The surface that is one strip.
    pure type(surface_t) function surface_of(phase, ratio, stress, range, is_instantaneous, is_approach) result(surface)
-      !> Relaxation phase.
-      real(dp), intent(in) :: phase
-      !> Ratio of retardation and relaxation time.
-      real(dp), intent(in) :: ratio
-      !> Adhesion stress.
-      real(dp), intent(in) :: stress
-      !> Range of adhesion.
-      real(dp), intent(in) :: range
-      !> Does the displacement jump where adhesion begins and ends?
-      logical, intent(in), optional :: is_instantaneous
-      !> Is the branch meant where loading arrives?
-      logical, intent(in), optional :: is_approach
+      real(dp), intent(in) :: phase, ratio, stress, range
+      logical, intent(in), optional :: is_instantaneous, is_approach
 
       call new_foundation(surface%foundation, phase, ratio)
       surface%adhesion%stress = stress
@@ -157,16 +140,9 @@ contains
 
    !> Friction and contact of a state.
    elemental subroutine read_state(equilibrium, status, friction, width, shift)
-      !> The state.
       type(equilibrium_t), intent(in) :: equilibrium
-      !> What has become of it.
       integer, intent(in) :: status
-      !> Receives the friction force.
-      real(dp), intent(out) :: friction
-      !> Receives the width of the contact.
-      real(dp), intent(out) :: width
-      !> Receives the shift of the contact.
-      real(dp), intent(out) :: shift
+      real(dp), intent(out) :: friction, width, shift
 
       friction = give(equilibrium%totals%friction, status)
       associate (crest => equilibrium%crest)
@@ -181,7 +157,6 @@ contains
    elemental real(dp) function give(value, status)
       !> The value, which has a meaning if the state is solved.
       real(dp), intent(in) :: value
-      !> What has become of the state.
       integer, intent(in) :: status
 
       give = not_a_number()

@@ -108,7 +108,6 @@ module adfric_describe_model
          implicit none (type, external)
          !> The model, whose profiles have the axes.
          class(model_t), intent(in) :: self
-         !> Values of the variables; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
          !> Receives the axes in the order of their names `profile_axes`.
          type(profile_axis_t), allocatable, intent(out) :: axes(:)
@@ -136,9 +135,7 @@ module adfric_describe_model
       subroutine solve_profiles_i(self, values, results, profiles)
          import :: model_t, dp
          implicit none (type, external)
-         !> The model; all threads solve with the same one.
          class(model_t), intent(in) :: self
-         !> Values of the variables; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
          !> Results that `solve_block` found for this point; shape `(n_results)`.
          real(dp), intent(in) :: results(:)

@@ -53,9 +53,7 @@ module adfric_describe_pointwise
       subroutine fill_profiles_i(self, values, results, state, axes, profiles)
          import :: pointwise_model_t, point_state_t, profile_axis_t, dp
          implicit none (type, external)
-         !> The model; all threads solve with the same one.
          class(pointwise_model_t), intent(in) :: self
-         !> Values of the variables; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
          !> What `solve_point` has found; shape `(n_results)`.
          real(dp), intent(in) :: results(:)
@@ -74,15 +72,9 @@ contains
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(pointwise_model_t), intent(in) :: self
-      !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point, NaN where there is no value; shape `(n_results, n_points)`.
-      real(dp), intent(out) :: results(:, :)
-      !> Relative error of each point's main result [-], estimated; NaN if the point is not solved; shape `(n_points)`.
-      real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
-      !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
 
       call solve_points(self, values, results, error_estimate, status, counts)
@@ -91,19 +83,13 @@ contains
    !> See `model_t`: the profiles are those of the states that the results are taken from.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(pointwise_model_t), intent(in) :: self
-      !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point, NaN where there is no value; shape `(n_results, n_points)`.
       real(dp), intent(out) :: results(:, :)
       !> Relative error of each point's main result [-], estimated; NaN if the point is not solved; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
-      !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
-      !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
 
       call solve_points(self, values, results, error_estimate, status, counts, profiles, receiver)
@@ -156,10 +142,7 @@ contains
    !> See `model_t`: the point is solved once more.
    subroutine solve_profiles(self, values, results, profiles)
       class(pointwise_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> What `solve_block` found for this point; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
       class(point_state_t), allocatable :: state

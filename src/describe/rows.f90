@@ -17,14 +17,8 @@ contains
 
    !> A real variable > 0 of a size that there is.
    function positive(group, name, unit, meaning, default) result(variable)
-      !> Namelist group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable in its group.
-      character(*), intent(in) :: name
-      !> SI unit of the variable, `-` for a pure number.
-      character(*), intent(in) :: unit
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
+      !> Group of the variable, without `&`, its name, its SI unit (`-` for a pure number), and what it is, for `adfric help`.
+      character(*), intent(in) :: group, name, unit, meaning
       !> Value where the user gives none; not present: there is no default.
       real(dp), intent(in), optional :: default
       type(variable_t) :: variable
@@ -34,14 +28,8 @@ contains
 
    !> A real variable > 0 of any size, without default.
    function above_zero(group, name, unit, meaning) result(variable)
-      !> Namelist group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable in its group.
-      character(*), intent(in) :: name
-      !> SI unit of the variable, `-` for a pure number.
-      character(*), intent(in) :: unit
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
+      !> Group of the variable, without `&`, its name, its SI unit (`-` for a pure number), and what it is, for `adfric help`.
+      character(*), intent(in) :: group, name, unit, meaning
       type(variable_t) :: variable
 
       variable = any_number(group, name, unit, meaning, lower=0.0_dp)
@@ -50,14 +38,8 @@ contains
 
    !> A real variable of either sign, of a size that there is.
    function number(group, name, unit, meaning, default, lower, upper) result(variable)
-      !> Namelist group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable in its group.
-      character(*), intent(in) :: name
-      !> SI unit of the variable, `-` for a pure number.
-      character(*), intent(in) :: unit
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
+      !> Group of the variable, without `&`, its name, its SI unit (`-` for a pure number), and what it is, for `adfric help`.
+      character(*), intent(in) :: group, name, unit, meaning
       !> Value where the user gives none; not present: there is no default.
       real(dp), intent(in), optional :: default
       !> Least value that is allowed; not present: any negative one of a size that there is.
@@ -73,20 +55,10 @@ contains
 
    !> A real variable of any size.
    function any_number(group, name, unit, meaning, default, lower, upper) result(variable)
-      !> Namelist group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable in its group.
-      character(*), intent(in) :: name
-      !> SI unit of the variable, `-` for a pure number.
-      character(*), intent(in) :: unit
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
-      !> Value where the user gives none; not present: there is no default.
-      real(dp), intent(in), optional :: default
-      !> Least value that is allowed; not present: any.
-      real(dp), intent(in), optional :: lower
-      !> Largest value that is allowed; not present: any.
-      real(dp), intent(in), optional :: upper
+      !> Group of the variable, without `&`, its name, its SI unit (`-` for a pure number), and what it is, for `adfric help`.
+      character(*), intent(in) :: group, name, unit, meaning
+      !> Value where the user gives none, and least and largest value that are allowed; not present: none, and any.
+      real(dp), intent(in), optional :: default, lower, upper
       type(variable_t) :: variable
 
       variable = row_of(kind_real, group, name, unit, meaning)
@@ -97,12 +69,8 @@ contains
 
    !> A variable that is a whole number.
    function whole_number(group, name, meaning, default, lower, upper, multiple_of) result(variable)
-      !> Namelist group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable in its group.
-      character(*), intent(in) :: name
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
+      !> Group of the variable, without `&`, its name, and what it is, for `adfric help`.
+      character(*), intent(in) :: group, name, meaning
       !> Value where the user gives none.
       integer, intent(in) :: default
       !> Least and largest value that is allowed.
@@ -134,12 +102,8 @@ contains
 
    !> A variable that is a word of a list.
    function choice(group, name, meaning, choices, default) result(variable)
-      !> Namelist group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable in its group.
-      character(*), intent(in) :: name
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
+      !> Group of the variable, without `&`, its name, and what it is, for `adfric help`.
+      character(*), intent(in) :: group, name, meaning
       !> Allowed words, separated by a blank.
       character(*), intent(in) :: choices
       !> The word that it is where the user gives none; not present: there is no default.
@@ -173,14 +137,8 @@ contains
 
    !> A variable that is a dataset of a file.
    function dataset(group, name, unit, meaning, largest_rank, least_count, attributes, attribute_units) result(variable)
-      !> Namelist group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable in its group.
-      character(*), intent(in) :: name
-      !> SI unit of the variable, `-` for a pure number.
-      character(*), intent(in) :: unit
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
+      !> Group of the variable, without `&`, its name, its SI unit (`-` for a pure number), and what it is, for `adfric help`.
+      character(*), intent(in) :: group, name, unit, meaning
       !> Most dimensions that the dataset may have, 1 or 2.
       integer, intent(in) :: largest_rank
       !> Fewest values that the dataset needs along each dimension.

@@ -57,7 +57,6 @@ contains
    !> A text in the language of the scene.
    function in_scene(model, of_solver) result(text)
       class(model_t), intent(in) :: model
-      !> The text of the solver.
       character(*), intent(in) :: of_solver
       character(:), allocatable :: text, pairs, pair, old
       integer :: i, k

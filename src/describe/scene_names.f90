@@ -248,9 +248,7 @@ contains
 
    !> What a rule calls something that it is for.
    pure function name_by(rule, name) result(new_name)
-      character(*), intent(in) :: rule
-      !> Name in the language of the solver, of a variable with its group.
-      character(*), intent(in) :: name
+      character(*), intent(in) :: rule, name
       character(:), allocatable :: new_name, from
 
       from = get_word(rule, 2)

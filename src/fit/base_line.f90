@@ -86,7 +86,6 @@ contains
    !> Mark the points of a data set.
    subroutine mark_points(data, is_contact)
       type(data_set_t), intent(in) :: data
-      !> Receives which points are in contact.
       logical, allocatable, intent(out) :: is_contact(:)
       integer, allocatable :: used(:), pass(:), order(:), members(:)
       logical :: is_used(size(data%x))
@@ -110,7 +109,6 @@ contains
    !> Number of the pass of each point: its segment, or whether it stands before or behind the innermost point.
    subroutine find_passes(data, used, pass)
       type(data_set_t), intent(in) :: data
-      !> The points that are used.
       integer, intent(in) :: used(:)
       !> Receives the numbers.
       integer, allocatable, intent(out) :: pass(:)
@@ -136,7 +134,6 @@ contains
    pure integer function length_of(x, y) result(length)
       !> Abscissas, rising.
       real(dp), intent(in) :: x(:)
-      !> Ordinates.
       real(dp), intent(in) :: y(:)
       real(dp) :: noise, remaining, spread, sums(5), middle, at, slope, mean, of_line, size_of
       integer :: n, k

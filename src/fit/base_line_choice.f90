@@ -117,7 +117,6 @@ contains
    !> Say that there is no answer, where others are as good as the best one.
    subroutine judge(fit, wants, others, best)
       type(fit_t), intent(in) :: fit
-      !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
       type(choice_t), intent(in) :: others(:)
       !> The best one, whose status and reason are set.
@@ -209,7 +208,6 @@ contains
    !> Take the best marks at the values found, and fit again, as long as S falls.
    subroutine descend(self, wants)
       type(choice_t), intent(inout) :: self
-      !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
       type(choice_t) :: other
       type(marks_t) :: marks

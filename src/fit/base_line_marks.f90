@@ -77,9 +77,7 @@ contains
    !> Evaluate all curves at the values of a choice as if all points that may be marked were in contact, or all but one apart.
    subroutine evaluate_all(self, wants, is_contact, objective, is_valid)
       type(choice_t), intent(in) :: self
-      !> The data sets that are marked here.
-      logical, intent(in) :: wants(:)
-      logical, intent(in) :: is_contact
+      logical, intent(in) :: wants(:), is_contact
       type(objective_t), intent(out) :: objective
       logical, intent(out) :: is_valid
       type(fit_t) :: trial
@@ -174,7 +172,6 @@ contains
    !> Mark a part of the points of each data set, the outermost ones, as base line.
    subroutine set_threshold(fit, wants, part)
       type(fit_t), intent(inout) :: fit
-      !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
       !> How large a part.
       real(dp), intent(in) :: part

@@ -6,7 +6,7 @@
 module adfric_fit_bootstrap
    use adfric_base_kinds, only: dp
    use adfric_fit_curve, only: fit_curve_t
-   use adfric_fit_fold_search, only: find_minimum
+   use adfric_fit_fold_search, only: searched_t, find_minimum
    use adfric_fit_objective, only: objective_t
    use adfric_fit_order, only: sort
    use adfric_fit_problem, only: fit_t
@@ -14,8 +14,7 @@ module adfric_fit_bootstrap
    use adfric_base_unset, only: is_set
    use adfric_fit_intervals, only: make_pieces, value_of
    use adfric_fit_solution, only: solution_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, &
-      & squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_outcome_t, squares_no_value
    use adfric_numerics_random_numbers, only: random_t, new_random, next_normal
    implicit none (type, external)
    private
@@ -24,13 +23,10 @@ module adfric_fit_bootstrap
 contains
 
    !> Intervals of all variables. The sum of squares has been evaluated at the best minimum.
-   subroutine take_bootstrap(objective, fit, scales, limits, work, minima, sigma, solution)
+   subroutine take_bootstrap(search, fit, minima, sigma, solution)
       !> The sum of squares; its data are overwritten.
-      type(objective_t), intent(inout) :: objective
+      type(searched_t), intent(inout) :: search
       type(fit_t), intent(in) :: fit
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
       !> Minima, the least first; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)
       !> Standard error of a point in the units of the residuals.
@@ -42,34 +38,36 @@ contains
       integer :: k, n, refit
       logical :: has_value
 
-      call move_events(objective, minima(:, 1))
-      truth = objective
-      call new_random(random, fit%seed)
-      n = 0
-      do refit = 1, fit%n_bootstrap
-         do k = 1, size(objective%spheres)
-            call add_noise(truth%spheres(k), sigma, random, objective%spheres(k)%x, objective%spheres(k)%y)
+      associate (objective => search%objective)
+         call move_events(objective, minima(:, 1))
+         truth = objective
+         call new_random(random, fit%seed)
+         n = 0
+         do refit = 1, fit%n_bootstrap
+            do k = 1, size(objective%spheres)
+               call add_noise(truth%spheres(k), sigma, random, objective%spheres(k)%x, objective%spheres(k)%y)
+            end do
+            do k = 1, size(objective%others)
+               call add_noise(truth%others(k), sigma, random, objective%others(k)%x, objective%others(k)%y)
+            end do
+            do k = 1, size(objective%events)
+               call next_normal(random, noise)
+               objective%events(k)%value = truth%events(k)%value + noise*objective%events(k)%sigma
+            end do
+            do k = 1, size(q)
+               if (.not. is_set(objective%frees(k)%prior)) cycle
+               call next_normal(random, noise)
+               noise = noise*objective%frees(k)%prior_sigma
+               if (objective%frees(k)%is_log) objective%frees(k)%prior = truth%frees(k)%prior*exp(noise)
+               if (.not. objective%frees(k)%is_log) objective%frees(k)%prior = truth%frees(k)%prior + noise
+            end do
+            call find_best(search, minima, q, has_value)
+            if (.not. has_value) cycle
+            n = n + 1
+            found(n, :) = q
          end do
-         do k = 1, size(objective%others)
-            call add_noise(truth%others(k), sigma, random, objective%others(k)%x, objective%others(k)%y)
-         end do
-         do k = 1, size(objective%events)
-            call next_normal(random, noise)
-            objective%events(k)%value = truth%events(k)%value + noise*objective%events(k)%sigma
-         end do
-         do k = 1, size(q)
-            if (.not. is_set(objective%frees(k)%prior)) cycle
-            call next_normal(random, noise)
-            noise = noise*objective%frees(k)%prior_sigma
-            if (objective%frees(k)%is_log) objective%frees(k)%prior = truth%frees(k)%prior*exp(noise)
-            if (.not. objective%frees(k)%is_log) objective%frees(k)%prior = truth%frees(k)%prior + noise
-         end do
-         call find_best(objective, scales, limits, work, minima, q, has_value)
-         if (.not. has_value) cycle
-         n = n + 1
-         found(n, :) = q
-      end do
-      call take_middle(found(:n, :), fit%levels, scales, objective, solution)
+         call take_middle(found(:n, :), fit%levels, search%scales, objective, solution)
+      end associate
    end subroutine take_bootstrap
 
    !> Let events and priors be what the estimate says.
@@ -103,10 +101,8 @@ contains
    !> New points around those of the model.
    subroutine add_noise(truth, sigma, random, x, y)
       class(fit_curve_t), intent(in) :: truth
-      !> Standard error of a point in the units of the residuals.
       real(dp), intent(in) :: sigma
       type(random_t), intent(inout) :: random
-      !> Receive the new abscissas and ordinates.
       real(dp), intent(inout) :: x(:), y(:)
       real(dp) :: noise
       integer :: i
@@ -121,11 +117,8 @@ contains
    end subroutine add_noise
 
    !> The best answer from all minima.
-   subroutine find_best(objective, scales, limits, work, minima, best, has_value)
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+   subroutine find_best(search, minima, best, has_value)
+      type(searched_t), intent(inout) :: search
       !> Minima; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)
       !> Receives the numbers that are fitted.
@@ -142,7 +135,7 @@ contains
       best = 0
       do k = 1, size(minima, 2)
          q = minima(:, k)
-         call find_minimum(objective, scales, is_fixed, limits, work, q, outcome, is_unfolded)
+         call find_minimum(search, is_fixed, q, outcome, is_unfolded)
          if (outcome%status == squares_no_value .or. outcome%cost >= least) cycle
          has_value = .true.
          least = outcome%cost

@@ -2,14 +2,13 @@
 !> A fit on its way: what its parts share, from the data to the minima.
 module adfric_fit_course
    use adfric_base_kinds, only: dp
-   use adfric_fit_fold_search, only: find_minimum
+   use adfric_fit_fold_search, only: searched_t, find_minimum
    use adfric_fit_minima, only: minima_t, sort_minima, minima_limit
-   use adfric_fit_objective, only: objective_t, new_objective, take_estimate, most_rows_of, count_terms
+   use adfric_fit_objective, only: new_objective, take_estimate, most_rows_of, count_terms
    use adfric_fit_problem, only: fit_t, nuisance_load_offset, nuisance_friction_offset
-   use adfric_fit_scales, only: scales_t, set_scales
+   use adfric_fit_scales, only: set_scales
    use adfric_fit_solution, only: solution_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, &
-      & new_squares_work, squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_limits_t, squares_outcome_t, new_squares_work, squares_no_value
    implicit none (type, external)
    private
    public :: course_t, begin_course, has_too_few_points, refine_minima, take_minima, evaluate_best
@@ -23,15 +22,7 @@ module adfric_fit_course
    real(dp), parameter :: last_step = 1.0e-9_dp
 
    !> A fit on its way: what its parts share.
-   type :: course_t
-      !> Units and bounds.
-      type(scales_t) :: scales
-      !> The sum of squares.
-      type(objective_t) :: objective
-      !> When a search ends.
-      type(squares_limits_t) :: limits
-      !> Workspace.
-      type(squares_work_t) :: work
+   type, extends(searched_t) :: course_t
       !> All minima.
       type(minima_t) :: minima
       !> Covariance of the numbers that are fitted.
@@ -125,8 +116,7 @@ contains
          else if (k > 1) then
             exit
          end if
-         call find_minimum(course%objective, course%scales, is_fixed, limits, course%work, course%minima%q(:, k), outcome, &
-            & is_unfolded)
+         call find_minimum(course%searched_t, is_fixed, course%minima%q(:, k), outcome, is_unfolded, limits)
          if (outcome%status == squares_no_value) cycle
          course%minima%steps = course%minima%steps + outcome%steps
          course%minima%cost(k) = outcome%cost

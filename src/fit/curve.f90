@@ -45,7 +45,6 @@ module adfric_fit_curve
          real(dp), intent(in) :: slopes(:)
          !> Are the derivatives to be as exact as they can be, whatever it costs?
          logical, intent(in) :: is_exact
-         !> Receives the number of rows.
          integer, intent(out) :: n_rows
          !> Receives the residuals; shape `(most_rows)`.
          real(dp), intent(inout) :: r(:)
@@ -63,12 +62,7 @@ module adfric_fit_curve
          class(fit_curve_t), intent(inout) :: self
          !> One of `event_...`.
          integer, intent(in) :: kind
-         !> Values of all variables of the model.
-         real(dp), intent(in) :: values(:)
-         !> Values of the nuisances of the curve.
-         real(dp), intent(in) :: nuisance(:)
-         !> Derivatives of each free variable by the number that is fitted; shape `(n_free)`.
-         real(dp), intent(in) :: slopes(:)
+         real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
          !> Receives the load [N] or position [m].
          real(dp), intent(out) :: value
          !> Receives its derivatives; shape `(n_free)`.
@@ -81,7 +75,6 @@ module adfric_fit_curve
       pure integer function most_rows_i(self)
          import :: fit_curve_t
          implicit none (type, external)
-         !> The curve.
          class(fit_curve_t), intent(in) :: self
       end function most_rows_i
    end interface

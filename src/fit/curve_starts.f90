@@ -232,7 +232,6 @@ contains
    subroutine model_at(self, scan, y, is_valid)
       type(objective_t), intent(in) :: self
       type(scan_t), intent(in) :: scan
-      !> Receives the ordinates.
       real(dp), intent(out) :: y(:)
       !> Has the model a value at all of them?
       logical, intent(out) :: is_valid
@@ -306,9 +305,7 @@ contains
 
    !> The digits of a number behind the point, the last one first.
    pure real(dp) function radical_inverse(number, base) result(x)
-      integer, intent(in) :: number
-      !> The base of the digits.
-      integer, intent(in) :: base
+      integer, intent(in) :: number, base
       real(dp) :: digit
       integer :: n
 

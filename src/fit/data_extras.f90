@@ -59,7 +59,6 @@ contains
       type(fit_t), intent(in) :: fit
       type(data_set_t), intent(in) :: data_set
       type(data_solution_t), intent(in) :: found
-      !> What stands behind the names of its datasets.
       character(*), intent(in) :: suffix
       type(extra_list_t), intent(inout) :: list
       character(:), allocatable :: x_unit, y_unit, curve

@@ -66,7 +66,6 @@ contains
       type(model_curve_t), intent(in) :: curve
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:), nuisance(:)
-      !> What is measured, which rises.
       real(dp), intent(inout) :: measures(:)
       real(dp) :: of_point(n_doubts), counts(size(model%counts)), x_zero
       real(dp), allocatable :: x(:), all_values(:, :), results(:, :), error_estimate(:)

@@ -122,7 +122,6 @@ contains
       real(dp), intent(in) :: minima(:, :)
       !> Covariance of the first one.
       real(dp), intent(in) :: covariance(:, :)
-      !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
       type(solution_t), intent(inout) :: solution
       real(dp), allocatable :: curve(:), half(:)
@@ -156,9 +155,7 @@ contains
       type(fit_t), intent(in) :: drawn
       type(scales_t), intent(in) :: scales
       integer, intent(in) :: number
-      real(dp), intent(in) :: q(:)
-      !> Their covariance.
-      real(dp), intent(in) :: covariance(:, :)
+      real(dp), intent(in) :: q(:), covariance(:, :)
       !> Receives the ordinates.
       real(dp), allocatable, intent(out) :: curve(:)
       !> Receives their standard errors by the linear rule.

@@ -65,10 +65,7 @@ contains
    !> Add a dataset of two dimensions.
    subroutine add_table(self, name, unit, long_name, dimensions, values)
       class(extra_list_t), intent(inout) :: self
-      character(*), intent(in) :: name
-      !> SI unit, `-` for a pure number.
-      character(*), intent(in) :: unit
-      character(*), intent(in) :: long_name
+      character(*), intent(in) :: name, unit, long_name
       !> Names of its scales, the slowest first, separated by a blank; they stand in the list already.
       character(*), intent(in) :: dimensions
       !> Values; a symmetric matrix, so that the order has no meaning.
@@ -82,9 +79,7 @@ contains
       class(extra_list_t), intent(inout) :: self
       !> Name of the dataset, which is that of the dimension.
       character(*), intent(in) :: name
-      !> SI unit, `-` for a pure number.
-      character(*), intent(in) :: unit
-      character(*), intent(in) :: long_name
+      character(*), intent(in) :: unit, long_name
       !> Values along the dimension.
       real(dp), intent(in) :: values(:)
 
@@ -102,7 +97,6 @@ contains
    !> Add a scale that counts from 1.
    subroutine add_numbers(self, name, long_name, n)
       class(extra_list_t), intent(inout) :: self
-      !> Name of the dataset, which is that of the dimension.
       character(*), intent(in) :: name
       !> What is counted.
       character(*), intent(in) :: long_name
@@ -116,7 +110,6 @@ contains
    !> Add a scale of words.
    subroutine add_words(self, name, long_name, words)
       class(extra_list_t), intent(inout) :: self
-      !> Name of the dataset, which is that of the dimension.
       character(*), intent(in) :: name
       !> What the words are.
       character(*), intent(in) :: long_name

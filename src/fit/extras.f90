@@ -151,7 +151,6 @@ contains
    !> S as a function of each variable.
    subroutine add_profiles(solution, names, list)
       type(solution_t), intent(in) :: solution
-      !> Names of the free variables, separated by a blank.
       character(*), intent(in) :: names
       type(extra_list_t), intent(inout) :: list
       character(:), allocatable :: name

@@ -13,7 +13,6 @@ module adfric_fit_fold
    use adfric_fit_model_points, only: fold_t
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_order, only: order_of
-   use adfric_fit_path, only: sphere_path_t
    use adfric_fit_sphere_curve, only: sphere_curve_t, take_values
    use adfric_round_sphere_contact, only: theory_hertz, theory_dmt
    use adfric_round_sphere_variables, only: out => sphere_output
@@ -65,10 +64,8 @@ contains
    subroutine new_curve_fold(self, q, is_fixed, data_set, fold, distance)
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
-      !> Which of them stay as they are.
       logical, intent(in) :: is_fixed(:)
       integer, intent(in) :: data_set
-      !> Receives the fold; its data set is 0 if there is none.
       type(curve_fold_t), intent(out) :: fold
       !> Receives how far it is below all points, as a part of their range.
       real(dp), intent(out) :: distance
@@ -126,12 +123,10 @@ contains
 
    !> How the abscissa of the fold changes with the numbers that are fitted.
    function fold_slopes(self, q, fold) result(by_free)
-      !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       type(curve_fold_t), intent(in) :: fold
-      real(dp) :: by_free(size(q))
-      real(dp) :: at
+      real(dp) :: by_free(size(q)), at
       logical :: is_known
       integer :: k
 
@@ -147,7 +142,6 @@ contains
 
    !> The same with one of these numbers, where `find_fold` has just been asked.
    real(dp) function fold_slope(self, q, fold, k) result(slope)
-      !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       type(curve_fold_t), intent(in) :: fold
@@ -179,8 +173,7 @@ contains
    pure function last_slopes(self, fold) result(by_free)
       type(objective_t), intent(in) :: self
       type(curve_fold_t), intent(in) :: fold
-      real(dp) :: by_free(self%n_free)
-      real(dp) :: prescribed_l
+      real(dp) :: by_free(self%n_free), prescribed_l
 
       if (.not. self%is_sphere(fold%data_set)) then
          by_free = self%others(self%number(fold%data_set))%fold_by

@@ -162,14 +162,11 @@ contains
    !> See `least_squares_t`.
    subroutine evaluate(self, q, n_rows, r, j, cost, is_valid)
       class(region_t), intent(inout) :: self
-      !> The position, with s.
       real(dp), intent(in) :: q(:)
       integer, intent(out) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       !> Receives the sum of the costs of all rows.
       real(dp), intent(out) :: cost
-      !> Has the model a value at all points?
       logical, intent(out) :: is_valid
       real(dp) :: plain(size(q)), by_free(size(q))
       integer :: k

@@ -15,7 +15,19 @@ module adfric_fit_fold_search
       & squares_converged, squares_no_value
    implicit none (type, external)
    private
-   public :: find_minimum, cross_regions
+   public :: searched_t, find_minimum, cross_regions
+
+   !> What all searches of a fit share.
+   type :: searched_t
+      !> Units and bounds.
+      type(scales_t) :: scales
+      !> The sum of squares.
+      type(objective_t) :: objective
+      !> When a search ends.
+      type(squares_limits_t) :: limits
+      !> Workspace.
+      type(squares_work_t) :: work
+   end type searched_t
 
    !> A decrease of S by less than this part of it is none.
    real(dp), parameter :: of_cost = 1.0e-9_dp
@@ -23,43 +35,42 @@ module adfric_fit_fold_search
 contains
 
    !> Search from a start. `work` has residuals and derivatives at the end, those of a region where `is_unfolded`.
-   subroutine find_minimum(self, scales, is_fixed, limits, work, q, outcome, is_unfolded)
-      type(objective_t), intent(inout) :: self
-      type(scales_t), intent(in) :: scales
+   subroutine find_minimum(search, is_fixed, q, outcome, is_unfolded, limits)
+      type(searched_t), intent(inout) :: search
       !> Which variables stay as they are.
       logical, intent(in) :: is_fixed(:)
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
       !> In: the start. Out: the position found.
       real(dp), intent(inout) :: q(:)
       type(squares_outcome_t), intent(out) :: outcome
       !> Are the derivatives at the end those with s instead of the pivot?
       logical, intent(out) :: is_unfolded
+      !> When the search ends, if not as others do.
+      type(squares_limits_t), intent(in), optional :: limits
+      type(squares_limits_t) :: own
       type(curve_fold_t) :: fold
 
       is_unfolded = .false.
-      call find_least_squares(self, scales%lower, scales%upper, is_fixed, limits, work, q, outcome)
+      own = search%limits
+      if (present(limits)) own = limits
+      call find_least_squares(search%objective, search%scales%lower, search%scales%upper, is_fixed, own, search%work, q, outcome)
       if (any(outcome%status == [squares_converged, squares_no_value])) return
-      call choose_fold(self, q, is_fixed, fold)
+      call choose_fold(search%objective, q, is_fixed, fold)
       if (fold%data_set == 0) return
-      call cross_regions(self, fold, scales, is_fixed, limits, work, q, outcome, is_unfolded)
+      call cross_regions(search, fold, is_fixed, q, outcome, is_unfolded, own)
    end subroutine find_minimum
 
    !> Search from region to region.
-   subroutine cross_regions(self, fold, scales, is_fixed, limits, work, q, outcome, is_unfolded)
-      type(objective_t), intent(inout), target :: self
+   subroutine cross_regions(search, fold, is_fixed, q, outcome, is_unfolded, limits)
+      type(searched_t), intent(inout), target :: search
       type(curve_fold_t), intent(in) :: fold
-      type(scales_t), intent(in) :: scales
-      !> Which variables stay as they are.
       logical, intent(in) :: is_fixed(:)
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
-      !> In: the start. Out: the position found.
       real(dp), intent(inout) :: q(:)
       !> In: what has been found before. Out: with what has been done here.
       type(squares_outcome_t), intent(inout) :: outcome
       !> Has a search in a region been made?
       logical, intent(out) :: is_unfolded
+      !> When searches end.
+      type(squares_limits_t), intent(in) :: limits
       type(region_t) :: region
       type(squares_outcome_t) :: one
       real(dp) :: at, u(size(q)), last
@@ -67,10 +78,10 @@ contains
       logical :: is_there
 
       is_unfolded = .false.
-      call new_region(region, self, fold, scales%lower, scales%upper, is_fixed, q, is_there)
+      call new_region(region, search%objective, fold, search%scales%lower, search%scales%upper, is_fixed, q, is_there)
       if (.not. is_there) return
       n = size(fold%x)
-      call find_fold(self, q, fold, at, is_there)
+      call find_fold(search%objective, q, fold, at, is_there)
       if (.not. is_there) return
       k = min(count(fold%x <= at), n - 1)
       from = -1
@@ -79,7 +90,7 @@ contains
       do move = 1, 4*n
          call enter_region(region, k, q, u, is_there)
          if (is_there) then
-            call find_least_squares(region, region%lower, region%upper, is_fixed, limits, work, u, one)
+            call find_least_squares(region, region%lower, region%upper, is_fixed, limits, search%work, u, one)
             outcome%steps = outcome%steps + one%steps
             outcome%evaluations = outcome%evaluations + one%evaluations
             if (one%status == squares_no_value) return

@@ -15,11 +15,10 @@ module adfric_fit_fold_survey
    use adfric_fit_covariance, only: find_covariance
    use adfric_fit_fold, only: curve_fold_t, new_curve_fold, find_fold, last_slopes, spread_below
    use adfric_fit_fold_region, only: region_t, new_region, enter_region, leave_region
+   use adfric_fit_fold_search, only: searched_t
    use adfric_fit_minima, only: minima_t, add_search, minima_limit
-   use adfric_fit_objective, only: objective_t
-   use adfric_fit_scales, only: scales_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
-      & squares_converged, squares_not_converged, squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_limits_t, squares_outcome_t, find_least_squares, squares_converged, &
+      & squares_not_converged, squares_no_value
    implicit none (type, external)
    private
    public :: survey_folds
@@ -35,41 +34,35 @@ module adfric_fit_fold_survey
 contains
 
    !> Search from every region of every fold that can have a lesser S.
-   subroutine survey_folds(self, scales, limits, work, minima)
-      type(objective_t), intent(inout) :: self
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+   subroutine survey_folds(search, minima)
+      type(searched_t), intent(inout) :: search
       !> The minima; those found are added, and whether all positions of a fold have been seen.
       type(minima_t), intent(inout) :: minima
       type(curve_fold_t) :: fold
-      real(dp) :: best(self%n_free), unused
+      real(dp) :: best(search%objective%n_free), unused
       real(dp), allocatable :: drop(:)
-      logical :: is_fixed(self%n_free), is_far
+      logical :: is_fixed(search%objective%n_free), is_far
       integer :: k, at
 
       is_fixed = .false.
-      do k = 1, size(self%number)
+      do k = 1, size(search%objective%number)
          if (minima%n < 1) return
          at = minloc(minima%cost(:minima%n), 1)
          best = minima%q(:, at)
-         call new_curve_fold(self, best, is_fixed, k, fold, unused)
+         call new_curve_fold(search%objective, best, is_fixed, k, fold, unused)
          if (fold%data_set == 0) cycle
          allocate (drop(size(fold%x)))
-         call look_at_best(self, fold, best, minima%cost(at), limits, work, is_far, drop)
-         if (.not. is_far .or. minima%status(at) /= squares_converged) call survey_fold(self, fold, scales, limits, work, best, &
-            & drop, minima%status(at) == squares_converged, minima)
+         call look_at_best(search, fold, best, minima%cost(at), is_far, drop)
+         if (.not. is_far .or. minima%status(at) /= squares_converged) &
+            & call survey_fold(search, fold, best, drop, minima%status(at) == squares_converged, minima)
          deallocate (drop)
       end do
    end subroutine survey_folds
 
    !> Search from every region of one fold that can have a lesser S.
-   subroutine survey_fold(self, fold, scales, limits, work, best, drop, is_converged, minima)
-      type(objective_t), intent(inout), target :: self
+   subroutine survey_fold(search, fold, best, drop, is_converged, minima)
+      type(searched_t), intent(inout), target :: search
       type(curve_fold_t), intent(in) :: fold
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
       !> The best minimum, and how much less S is without the first 1, 2, ... points.
       real(dp), intent(in) :: best(:), drop(:)
       !> Is the best one a minimum, so that its region has been searched?
@@ -84,18 +77,18 @@ contains
       integer :: k, own, ends_above
 
       is_fixed = .false.
-      call new_region(region, self, fold, scales%lower, scales%upper, is_fixed, best, is_there)
+      call new_region(region, search%objective, fold, search%scales%lower, search%scales%upper, is_fixed, best, is_there)
       if (.not. is_there) return
       call spread_below(fold, least)
-      coarse = limits
-      coarse%step_tolerance = max(coarse_step, limits%step_tolerance)
-      coarse%relative_tolerance = max(coarse_decrease, limits%relative_tolerance)
+      coarse = search%limits
+      coarse%step_tolerance = max(coarse_step, search%limits%step_tolerance)
+      coarse%relative_tolerance = max(coarse_decrease, search%limits%relative_tolerance)
       coarse%most_steps = coarse_steps
       variance = 1
-      if (limits%freedom > 0) variance = minval(minima%cost(:minima%n))/limits%freedom
+      if (search%limits%freedom > 0) variance = minval(minima%cost(:minima%n))/search%limits%freedom
       own = -1
       ends_above = -1
-      call find_fold(self, best, fold, at, is_there)
+      call find_fold(search%objective, best, fold, at, is_there)
       if (is_there .and. is_converged) own = count(fold%x <= at)
       do k = 0, size(fold%x) - 1
          if (k == own) cycle
@@ -104,7 +97,7 @@ contains
          end if
          call enter_region(region, k, best, u, is_there)
          if (.not. is_there) cycle
-         call find_least_squares(region, region%lower, region%upper, is_fixed, coarse, work, u, outcome)
+         call find_least_squares(region, region%lower, region%upper, is_fixed, coarse, search%work, u, outcome)
          minima%steps = minima%steps + outcome%steps
          if (outcome%status == squares_no_value) then
             minima%is_complete = minima%is_complete .and. region%is_outside
@@ -120,18 +113,16 @@ contains
             & outcome%status == squares_not_converged) .or. outcome%cost < least_so_far
          if (.not. is_wanted) cycle
          call leave_region(region, u, q, is_there)
-         if (is_there) call add_search(self, scales, limits, work, q, minima, fold)
+         if (is_there) call add_search(search, q, minima, fold)
       end do
    end subroutine survey_fold
 
    !> Is the fold of the best minimum far below all points, and how much is S less without the first 1, 2, ... points?
-   subroutine look_at_best(self, fold, q, cost, limits, work, is_far, drop)
-      type(objective_t), intent(inout) :: self
+   subroutine look_at_best(search, fold, q, cost, is_far, drop)
+      type(searched_t), intent(inout) :: search
       type(curve_fold_t), intent(in) :: fold
       !> The minimum, and S there.
       real(dp), intent(in) :: q(:), cost
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
       logical, intent(out) :: is_far
       !> Receives the differences; shape `(size(fold%x))`.
       real(dp), intent(out) :: drop(:)
@@ -142,20 +133,20 @@ contains
 
       is_far = .false.
       drop = cost
-      call find_covariance(self, q, work, covariance, null_vector, is_identifiable, is_valid)
+      call find_covariance(search%objective, q, search%work, covariance, null_vector, is_identifiable, is_valid)
       if (.not. is_identifiable) return
       variance = 1
-      if (limits%freedom > 0) variance = cost/limits%freedom
-      by_free = last_slopes(self, fold)
-      call find_fold(self, q, fold, at, is_known)
+      if (search%limits%freedom > 0) variance = cost/search%limits%freedom
+      by_free = last_slopes(search%objective, fold)
+      call find_fold(search%objective, q, fold, at, is_known)
       if (.not. is_known) return
       is_far = fold%x(1) - at > far*sqrt(variance*dot_product(by_free, matmul(covariance, by_free)))
       shift = 0
       total = 0
       do k = 1, size(fold%x)
-         i = self%rows_before(fold%data_set) + fold%row(k)
-         row = work%j(i, :)
-         r = work%r(i) + dot_product(row, shift)
+         i = search%objective%rows_before(fold%data_set) + fold%row(k)
+         row = search%work%j(i, :)
+         r = search%work%r(i) + dot_product(row, shift)
          change = matmul(covariance, row)
          leverage = dot_product(row, change)
          if (.not. leverage < 1) exit

@@ -6,11 +6,11 @@
 module adfric_fit_intervals
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_fit_fold_search, only: searched_t
    use adfric_fit_objective, only: objective_t
    use adfric_fit_profile, only: interval_profile_t, find_profile, find_pieces
    use adfric_fit_scales, only: scales_t
    use adfric_fit_solution, only: solution_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
    use adfric_numerics_distributions, only: chi_squared_quantile, f_quantile, t_quantile, normal_quantile
    implicit none (type, external)
    private
@@ -65,7 +65,6 @@ contains
       type(scales_t), intent(in) :: scales
       type(objective_t), intent(in) :: objective
       real(dp), intent(in) :: levels(:)
-      !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
       type(solution_t), intent(inout) :: solution
       real(dp) :: reach, ends(2)
@@ -86,12 +85,8 @@ contains
    end subroutine take_covariance_intervals
 
    !> Intervals of one variable from its profile, and the profile itself.
-   subroutine take_profile(objective, scales, limits, work, free, minima, costs, others, variance, levels, is_lambda, solution, &
-      & below, is_below)
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+   subroutine take_profile(search, free, minima, costs, others, variance, levels, is_lambda, solution, below, is_below)
+      type(searched_t), intent(inout) :: search
       integer, intent(in) :: free
       !> Minima, the least first; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)
@@ -103,7 +98,6 @@ contains
       real(dp), intent(in) :: variance
       real(dp), intent(in) :: levels(:)
       logical, intent(in) :: is_lambda
-      !> Receives the pieces and the profile.
       type(solution_t), intent(inout) :: solution
       !> Receives a position whose S is below the least one.
       real(dp), intent(inout) :: below(:)
@@ -115,24 +109,23 @@ contains
 
       if (size(solution%interval, 2) /= most_pieces) call make_pieces(solution, most_pieces, size(levels), size(minima, 1))
       do k = 1, size(levels)
-         limit(k) = limit_of(levels(k), limits%freedom)
+         limit(k) = limit_of(levels(k), search%limits%freedom)
       end do
-      error = solution%error_internal(free)/scales%unit(free)
-      if (limits%freedom > 0) error = max(error, tiny(error))
-      call find_profile(profile, objective, scales, limits, work, free, minima, costs, others, variance, error, limit, &
-         & is_lambda)
+      error = solution%error_internal(free)/search%scales%unit(free)
+      if (search%limits%freedom > 0) error = max(error, tiny(error))
+      call find_profile(profile, search, free, minima, costs, others, variance, error, limit, is_lambda)
       is_below = profile%is_below
       if (is_below) then
          below = profile%below
          return
       end if
       do k = 1, size(levels)
-         call find_pieces(profile, objective, scales, limits, work, limit(k), pieces, n)
-         solution%interval(:, :, k, free) = value_of(pieces, scales%unit(free), objective%frees(free)%is_log)
+         call find_pieces(profile, search, limit(k), pieces, n)
+         solution%interval(:, :, k, free) = value_of(pieces, search%scales%unit(free), search%objective%frees(free)%is_log)
          solution%interval_pieces(k, free) = n
       end do
       n = profile%n
-      solution%profiles(free)%value = value_of(profile%x(:n), scales%unit(free), objective%frees(free)%is_log)
+      solution%profiles(free)%value = value_of(profile%x(:n), search%scales%unit(free), search%objective%frees(free)%is_log)
       solution%profiles(free)%excess = (profile%cost(:n) - profile%least)/variance
       if (is_lambda) then
          ! nodes near the largest limit show the valleys that a walk of another variable may come to

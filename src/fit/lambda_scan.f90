@@ -13,13 +13,13 @@
 module adfric_fit_lambda_scan
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set, unset
-   use adfric_fit_fold_search, only: find_minimum
+   use adfric_fit_fold_search, only: searched_t, find_minimum
    use adfric_fit_minima, only: minima_t, add_search, minima_limit
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t
    use adfric_fit_scales, only: scales_t
    use adfric_fit_starts, only: get_start, lambda_free, position_of_lambda
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_limits_t, squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
    public :: scan_lambda, fewest_nodes
@@ -44,39 +44,33 @@ module adfric_fit_lambda_scan
 contains
 
    !> The scan over lambda.
-   subroutine scan_lambda(self, fit, scales, limits, work, minima)
-      type(objective_t), intent(inout) :: self
+   subroutine scan_lambda(search, fit, minima)
+      type(searched_t), intent(inout) :: search
       type(fit_t), intent(in) :: fit
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
       !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
       real(dp), allocatable :: positions(:), lambdas(:), q(:, :)
       type(node_t), allocatable :: node(:)
-      real(dp) :: start(self%n_free)
+      real(dp) :: start(search%objective%n_free)
       integer :: free, k, middle
 
       free = lambda_free(fit)
       if (is_set(fit%frees(free)%start)) then
-         call get_start(self, fit, unset, work, start)
-         call add_search(self, scales, limits, work, start, minima)
+         call get_start(search%objective, fit, unset, search%work, start)
+         call add_search(search, start, minima)
       end if
-      call get_start(self, fit, 1.0_dp, work, start)
-      call make_nodes(self, fit, scales, free, start, positions, lambdas)
-      allocate (q(self%n_free, size(positions)), node(size(positions)))
+      call get_start(search%objective, fit, 1.0_dp, search%work, start)
+      call make_nodes(search%objective, fit, search%scales, free, start, positions, lambdas)
+      allocate (q(search%objective%n_free, size(positions)), node(size(positions)))
       middle = minloc(abs(log(lambdas)), 1)
       do k = middle, size(positions)
-         call solve_node(self, fit, scales, limits, work, free, positions(k), lambdas(k), k > middle .and. node(max(k - 1, &
-            & 1))%has_value, q(:, max(k - 1, 1)), q(:, k), &
-            & node(k), minima)
+         call solve_node(search, fit, free, positions(k), lambdas(k), k > middle .and. node(max(k - 1, 1))%has_value, &
+            & q(:, max(k - 1, 1)), q(:, k), node(k), minima)
       end do
       do k = middle - 1, 1, -1
-         call solve_node(self, fit, scales, limits, work, free, positions(k), lambdas(k), node(k + 1)%has_value, q(:, k + 1), &
-            & q(:, k), &
-            & node(k), minima)
+         call solve_node(search, fit, free, positions(k), lambdas(k), node(k + 1)%has_value, q(:, k + 1), q(:, k), node(k), minima)
       end do
-      call search_valleys(self, scales, limits, work, positions, q, node, minima)
+      call search_valleys(search, positions, q, node, minima)
    end subroutine scan_lambda
 
    !> The nodes, rising in the number that is fitted, and their lambda.
@@ -89,7 +83,6 @@ contains
       real(dp), intent(in) :: start(:)
       !> Receives the numbers that are fitted.
       real(dp), allocatable, intent(out) :: positions(:)
-      !> Receives lambda there.
       real(dp), allocatable, intent(out) :: lambdas(:)
       real(dp) :: v(size(start)), slopes(size(start)), one, sense
       real(dp), allocatable :: all_nodes(:)
@@ -112,13 +105,9 @@ contains
    end subroutine make_nodes
 
    !> Solve the other variables at a node.
-   subroutine solve_node(self, fit, scales, limits, work, free, position, lambda, has_neighbour, neighbour, q, node, minima)
-      type(objective_t), intent(inout) :: self
+   subroutine solve_node(search, fit, free, position, lambda, has_neighbour, neighbour, q, node, minima)
+      type(searched_t), intent(inout) :: search
       type(fit_t), intent(in) :: fit
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
-      !> Number of the free variable that sets lambda.
       integer, intent(in) :: free
       !> The number that is fitted, and lambda.
       real(dp), intent(in) :: position, lambda
@@ -136,34 +125,30 @@ contains
       if (has_neighbour) then
          q = neighbour
       else
-         call get_start(self, fit, lambda, work, q)
+         call get_start(search%objective, fit, lambda, search%work, q)
       end if
       q(free) = position
       is_fixed = .false.
       is_fixed(free) = .true.
-      coarse = limits
+      coarse = search%limits
       coarse%step_tolerance = node_step
       coarse%relative_tolerance = node_decrease
       coarse%most_steps = node_steps
-      call find_minimum(self, scales, is_fixed, coarse, work, q, outcome, is_unfolded)
+      call find_minimum(search, is_fixed, q, outcome, is_unfolded, coarse)
       minima%steps = minima%steps + outcome%steps
       node%has_value = outcome%status /= squares_no_value
       node%cost = outcome%cost
-      node%slope = 2*dot_product(work%j(:work%n_rows, free), work%r(:work%n_rows))
+      node%slope = 2*dot_product(search%work%j(:search%work%n_rows, free), search%work%r(:search%work%n_rows))
    end subroutine solve_node
 
    !> Search in all variables wherever the profile shows a valley.
-   subroutine search_valleys(self, scales, limits, work, positions, q, node, minima)
-      type(objective_t), intent(inout) :: self
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+   subroutine search_valleys(search, positions, q, node, minima)
+      type(searched_t), intent(inout) :: search
       !> The nodes.
       real(dp), intent(in) :: positions(:)
       !> What was found there; shape `(n_free, n_nodes)`.
       real(dp), intent(in) :: q(:, :)
       type(node_t), intent(in) :: node(:)
-      !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
       real(dp) :: start(size(q, 1)), at, cost, best, variance, share
       integer :: k, n
@@ -173,7 +158,7 @@ contains
       if (.not. any(node%has_value)) return
       best = minval(node%cost, node%has_value)
       variance = 1
-      if (limits%freedom > 0) variance = best/limits%freedom
+      if (search%limits%freedom > 0) variance = best/search%limits%freedom
       do k = 1, n
          ! ends with a slope that points out, and the best node
          is_valley = node(k)%has_value .and. (k == 1 .and. node(k)%slope > 0 .or. k == n .and. node(k)%slope < 0)
@@ -181,7 +166,7 @@ contains
          if (node(k)%has_value) is_valley = is_valley .or. node(k)%cost <= best
          if (is_valley) then
             start = q(:, k)
-            call add_search(self, scales, limits, work, start, minima)
+            call add_search(search, start, minima)
          end if
          if (k == n) exit
          if (.not. (node(k)%has_value .and. node(k + 1)%has_value)) cycle
@@ -189,7 +174,7 @@ contains
          if (.not. is_valley .or. cost - best > 2*minima_limit*variance) cycle
          share = (at - positions(k))/(positions(k + 1) - positions(k))
          start = (1 - share)*q(:, k) + share*q(:, k + 1)
-         call add_search(self, scales, limits, work, start, minima)
+         call add_search(search, start, minima)
       end do
    end subroutine search_valleys
 

@@ -9,7 +9,7 @@
 module adfric_fit_loss
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_fit_problem, only: loss_gauss, loss_huber, loss_soft_l1, loss_cauchy
+   use adfric_fit_problem, only: loss_huber, loss_soft_l1, loss_cauchy
    implicit none (type, external)
    private
    public :: get_loss, loss_width_of
@@ -37,16 +37,12 @@ contains
 
    !> Cost of a residual, psi = half its derivative, and psi'.
    elemental subroutine get_loss(loss, width, r, cost, psi, psi_r)
-      !> One of `loss_...`.
       integer, intent(in) :: loss
       !> C, in standard errors.
       real(dp), intent(in) :: width
       !> The residual.
       real(dp), intent(in) :: r
-      !> Receives the cost.
-      real(dp), intent(out) :: cost
-      !> Receives psi.
-      real(dp), intent(out) :: psi
+      real(dp), intent(out) :: cost, psi
       !> Receives psi'.
       real(dp), intent(out) :: psi_r
       real(dp) :: z, root

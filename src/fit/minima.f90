@@ -3,10 +3,8 @@
 module adfric_fit_minima
    use adfric_base_kinds, only: dp
    use adfric_fit_fold, only: curve_fold_t
-   use adfric_fit_fold_search, only: find_minimum, cross_regions
-   use adfric_fit_objective, only: objective_t
-   use adfric_fit_scales, only: scales_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
+   use adfric_fit_fold_search, only: searched_t, find_minimum, cross_regions
+   use adfric_numerics_bounded_least_squares, only: squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
    public :: minima_t, new_minima, add_search, sort_minima, minima_limit
@@ -45,11 +43,8 @@ contains
    end subroutine new_minima
 
    !> Search from a start, and add the minimum if it is new.
-   subroutine add_search(self, scales, limits, work, q, minima, fold)
-      type(objective_t), intent(inout) :: self
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+   subroutine add_search(search, q, minima, fold)
+      type(searched_t), intent(inout) :: search
       !> In: the start. Out: where the search ended.
       real(dp), intent(inout) :: q(:)
       type(minima_t), intent(inout) :: minima
@@ -63,20 +58,21 @@ contains
       is_fixed = .false.
       if (present(fold)) then
          outcome%status = squares_no_value
-         call cross_regions(self, fold, scales, is_fixed, limits, work, q, outcome, is_unfolded)
+         call cross_regions(search, fold, is_fixed, q, outcome, is_unfolded, search%limits)
       else
-         call find_minimum(self, scales, is_fixed, limits, work, q, outcome, is_unfolded)
+         call find_minimum(search, is_fixed, q, outcome, is_unfolded)
       end if
-      if (is_unfolded) call self%evaluate(q, work%n_rows, work%r, work%j, outcome%cost, is_valid)
+      if (is_unfolded) call search%objective%evaluate(q, search%work%n_rows, search%work%r, search%work%j, outcome%cost, is_valid)
       minima%searches = minima%searches + 1
       minima%steps = minima%steps + outcome%steps
       if (outcome%status == squares_no_value) return
       variance = 1
-      if (limits%freedom > 0) variance = outcome%cost/limits%freedom
+      if (search%limits%freedom > 0) variance = outcome%cost/search%limits%freedom
       do k = 1, minima%n
-         if (abs(minima%cost(k) - outcome%cost) > limits%same_distance**2*variance .and. abs(minima%cost(k) - outcome%cost) > &
-            & 1.0e-20_dp) cycle
-         if (norm2(matmul(work%j(:work%n_rows, :), minima%q(:, k) - q)) > limits%same_distance*sqrt(variance) + 1.0e-10_dp) cycle
+         if (abs(minima%cost(k) - outcome%cost) > search%limits%same_distance**2*variance &
+            & .and. abs(minima%cost(k) - outcome%cost) > 1.0e-20_dp) cycle
+         if (norm2(matmul(search%work%j(:search%work%n_rows, :), minima%q(:, k) - q)) &
+            & > search%limits%same_distance*sqrt(variance) + 1.0e-10_dp) cycle
          minima%times(k) = minima%times(k) + 1
          if (outcome%status > minima%status(k)) return
          if (outcome%status == minima%status(k) .and. outcome%cost >= minima%cost(k)) return
@@ -93,7 +89,6 @@ contains
    !> Sort the minima, the least first.
    pure subroutine sort_minima(minima, n_free)
       type(minima_t), intent(inout) :: minima
-      !> Number of free variables.
       integer, intent(in) :: n_free
       real(dp) :: q(n_free), cost
       integer :: i, k, times, status

@@ -14,7 +14,7 @@ module adfric_fit_model_curve
    use adfric_base_kinds, only: dp
    use adfric_fit_curve, only: fit_curve_t, take_points, nuisance_slopes
    use adfric_fit_model_foot, only: feet_t, find_feet
-   use adfric_fit_model_points, only: model_points_t, new_model_points, fold_t, is_beyond_fold
+   use adfric_fit_model_points, only: model_points_t, new_model_points, is_beyond_fold
    use adfric_fit_model_slopes, only: slopes_t, set_slopes
    use adfric_fit_order, only: median_step
    use adfric_fit_problem, only: free_t, fit_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &
@@ -84,8 +84,7 @@ contains
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       logical, intent(in) :: is_exact
       integer, intent(out) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       logical, intent(out) :: is_valid
       type(slopes_t) :: of
       real(dp) :: of_nuisance(size(slopes), n_nuisances), x_zero, x_zero_by(size(slopes))
@@ -156,7 +155,6 @@ contains
    subroutine add_exact(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
       class(model_curve_t), intent(inout) :: self
       type(slopes_t), intent(in) :: of
-      !> The points of contact.
       integer, intent(in) :: contacts(:)
       !> The gain and its derivatives.
       real(dp), intent(in) :: gain, gain_by(:)
@@ -190,15 +188,10 @@ contains
    subroutine add_latent(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
       class(model_curve_t), intent(inout) :: self
       type(slopes_t), intent(in) :: of
-      !> The points of contact.
       integer, intent(in) :: contacts(:)
-      !> The gain and its derivatives.
-      real(dp), intent(in) :: gain, gain_by(:)
-      !> The zero of the abscissa and its derivatives.
-      real(dp), intent(in) :: x_zero, x_zero_by(:)
+      real(dp), intent(in) :: gain, gain_by(:), x_zero, x_zero_by(:)
       !> Number of rows so far; a foot that is the fold adds one.
       integer, intent(inout) :: n_rows
-      !> The residuals, to which the model is added.
       real(dp), intent(inout) :: r(:)
       !> Derivatives of the residuals times the errors of the ordinates, and of the rows that are added.
       real(dp), intent(inout) :: j(:, :)
@@ -237,8 +230,7 @@ contains
       class(model_curve_t), intent(inout) :: self
       integer, intent(in) :: kind
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
-      real(dp), intent(out) :: value
-      real(dp), intent(out) :: gradient(:)
+      real(dp), intent(out) :: value, gradient(:)
       logical, intent(out) :: is_valid
       type(model_curve_t) :: event
       real(dp) :: none(n_nuisances), r(1), j(1, size(slopes))

@@ -89,14 +89,11 @@ contains
       type(model_points_t), intent(in) :: points
       real(dp), intent(in) :: values(:)
       type(fold_t), intent(in) :: fold
-      !> Measured abscissas and ordinates, less their zeros.
       real(dp), intent(in) :: x(:), y(:)
       !> Their standard errors.
       real(dp), intent(in) :: x_sigma(:), sigma(:)
-      !> Factor between the model and the ordinates.
       real(dp), intent(in) :: gain
       type(foot_search_t), intent(inout) :: search
-      !> Has the model a value at all positions?
       logical, intent(out) :: is_valid
       real(dp), dimension(size(search%open)) :: at, first, distance, least, positions, nearest
       integer :: regimes(size(search%open)), k
@@ -141,14 +138,8 @@ contains
       type(model_points_t), intent(in) :: points
       real(dp), intent(in) :: values(:)
       type(fold_t), intent(in) :: fold
-      !> Measured abscissas and ordinates, less their zeros.
-      real(dp), intent(in) :: x(:), y(:)
-      !> Their standard errors.
-      real(dp), intent(in) :: x_sigma(:), sigma(:)
-      !> Factor between the model and the ordinates.
-      real(dp), intent(in) :: gain
+      real(dp), intent(in) :: x(:), y(:), x_sigma(:), sigma(:), gain
       type(foot_search_t), intent(inout) :: search
-      !> Has the model a value at all positions?
       logical, intent(out) :: is_valid
       real(dp), dimension(size(search%open)) :: h, at, beside, u_s
       logical :: is_left(size(search%open))
@@ -199,7 +190,6 @@ contains
       subroutine ask_at(s, ordinates, is_there)
          !> The positions.
          real(dp), intent(in) :: s(:)
-         !> Receives the ordinates.
          real(dp), intent(out) :: ordinates(:)
          !> Has the model a value at all of them?
          logical, intent(out) :: is_there

@@ -108,10 +108,7 @@ contains
    !> Ask the model for the ordinates at abscissas.
    subroutine ask(self, values, x, y, regimes, error, fold)
       class(model_points_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      !> Abscissas.
-      real(dp), intent(in) :: x(:)
-      !> Receives the ordinates.
+      real(dp), intent(in) :: values(:), x(:)
       real(dp), intent(out) :: y(:)
       !> Receives the regimes, 0 where the model has none, -1 where there is no solution.
       integer, intent(out) :: regimes(:)
@@ -206,9 +203,7 @@ contains
    !> The fold that the results of a point name: load and approach at which contact separates.
    pure subroutine read_fold(self, values, results, fold)
       class(model_points_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      !> Results of a point.
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       type(fold_t), intent(inout) :: fold
 
       fold%is_known = self%pull_off_load > 0 .and. self%pull_off_approach > 0
@@ -228,7 +223,6 @@ contains
    subroutine find_ordinate(self, values, fold)
       class(model_points_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> The fold, which receives its ordinate.
       type(fold_t), intent(inout) :: fold
       real(dp) :: all_values(size(values), 2), results(size(self%model%results), 2), error_estimate(2), &
          & counts(size(self%model%counts)), size_of

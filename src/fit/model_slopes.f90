@@ -45,9 +45,7 @@ contains
    subroutine set_slopes(of, points, values, x, size_of_x, frees, slopes, is_central, wants_x, is_valid)
       type(slopes_t), intent(out) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      !> Abscissas.
-      real(dp), intent(in) :: x(:)
+      real(dp), intent(in) :: values(:), x(:)
       !> Size of the abscissas, for steps.
       real(dp), intent(in) :: size_of_x
       type(free_t), intent(in) :: frees(:)
@@ -94,9 +92,7 @@ contains
       !> In: with ordinates and fold. Out: with the derivatives by the variable.
       type(slopes_t), intent(inout) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      !> Abscissas.
-      real(dp), intent(in) :: x(:)
+      real(dp), intent(in) :: values(:), x(:)
       !> Position of the variable in the model's table, and its number among the free ones.
       integer, intent(in) :: variable, free
       !> Derivative of the variable by the number that is fitted.
@@ -139,7 +135,6 @@ contains
          !> Receives the ordinates.
          real(dp), intent(out) :: shifted(:)
          type(fold_t), intent(out) :: fold
-         !> Receives the step of the variable.
          real(dp), intent(out) :: step
          !> Has the model a value at all positions?
          logical, intent(out) :: is_there
@@ -164,11 +159,7 @@ contains
       !> In: with ordinates and fold. Out: with the derivatives by position and abscissa.
       type(slopes_t), intent(inout) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      !> Abscissas.
-      real(dp), intent(in) :: x(:)
-      !> Relative step.
-      real(dp), intent(in) :: h
+      real(dp), intent(in) :: values(:), x(:), h
       logical, intent(in) :: is_central
       logical, intent(out) :: is_valid
       real(dp), dimension(size(x)) :: s, step, above, below, down
@@ -197,13 +188,9 @@ contains
    subroutine ask_positions(of, points, values, distances, fold, y, is_there)
       type(slopes_t), intent(in) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      !> Distances from the fold.
-      real(dp), intent(in) :: distances(:)
+      real(dp), intent(in) :: values(:), distances(:)
       type(fold_t), intent(in) :: fold
-      !> Receives the ordinates.
       real(dp), intent(out) :: y(:)
-      !> Has the model a value at all positions?
       logical, intent(out) :: is_there
       integer :: inside(count(.not. is_beyond_fold(of%regimes))), regimes(count(.not. is_beyond_fold(of%regimes))), k
       real(dp) :: found(count(.not. is_beyond_fold(of%regimes))), unused
@@ -222,17 +209,10 @@ contains
    subroutine differentiate(of, points, values, x, size_of_x, variable, slope, h, is_central, y_by, is_valid)
       type(slopes_t), intent(in) :: of
       type(model_points_t), intent(in) :: points
-      real(dp), intent(in) :: values(:)
-      !> Abscissas.
-      real(dp), intent(in) :: x(:)
-      !> Size of the abscissas.
-      real(dp), intent(in) :: size_of_x
+      real(dp), intent(in) :: values(:), x(:), size_of_x
       !> Position of the variable in the model's table; 0: the abscissa.
       integer, intent(in) :: variable
-      !> Derivative of the variable by the number that is fitted.
-      real(dp), intent(in) :: slope
-      !> Relative step.
-      real(dp), intent(in) :: h
+      real(dp), intent(in) :: slope, h
       logical, intent(in) :: is_central
       !> Receives the derivative.
       real(dp), intent(out) :: y_by(:)
@@ -261,11 +241,8 @@ contains
 
       !> Ordinates at a step from the position, as far as the table of the model lets it go.
       subroutine shift(part, shifted, shifted_regimes, step)
-         !> The relative step.
          real(dp), intent(in) :: part
-         !> Receives the ordinates.
          real(dp), intent(out) :: shifted(:)
-         !> Receives the regimes.
          integer, intent(out) :: shifted_regimes(:)
          !> Receives the step of the variable.
          real(dp), intent(out) :: step

@@ -23,8 +23,7 @@ contains
    !> Names of the free variables as datasets, separated by a blank: without the group, unless two of them would have one name.
    function list_free_names(fit) result(names)
       type(fit_t), intent(in) :: fit
-      character(:), allocatable :: names
-      character(:), allocatable :: name
+      character(:), allocatable :: names, name
       integer :: i, k, n_same
 
       names = ''
@@ -52,8 +51,7 @@ contains
    function list_extra_names(fit) result(names)
       !> The fit with its data sets and free variables.
       type(fit_t), intent(in) :: fit
-      character(:), allocatable :: names
-      character(:), allocatable :: frees
+      character(:), allocatable :: names, frees
       integer :: i, k
 
       names = names_of_fit

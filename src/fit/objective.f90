@@ -8,7 +8,6 @@ module adfric_fit_objective
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_base_watch, only: watch_t
-   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_loss, only: get_loss, loss_width_of
    use adfric_fit_model_curve, only: model_curve_t, new_model_curve
    use adfric_fit_problem, only: fit_t, free_t, event_t, n_nuisances, loss_gauss
@@ -130,10 +129,7 @@ contains
    !> Number of points, and of points, events and priors together.
    pure subroutine count_terms(self, n_points, n_terms)
       type(objective_t), intent(in) :: self
-      !> Receives the number of points.
-      integer, intent(out) :: n_points
-      !> Receives the number of points, events and priors.
-      integer, intent(out) :: n_terms
+      integer, intent(out) :: n_points, n_terms
 
       n_points = sum(self%spheres%n) + sum(self%others%n)
       n_terms = n_points + size(self%events) + count(is_set(self%frees%prior))
@@ -209,11 +205,9 @@ contains
       class(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       integer, intent(out) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       !> Receives the sum of the costs of all rows.
       real(dp), intent(out) :: cost
-      !> Has the model a value at all points?
       logical, intent(out) :: is_valid
       real(dp) :: v(self%n_free), slopes(self%n_free)
       integer :: k, n
@@ -252,10 +246,8 @@ contains
       type(objective_t), intent(inout) :: self
       !> Number of the data set whose loss it is.
       integer, intent(in) :: data_set
-      !> First and last row.
       integer, intent(in) :: first, last
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       !> The cost is added.
       real(dp), intent(inout) :: cost
       real(dp) :: one, weight
@@ -289,10 +281,7 @@ contains
       real(dp), intent(in) :: slopes(:)
       !> Number of rows so far; it rises.
       integer, intent(inout) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
-      !> The cost is added.
-      real(dp), intent(inout) :: cost
+      real(dp), intent(inout) :: r(:), j(:, :), cost
       logical, intent(out) :: is_valid
       real(dp) :: value, gradient(self%n_free)
       integer :: k
@@ -322,12 +311,8 @@ contains
    subroutine add_priors(self, q, n_rows, r, j, cost)
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
-      !> Number of rows so far; it rises.
       integer, intent(inout) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
-      !> The cost is added.
-      real(dp), intent(inout) :: cost
+      real(dp), intent(inout) :: r(:), j(:, :), cost
       integer :: k
 
       do k = 1, self%n_free

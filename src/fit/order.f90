@@ -30,8 +30,7 @@ contains
    !> Indices of numbers in rising order; equal ones keep theirs (merge sort).
    pure function order_of(numbers) result(indices)
       real(dp), intent(in) :: numbers(:)
-      integer :: indices(size(numbers))
-      integer :: merged(size(numbers)), width, first, middle, last, i, k, m
+      integer :: indices(size(numbers)), merged(size(numbers)), width, first, middle, last, i, k, m
 
       indices = [(i, i=1, size(numbers))]
       width = 1

@@ -15,10 +15,8 @@
 module adfric_fit_profile
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_fit_objective, only: objective_t
+   use adfric_fit_fold_search, only: searched_t
    use adfric_fit_profile_nodes, only: interval_profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
-   use adfric_fit_scales, only: scales_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
    implicit none (type, external)
    private
    public :: interval_profile_t, find_profile, find_pieces
@@ -36,12 +34,9 @@ module adfric_fit_profile
 contains
 
    !> Find the profile over one variable.
-   subroutine find_profile(self, objective, scales, limits, work, free, minima, costs, others, variance, error, limit, is_lambda)
+   subroutine find_profile(self, search, free, minima, costs, others, variance, error, limit, is_lambda)
       type(interval_profile_t), intent(out) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+      type(searched_t), intent(inout) :: search
       integer, intent(in) :: free
       !> Minima, the least first; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)
@@ -66,28 +61,25 @@ contains
       do k = 1, size(costs)
          call insert_node(self, minima(free, k), costs(k), 0.0_dp, minima(:, k), .true.)
       end do
-      if (is_lambda .and. abs(scales%lower(free)) < 200 .and. abs(scales%upper(free)) < 200) then
+      if (is_lambda .and. abs(search%scales%lower(free)) < 200 .and. abs(search%scales%upper(free)) < 200) then
          do k = 0, n_grid - 1
-            call add_node(self, objective, scales, limits, work, starts, scales%lower(free) + (scales%upper(free) &
-               & - scales%lower(free))*k/(n_grid - 1))
+            call add_node(self, search, starts, &
+               & search%scales%lower(free) + (search%scales%upper(free) - search%scales%lower(free))*k/(n_grid - 1))
          end do
       else
          do k = 1, size(costs)
-            call walk(self, objective, scales, limits, work, starts, minima(:, k), error, largest, 1)
-            call walk(self, objective, scales, limits, work, starts, minima(:, k), error, largest, -1)
+            call walk(self, search, starts, minima(:, k), error, largest, 1)
+            call walk(self, search, starts, minima(:, k), error, largest, -1)
          end do
       end if
-      call sweep(self, objective, scales, limits, work)
-      call look_between(self, objective, scales, limits, work, largest)
+      call sweep(self, search)
+      call look_between(self, search, largest)
    end subroutine find_profile
 
    !> Walk from a minimum to one side, until S is above the largest limit, or to the bound.
-   subroutine walk(self, objective, scales, limits, work, minima, from, error, largest, side)
+   subroutine walk(self, search, minima, from, error, largest, side)
       type(interval_profile_t), intent(inout) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+      type(searched_t), intent(inout) :: search
       !> All minima; shape `(n_free, n_minima)`.
       real(dp), intent(in) :: minima(:, :)
       !> The minimum.
@@ -100,7 +92,7 @@ contains
       logical :: has_value
       integer :: k
 
-      bound = merge(scales%upper(self%free), scales%lower(self%free), side > 0)
+      bound = merge(search%scales%upper(self%free), search%scales%lower(self%free), side > 0)
       step = longest_step/10
       if (error > 0 .and. error < 10*longest_step) step = first_step*error
       starts(:, 2:) = minima
@@ -110,9 +102,8 @@ contains
       do k = 1, most_walk
          if (side*(bound - x) <= 0) return
          starts(:, 1) = q
-         call solve_best_node(self, objective, scales, limits, work, merge(min(x + step, bound), max(x - step, bound), side > 0), &
-            & starts, &
-            & q, cost, slope, has_value)
+         call solve_best_node(self, search, merge(min(x + step, bound), max(x - step, bound), side > 0), starts, q, cost, slope, &
+            & has_value)
          if (.not. has_value .or. (cost - last > 2*largest*self%variance .and. k < most_walk/2)) then
             ! too far
             q = starts(:, 1)
@@ -129,12 +120,9 @@ contains
    end subroutine walk
 
    !> Solve each node from its neighbours.
-   subroutine sweep(self, objective, scales, limits, work)
+   subroutine sweep(self, search)
       type(interval_profile_t), intent(inout) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+      type(searched_t), intent(inout) :: search
       integer :: k
 
       do k = 2, self%n
@@ -154,7 +142,7 @@ contains
          logical :: has_value
 
          q = self%q(:, from)
-         call solve_node(self, objective, scales, limits, work, self%x(to), q, cost, slope, has_value)
+         call solve_node(self, search, self%x(to), q, cost, slope, has_value)
          if (.not. has_value .or. cost >= self%cost(to)) return
          self%cost(to) = cost
          self%slope(to) = slope
@@ -164,12 +152,9 @@ contains
    end subroutine sweep
 
    !> Put a node where the tangents of neighbours meet above both, and one between two minima that are neighbours.
-   subroutine look_between(self, objective, scales, limits, work, largest)
+   subroutine look_between(self, search, largest)
       type(interval_profile_t), intent(inout) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+      type(searched_t), intent(inout) :: search
       !> The largest limit.
       real(dp), intent(in) :: largest
       real(dp), allocatable :: positions(:), starts(:, :, :)
@@ -192,22 +177,18 @@ contains
          starts(:, :, n) = self%q(:, k:k + 1)
       end do
       do k = 1, n
-         call add_node(self, objective, scales, limits, work, starts(:, :, k), positions(k))
+         call add_node(self, search, starts(:, :, k), positions(k))
       end do
    end subroutine look_between
 
    !> The pieces of the set where S - S_min stays below a limit, as numbers that are fitted; NaN: open at the bound.
-   subroutine find_pieces(self, objective, scales, limits, work, limit, pieces, n_pieces)
+   subroutine find_pieces(self, search, limit, pieces, n_pieces)
       type(interval_profile_t), intent(inout) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+      type(searched_t), intent(inout) :: search
       !> The limit, over the variance.
       real(dp), intent(in) :: limit
       !> Receives low and high ends; shape `(2, most_pieces)`.
       real(dp), intent(out) :: pieces(:, :)
-      !> Receives the number of pieces.
       integer, intent(out) :: n_pieces
       logical :: is_in(self%n), was_in
       integer :: k
@@ -220,22 +201,18 @@ contains
          if (is_in(k) .and. .not. was_in) then
             if (n_pieces == size(pieces, 2)) return
             n_pieces = n_pieces + 1
-            if (k > 1) call refine(self, objective, scales, limits, work, limit, k, k - 1, pieces(1, n_pieces))
+            if (k > 1) call refine(self, search, limit, k, k - 1, pieces(1, n_pieces))
          else if (was_in .and. .not. is_in(k)) then
-            call refine(self, objective, scales, limits, work, limit, k - 1, k, pieces(2, n_pieces))
+            call refine(self, search, limit, k - 1, k, pieces(2, n_pieces))
          end if
          was_in = is_in(k)
       end do
    end subroutine find_pieces
 
    !> Where S - S_min crosses a limit between two nodes: false position, halved where one end stays (Illinois).
-   subroutine refine(self, objective, scales, limits, work, limit, inner, outer, at)
+   subroutine refine(self, search, limit, inner, outer, at)
       type(interval_profile_t), intent(inout) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
-      !> The limit, over the variance.
+      type(searched_t), intent(inout) :: search
       real(dp), intent(in) :: limit
       !> Numbers of the nodes within the set and outside.
       integer, intent(in) :: inner, outer
@@ -257,7 +234,7 @@ contains
          ! S is nearly a parabola: its root is nearly linear
          at = a + (b - a)*share_of(fa, fb)
          if (mod(k, 6) == 0) at = (a + b)/2
-         call solve_best_node(self, objective, scales, limits, work, at, starts, q, cost, slope, has_value)
+         call solve_best_node(self, search, at, starts, q, cost, slope, has_value)
          if (.not. has_value) return
          value = (cost - self%least)/self%variance - limit
          if (abs(value) <= of_limit*limit) return

@@ -4,10 +4,8 @@
 !> A search that falls below S_min has found a better answer; it is handed back.
 module adfric_fit_profile_nodes
    use adfric_base_kinds, only: dp
-   use adfric_fit_fold_search, only: find_minimum
-   use adfric_fit_objective, only: objective_t
-   use adfric_fit_scales, only: scales_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
+   use adfric_fit_fold_search, only: searched_t, find_minimum
+   use adfric_numerics_bounded_least_squares, only: squares_limits_t, squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
    public :: interval_profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
@@ -93,13 +91,10 @@ contains
    end subroutine insert_node
 
    !> The least S over all other variables at a position, from one start.
-   subroutine solve_node(self, objective, scales, limits, work, x, q, cost, slope, has_value)
+   subroutine solve_node(self, search, x, q, cost, slope, has_value)
       !> The profile, which notes what is below its least S.
       type(interval_profile_t), intent(inout) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+      type(searched_t), intent(inout) :: search
       real(dp), intent(in) :: x
       !> In: a start for the others. Out: all numbers that are fitted.
       real(dp), intent(inout) :: q(:)
@@ -113,17 +108,17 @@ contains
       q(self%free) = x
       is_fixed = .false.
       is_fixed(self%free) = .true.
-      coarse = limits
-      coarse%step_tolerance = max(node_step, limits%step_tolerance)
-      coarse%relative_tolerance = max(limits%relative_tolerance, 1.0e-9_dp)
+      coarse = search%limits
+      coarse%step_tolerance = max(node_step, search%limits%step_tolerance)
+      coarse%relative_tolerance = max(search%limits%relative_tolerance, 1.0e-9_dp)
       coarse%most_steps = 60
-      call find_minimum(objective, scales, is_fixed, coarse, work, q, outcome, is_unfolded)
+      call find_minimum(search, is_fixed, q, outcome, is_unfolded, coarse)
       has_value = outcome%status /= squares_no_value
       cost = outcome%cost
       slope = 0
       if (.not. has_value) return
-      slope = 2*dot_product(work%j(:work%n_rows, self%free), work%r(:work%n_rows))
-      self%n_beyond = max(self%n_beyond, objective%n_beyond())
+      slope = 2*dot_product(search%work%j(:search%work%n_rows, self%free), search%work%r(:search%work%n_rows))
+      self%n_beyond = max(self%n_beyond, search%objective%n_beyond())
       if (cost < self%least - 1.0e-5_dp*self%variance) then
          if (.not. self%is_below) self%below = q
          self%is_below = .true.
@@ -131,18 +126,14 @@ contains
    end subroutine solve_node
 
    !> The least S over all other variables at a position, from several starts.
-   subroutine solve_best_node(self, objective, scales, limits, work, x, starts, q, cost, slope, has_value)
+   subroutine solve_best_node(self, search, x, starts, q, cost, slope, has_value)
       type(interval_profile_t), intent(inout) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
+      type(searched_t), intent(inout) :: search
       real(dp), intent(in) :: x
       !> Starts; shape `(n_free, n_starts)`.
       real(dp), intent(in) :: starts(:, :)
       !> Receives all numbers that are fitted.
       real(dp), intent(out) :: q(:)
-      !> Receives S and its slope.
       real(dp), intent(out) :: cost, slope
       logical, intent(out) :: has_value
       real(dp) :: trial(size(q)), trial_cost, trial_slope
@@ -155,7 +146,7 @@ contains
       q = starts(:, 1)
       do k = 1, size(starts, 2)
          trial = starts(:, k)
-         call solve_node(self, objective, scales, limits, work, x, trial, trial_cost, trial_slope, is_valid)
+         call solve_node(self, search, x, trial, trial_cost, trial_slope, is_valid)
          if (.not. is_valid) cycle
          has_value = .true.
          if (trial_cost >= cost) cycle
@@ -168,19 +159,14 @@ contains
    end subroutine solve_best_node
 
    !> Add a node, solved from all minima.
-   subroutine add_node(self, objective, scales, limits, work, starts, x)
+   subroutine add_node(self, search, starts, x)
       type(interval_profile_t), intent(inout) :: self
-      type(objective_t), intent(inout) :: objective
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
-      !> Starts; shape `(n_free, n_starts)`.
-      real(dp), intent(in) :: starts(:, :)
-      real(dp), intent(in) :: x
+      type(searched_t), intent(inout) :: search
+      real(dp), intent(in) :: starts(:, :), x
       real(dp) :: q(size(starts, 1)), cost, slope
       logical :: has_value
 
-      call solve_best_node(self, objective, scales, limits, work, x, starts, q, cost, slope, has_value)
+      call solve_best_node(self, search, x, starts, q, cost, slope, has_value)
       if (has_value) call insert_node(self, x, cost, slope, q, .false.)
    end subroutine add_node
 

@@ -96,7 +96,6 @@ contains
 
    !> Add the runs of one data set along its abscissa (Wald and Wolfowitz), and the products of neighbours in the order of measurement.
    pure subroutine add_runs(x, r, is_used, runs)
-      !> Abscissas.
       real(dp), intent(in) :: x(:)
       !> Residuals.
       real(dp), intent(in) :: r(:)

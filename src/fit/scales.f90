@@ -4,8 +4,8 @@ module adfric_fit_scales
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_fit_problem, only: fit_t, free_t, data_set_t, nuisance_load_offset, nuisance_friction_offset, &
-      & nuisance_contact_point, nuisance_spring_stiffness, nuisance_tilt
+   use adfric_fit_problem, only: fit_t, free_t, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
+      & nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_curve, only: is_sphere_curve
    use adfric_numerics_bounded_least_squares, only: most_variables
    use adfric_round_sphere_variables, only: in => sphere_input

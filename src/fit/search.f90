@@ -8,14 +8,12 @@
 module adfric_fit_search
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
+   use adfric_fit_fold_search, only: searched_t
    use adfric_fit_fold_survey, only: survey_folds
    use adfric_fit_lambda_scan, only: scan_lambda, fewest_nodes
    use adfric_fit_minima, only: minima_t, new_minima, add_search, sort_minima
-   use adfric_fit_objective, only: objective_t
    use adfric_fit_problem, only: fit_t
-   use adfric_fit_scales, only: scales_t
    use adfric_fit_starts, only: get_start, get_more_starts, lambda_free
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
    implicit none (type, external)
    private
    public :: find_minima
@@ -29,55 +27,49 @@ module adfric_fit_search
 contains
 
    !> Find all minima.
-   subroutine find_minima(self, fit, scales, limits, work, minima)
-      type(objective_t), intent(inout) :: self
+   subroutine find_minima(search, fit, minima)
+      type(searched_t), intent(inout) :: search
       type(fit_t), intent(in) :: fit
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
       type(minima_t), intent(out) :: minima
       type(minima_t) :: plain
-      real(dp) :: q(self%n_free)
+      real(dp) :: q(search%objective%n_free)
       integer :: k
 
-      call new_minima(minima, self%n_free)
-      if (self%is_robust()) then
+      call new_minima(minima, search%objective%n_free)
+      if (search%objective%is_robust()) then
          ! a robust search starts at the answers of least squares, too
-         self%is_plain = .true.
-         call new_minima(plain, self%n_free)
-         call search_all(self, fit, scales, limits, work, plain)
-         self%is_plain = .false.
+         search%objective%is_plain = .true.
+         call new_minima(plain, search%objective%n_free)
+         call search_all(search, fit, plain)
+         search%objective%is_plain = .false.
          do k = 1, plain%n
             q = plain%q(:, k)
-            call add_search(self, scales, limits, work, q, minima)
+            call add_search(search, q, minima)
          end do
          minima%searches = minima%searches + plain%searches
          minima%steps = minima%steps + plain%steps
       end if
-      call search_all(self, fit, scales, limits, work, minima)
-      call survey_folds(self, scales, limits, work, minima)
-      call sort_minima(minima, self%n_free)
+      call search_all(search, fit, minima)
+      call survey_folds(search, minima)
+      call sort_minima(minima, search%objective%n_free)
    end subroutine find_minima
 
    !> All searches of one kind of cost.
-   subroutine search_all(self, fit, scales, limits, work, minima)
-      type(objective_t), intent(inout) :: self
+   subroutine search_all(search, fit, minima)
+      type(searched_t), intent(inout) :: search
       type(fit_t), intent(in) :: fit
-      type(scales_t), intent(in) :: scales
-      type(squares_limits_t), intent(in) :: limits
-      type(squares_work_t), intent(inout) :: work
       !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
-      real(dp) :: q(self%n_free), first(self%n_free)
+      real(dp) :: q(search%objective%n_free), first(search%objective%n_free)
       real(dp), allocatable :: more(:, :)
       integer :: k, n
 
       if (lambda_free(fit) > 0 .and. .not. (fit%n_starts > 0 .and. fit%n_starts < fewest_nodes)) then
-         call scan_lambda(self, fit, scales, limits, work, minima)
+         call scan_lambda(search, fit, minima)
          return
       end if
-      call get_start(self, fit, unset, work, first)
-      call get_more_starts(self, fit, first, more)
+      call get_start(search%objective, fit, unset, search%work, first)
+      call get_more_starts(search%objective, fit, first, more)
       n = usual_starts
       if (fit%n_starts > 0) n = fit%n_starts
       do k = 1, n
@@ -87,14 +79,13 @@ contains
          else
             call move_away(k - 1, q)
          end if
-         q = min(max(q, scales%lower), scales%upper)
-         call add_search(self, scales, limits, work, q, minima)
+         q = min(max(q, search%scales%lower), search%scales%upper)
+         call add_search(search, q, minima)
       end do
    end subroutine search_all
 
    !> Move a start away from the first one: number 0 not at all, others by a fixed list that fills the box around it evenly (Weyl).
    pure subroutine move_away(number, q)
-      !> Number in the list.
       integer, intent(in) :: number
       !> The start; it is moved.
       real(dp), intent(inout) :: q(:)

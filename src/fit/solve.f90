@@ -126,8 +126,7 @@ contains
       if (fit%intervals == intervals_bootstrap) then
          n = size(solution%minima_chi2)
          call evaluate_best(course)
-         call take_bootstrap(course%objective, fit, course%scales, course%limits, course%work, course%minima%q(:, :n), &
-            & sqrt(course%variance), solution)
+         call take_bootstrap(course%searched_t, fit, course%minima%q(:, :n), sqrt(course%variance), solution)
          return
       end if
       do again = 1, most_restarts
@@ -139,12 +138,12 @@ contains
             ! lambda is the first, for its profile shows valleys to the others
             k = merge(lambda_free(fit), i, i == 0)
             if (k == 0 .or. i == lambda_free(fit) .and. i > 0) cycle
-            call take_profile(course%objective, course%scales, course%limits, course%work, k, course%minima%q(:, :n), &
-               & course%minima%cost(:n), others, course%variance, fit%levels, k == lambda_free(fit), solution, below, is_below)
+            call take_profile(course%searched_t, k, course%minima%q(:, :n), course%minima%cost(:n), others, course%variance, &
+               & fit%levels, k == lambda_free(fit), solution, below, is_below)
             if (is_below) exit
          end do
          if (.not. is_below) return
-         call add_search(course%objective, course%scales, course%limits, course%work, below, course%minima)
+         call add_search(course%searched_t, below, course%minima)
          call sort_minima(course%minima, size(fit%frees))
          call take_minima(course, solution)
          call finish_estimate(course, fit, solution)

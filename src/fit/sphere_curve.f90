@@ -138,8 +138,7 @@ contains
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
       logical, intent(in) :: is_exact
       integer, intent(out) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       logical, intent(out) :: is_valid
       integer :: i
 
@@ -193,8 +192,7 @@ contains
       integer, intent(in) :: i
       !> Number of rows so far; a point beyond the fold adds one.
       integer, intent(inout) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       type(fit_state_t) :: s
       type(ordinate_t) :: o
       real(dp) :: prescribed, share, prescribed_l, prescribed_ks, weight, last_step
@@ -259,7 +257,6 @@ contains
    subroutine predict(self, i, prescribed)
       class(sphere_curve_t), intent(inout) :: self
       integer, intent(in) :: i
-      !> What is prescribed now.
       real(dp), intent(in) :: prescribed
       real(dp) :: t, step, bend
 
@@ -278,8 +275,7 @@ contains
       integer, intent(in) :: i
       !> Number of rows so far; a point whose foot is the fold adds one.
       integer, intent(inout) :: n_rows
-      real(dp), intent(inout) :: r(:)
-      real(dp), intent(inout) :: j(:, :)
+      real(dp), intent(inout) :: r(:), j(:, :)
       type(fit_state_t) :: s
       type(ordinate_t) :: o
       type(foot_t) :: point

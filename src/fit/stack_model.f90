@@ -177,11 +177,8 @@ contains
    !> See `model_t`: the input of a fit has been checked before there is a stack.
    subroutine check_values(self, values, is_swept, problems)
       class(stack_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       associate (unused => self, unused_values => values, unused_swept => is_swept, unused_problems => problems)
@@ -191,7 +188,6 @@ contains
    !> See `model_t`: points and residuals, where they are wanted.
    pure logical function wants_profiles(self, values)
       class(stack_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = self%n_samples > 0
@@ -202,7 +198,6 @@ contains
    !> See `model_t`: the points of a curve.
    subroutine get_profile_axes(self, values, axes)
       class(stack_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the axis of the points.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
@@ -231,7 +226,6 @@ contains
    !> See `model_t`.
    subroutine obey(self, watch)
       class(stack_model_t), intent(inout) :: self
-      !> Who is asked; null: nobody.
       class(watch_t), pointer, intent(in) :: watch
 
       self%watch => watch
@@ -249,13 +243,10 @@ contains
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(stack_model_t), intent(in) :: self
-      !> Values of the variables for each curve; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each curve; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
       !> Relative error of the first variable that the search leaves; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
-      !> One of `fit_...` for each curve; shape `(n_points)`.
       integer, intent(out) :: status(:)
       !> Of size 0: nothing is counted.
       real(dp), intent(out) :: counts(:)
@@ -365,7 +356,6 @@ contains
       real(dp), intent(inout) :: results(:)
       !> Relative error of the first variable that the search leaves; left as it is where there is none.
       real(dp), intent(inout) :: error_estimate
-      !> Receives the status.
       integer, intent(out) :: status
 
       status = solution%status
@@ -377,10 +367,7 @@ contains
    !> See `model_t`: they come with the results alone (`solve_block_and_profiles`).
    subroutine solve_profiles(self, values, results, profiles)
       class(stack_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Results of the point; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: values(:), results(:)
       !> Receives NaN.
       real(dp), intent(out) :: profiles(:, :, :)
 
@@ -402,7 +389,6 @@ contains
    !> See `model_t`: what a single fit has in addition.
    subroutine get_extras(self, extras)
       class(stack_model_t), intent(in) :: self
-      !> Receives the datasets with their values.
       type(extra_t), allocatable, intent(out) :: extras(:)
 
       if (allocated(self%solution)) then
@@ -415,9 +401,7 @@ contains
    !> See `model_t`.
    function unit_of(self, values, index) result(unit)
       class(stack_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Index of the variable in `variables`.
       integer, intent(in) :: index
       character(:), allocatable :: unit
 

@@ -10,7 +10,6 @@ module adfric_fit_starts
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_curve_starts, only: find_curve_starts, has_curve_starts
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset, &
@@ -19,7 +18,7 @@ module adfric_fit_starts
    use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_numerics_bounded_least_squares, only: squares_work_t
-   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_contact, only: theory_hertz
    use adfric_round_sphere_units, only: get_sphere_units
    use adfric_round_sphere_variables, only: in => sphere_input, out => sphere_output
    implicit none (type, external)
@@ -287,7 +286,6 @@ contains
    pure subroutine get_extremes(self, fit, lowest, largest, deepest)
       type(objective_t), intent(in) :: self
       type(fit_t), intent(in) :: fit
-      !> Receives the lowest and the largest load.
       real(dp), intent(out) :: lowest, largest
       !> Receives the approach of the largest load; 0: not known.
       real(dp), intent(out) :: deepest
@@ -325,7 +323,6 @@ contains
       type(objective_t), intent(inout) :: self
       type(fit_t), intent(in) :: fit
       type(squares_work_t), intent(inout) :: work
-      !> Values of the free variables; those without a start of the user's are changed.
       real(dp), intent(inout) :: v(:)
       !> The same as numbers that are fitted.
       real(dp), intent(inout) :: q(:)

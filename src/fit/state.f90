@@ -17,7 +17,7 @@ module adfric_fit_state
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
-   use adfric_round_sphere_contact, only: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
+   use adfric_round_sphere_contact, only: theory_jkr, theory_dmt, theory_maugis_dugdale
    use adfric_round_sphere_dugdale_curve, only: curve_angle_t, curve_point_t, get_angle_point, get_disc, &
       & get_disc_radius
    implicit none (type, external)
@@ -121,7 +121,6 @@ contains
    !> Add the derivatives by lambda, and the second ones.
    pure subroutine add_derivatives(theory, lambda, s)
       integer, intent(in) :: theory
-      !> Maugis's parameter; without meaning in the other theories.
       real(dp), intent(in) :: lambda
       !> In: from `get_state`. Out: with all derivatives.
       type(fit_state_t), intent(inout) :: s

@@ -35,9 +35,7 @@ contains
    !> The same data fitted by another theory: without the variables that it does not have.
    subroutine make_theory(fit, position, other, kept, is_possible)
       type(fit_t), intent(in) :: fit
-      !> Index in the choices of the model's variable `theory`.
       integer, intent(in) :: position
-      !> Receives the fit by the other theory.
       type(fit_t), intent(out) :: other
       !> Receives the numbers of the free variables that it has.
       integer, allocatable, intent(out) :: kept(:)

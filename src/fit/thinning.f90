@@ -33,7 +33,7 @@ contains
          call thin_out(fit, few)
          call begin_course(other, few)
          if (.not. has_too_few_points(other, few)) then
-            call find_minima(other%objective, few, other%scales, other%limits, other%work, other%minima)
+            call find_minima(other%searched_t, few, other%minima)
             call new_minima(course%minima, size(q))
             variance = 1
             if (other%limits%freedom > 0 .and. other%minima%n > 0) variance = other%minima%cost(1)/other%limits%freedom
@@ -41,16 +41,16 @@ contains
                if (other%minima%cost(k) > other%minima%cost(1) + minima_limit*variance) exit
                ! one number may have another unit where the largest values are left out
                q = other%minima%q(:, k)*other%scales%unit/course%scales%unit
-               call add_search(course%objective, course%scales, course%limits, course%work, q, course%minima)
+               call add_search(course%searched_t, q, course%minima)
             end do
             course%minima%searches = course%minima%searches + other%minima%searches
             course%minima%steps = course%minima%steps + other%minima%steps
-            call survey_folds(course%objective, course%scales, course%limits, course%work, course%minima)
+            call survey_folds(course%searched_t, course%minima)
             call sort_minima(course%minima, size(q))
             if (course%minima%n > 0) return
          end if
       end if
-      call find_minima(course%objective, fit, course%scales, course%limits, course%work, course%minima)
+      call find_minima(course%searched_t, fit, course%minima)
    end subroutine search_minima
 
    !> The same fit with every m-th of the points of each data set.

@@ -90,7 +90,6 @@ contains
       type(adhesion_t), intent(in) :: adhesion
       !> Half the peak-to-valley height of the strip in units of the surface, > 0.
       real(dp), intent(in) :: amplitude
-      !> Ratio of retardation to relaxation time of the foundation [-], >= 1.
       real(dp), intent(in) :: beta
 
       if (has_asserts) call assert(amplitude > 0, 'new_strip_adhesion: the strip has a height')
@@ -143,7 +142,6 @@ contains
    !> Energy that both edges of adhesion take when adhesion takes hold once and is lost once.
    elemental real(dp) function edge_work(self, beta, has_snapped, rise) result(work)
       type(strip_adhesion_t), intent(in) :: self
-      !> Ratio of retardation to relaxation time of the foundation [-], >= 1.
       real(dp), intent(in) :: beta
       !> Has the surface snapped into contact? Else it has come into adhesion first.
       logical, intent(in) :: has_snapped

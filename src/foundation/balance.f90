@@ -124,7 +124,6 @@ contains
    pure subroutine balance_adhesion_only(strip, state, balance)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      !> Receives the integrals over the period.
       type(balance_t), intent(inout) :: balance
       type(sums_t) :: sums
       real(dp) :: a, b, change, w
@@ -199,8 +198,7 @@ contains
       type(steady_state_t), intent(in) :: state
       !> Sine and cosine of the shift.
       real(dp), intent(in) :: s, c
-      real(dp) :: terms(4)
-      real(dp) :: even, odd, b, sw, cw, lost, decaying, cross_cos, cross_sin
+      real(dp) :: terms(4), even, odd, b, sw, cw, lost, decaying, cross_cos, cross_sin
 
       associate (f => strip%foundation, width => state%half_width)
          even = f%loss*(s + f%u*c)
@@ -266,7 +264,6 @@ contains
       type(steady_state_t), intent(in) :: state
       !> Displacement behind the trailing edge of adhesion, where the free zone begins [c].
       real(dp), intent(in) :: released
-      !> Receives the energy that the edges take.
       type(balance_t), intent(inout) :: balance
       real(dp) :: attached
 

@@ -54,7 +54,6 @@ contains
    !> Where the gap in an adhesion zone without contact just touches zero.
    pure subroutine find_touch(surface, penetration, theta, state, is_found)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> In: a guess of the crosswise phase [rad]. Out: where the gap touches zero.
       real(dp), intent(inout) :: theta
@@ -77,7 +76,6 @@ contains
    !> Newton's method on the edges, 1/Y, and the condition that the branch ends.
    pure subroutine solve_end(surface, penetration, is_fold, theta, state, is_found)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Does the branch end in a fold? Else it ends where the gap touches zero.
       logical, intent(in) :: is_fold
@@ -136,7 +134,6 @@ contains
    !> The strip at 1/Y, and one at twice that.
    pure subroutine new_family(surface, penetration, inverse, family)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Inverse 1/Y of the share of the first strip, >= 1.
       real(dp), intent(in) :: inverse
@@ -177,14 +174,10 @@ contains
 
    !> The two equations of an adhesion zone without contact: derivatives by (half_width, shift, 1/Y), and values.
    pure subroutine get_adhesion_rows(family, state, matrix, value)
-      !> The strip, and another one that tells the change with 1/Y.
       type(family_t), intent(in) :: family
       !> The adhesion zone where the equations are evaluated, by its half width and shift [rad].
       type(steady_state_t), intent(in) :: state
-      !> Derivatives of the equations, a row for each; the row of the end of the branch is left to be filled.
-      real(dp), intent(out) :: matrix(n_zones + 1, n_zones + 1)
-      !> Values of the equations, in the same rows.
-      real(dp), intent(out) :: value(n_zones + 1, 1)
+      real(dp), intent(out) :: matrix(n_zones + 1, n_zones + 1), value(n_zones + 1, 1)
       real(dp) :: jacobian(2, 2), by_depth(2), other(2)
 
       matrix = 0
@@ -209,7 +202,6 @@ contains
 
    !> The condition that the multiplier is 1, freed of its denominators, which are next to nothing in slow sliding.
    pure subroutine get_fold_row(family, state, row, value)
-      !> The strip, and another one that tells the change with 1/Y.
       type(family_t), intent(in) :: family
       !> Edges where the condition is evaluated [rad].
       type(steady_state_t), intent(in) :: state
@@ -263,7 +255,6 @@ contains
    !> The condition that the least gap in an adhesion zone without contact is zero. Where it is least it does not
    !> change with the position, so only the edge where the zone begins and the strip count.
    pure subroutine get_touch_row(family, state, row, value)
-      !> The strip, and another one that tells the change with 1/Y.
       type(family_t), intent(in) :: family
       !> The adhesion zone where the condition is evaluated, by its half width and shift [rad].
       type(steady_state_t), intent(in) :: state
@@ -306,7 +297,6 @@ contains
    !> Is the end that was found one of admissible states?
    pure subroutine judge_end(strip, is_fold, state, is_end)
       type(strip_t), intent(in) :: strip
-      !> Does the branch end in a fold? Else it ends where the gap touches zero.
       logical, intent(in) :: is_fold
       !> The state at the end; its entry and its multiplier are set.
       type(steady_state_t), intent(inout) :: state

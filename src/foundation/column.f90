@@ -65,7 +65,6 @@ contains
    !> Pressure of endless contact, above the mean level.
    elemental real(dp) function steady_pressure(strip, xi)
       type(strip_t), intent(in) :: strip
-      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
 
       steady_pressure = strip%foundation%storage*cos(xi) + strip%foundation%loss*sin(xi)
@@ -74,7 +73,6 @@ contains
    !> A column that has left the contact, or entered adhesion: adhesion, free, adhesion again.
    elemental subroutine get_open_column(strip, state, trailing, excess, passed, displacement, pressure)
       type(strip_t), intent(in) :: strip
-      !> Steady state of the strip, which tells where its zones end.
       type(steady_state_t), intent(in) :: state
       !> Length of the first zone of adhesion [rad].
       real(dp), intent(in) :: trailing
@@ -82,10 +80,7 @@ contains
       real(dp), intent(in) :: excess
       !> Phase passed since that zone began [rad].
       real(dp), intent(in) :: passed
-      !> Displacement of the foundation at the phase, positive into the foundation [c].
-      real(dp), intent(out) :: displacement
-      !> Pressure at the phase, compression positive [c/K].
-      real(dp), intent(out) :: pressure
+      real(dp), intent(out) :: displacement, pressure
       real(dp) :: free, w, edge
 
       associate (v => strip%foundation%v)

@@ -113,7 +113,6 @@ contains
    !> GM's sum of 2N strips of equal width.
    pure subroutine sum_equal_strips(surface, penetration, n_strips, crest, totals, jumps)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Number of strips on half a period.
       integer, intent(in) :: n_strips
@@ -156,9 +155,7 @@ contains
    !> The integral over all strips, to the tolerance of the surface.
    pure subroutine integrate_strips(surface, penetration, memory, totals, error)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> Sums over strips; all of the surface are added.
       type(totals_t), intent(inout) :: totals
@@ -198,9 +195,7 @@ contains
    !> Raise and halve intervals until all together meet the tolerance, or a strip of another regime is met.
    pure subroutine refine_intervals(surface, penetration, memory, base, is_last, intervals, n, is_uniform, is_fine)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       type(totals_t), intent(in) :: base
       !> Is the refinement to go on where a strip of another regime is met?
@@ -243,9 +238,7 @@ contains
    !> One interval for every panel that has no closed form, which is added to the totals.
    pure subroutine start_intervals(surface, penetration, memory, intervals, n, totals, is_uniform)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> Receives the intervals; the array grows where it is full.
       type(interval_t), allocatable, intent(inout) :: intervals(:)
@@ -278,11 +271,9 @@ contains
    !> The first two rules of an interval, whose difference tells an error.
    pure subroutine start_interval(surface, penetration, interval, memory)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> In: an interval without strips. Out: the interval at its second rule.
       type(interval_t), intent(inout) :: interval
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
 
       call raise(surface, penetration, interval, memory)
@@ -292,11 +283,9 @@ contains
    !> Raise an interval to the next rule.
    pure subroutine raise(surface, penetration, interval, memory)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> The interval, whose level rises by one.
       type(interval_t), intent(inout) :: interval
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       type(steady_state_t), allocatable :: states(:, :)
 
@@ -319,7 +308,6 @@ contains
       integer, intent(out) :: worst
       !> Sizes of load and friction that errors are relative to.
       real(dp), intent(out) :: scales(2)
-      !> Do all errors together meet the tolerance?
       logical, intent(out) :: is_fine
       type(totals_t) :: all_totals
       real(dp) :: error(2), largest, weight
@@ -350,7 +338,6 @@ contains
    !> Saturated strips from start to finish in closed form (GM 17).
    pure subroutine add_saturated_panel(surface, penetration, panel, totals)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       type(panel_t), intent(in) :: panel
       !> Sums over strips; those of the panel are added.

@@ -101,8 +101,7 @@ contains
       type(edge_equations_t), intent(in) :: equations
       !> Values of the four equations that the step takes away [c].
       real(dp), intent(in) :: value(4)
-      real(dp) :: step(4)
-      real(dp) :: edge_a(2), length_a(2), edge_b(2), length_b(2)
+      real(dp) :: step(4), edge_a(2), length_a(2), edge_b(2), length_b(2)
       real(dp) :: free_a, free_b, rest_free, rest_contact, determinant, da, db
 
       associate (e => equations)
@@ -158,7 +157,6 @@ contains
    pure subroutine turn(sin_x, cos_x, sin_y, cos_y, sin_sum, cos_sum)
       !> Sine and cosine of either angle.
       real(dp), intent(in) :: sin_x, cos_x, sin_y, cos_y
-      !> Sine and cosine of their sum.
       real(dp), intent(out) :: sin_sum, cos_sum
 
       sin_sum = sin_x*cos_y + cos_x*sin_y

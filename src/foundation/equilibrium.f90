@@ -182,7 +182,6 @@ contains
    !> The state of a load, from a neighbour or from nothing.
    pure subroutine search(surface, load, neighbour, memory, state, outcome)
       type(surface_t), intent(in) :: surface
-      !> Load that is sought [h/K].
       real(dp), intent(in) :: load
       type(neighbour_t), intent(in) :: neighbour
       !> Strips found before, as first guesses.
@@ -232,9 +231,7 @@ contains
    !> Close a bracket: Newton's method from its better end, with bisection wherever that gains too little.
    pure subroutine close_bracket(surface, load, memory, low, high)
       type(surface_t), intent(in) :: surface
-      !> Load that is sought [h/K].
       real(dp), intent(in) :: load
-      !> Strips found before, as first guesses.
       type(memory_t), intent(inout) :: memory
       !> The ends of the bracket, which carry less than the load and no less. Out: `high` carries the load.
       type(trial_t), intent(inout) :: low, high
@@ -275,7 +272,6 @@ contains
       type(trial_t), intent(in) :: trial
       !> By how much the load of the trial may differ from one that is given [h/K].
       real(dp), intent(in) :: excess
-      !> Receives what follows for the point.
       type(equilibrium_t), intent(out) :: equilibrium
 
       equilibrium%penetration = trial%penetration

@@ -100,8 +100,7 @@ contains
       pure function integrate_piece(from, to) result(integral)
          !> Phases of the ends of the piece [rad].
          real(dp), intent(in) :: from, to
-         real(dp) :: integral(2)
-         real(dp) :: xi, displacement, pressure
+         real(dp) :: integral(2), xi, displacement, pressure
          integer :: k
 
          integral = 0

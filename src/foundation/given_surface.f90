@@ -32,7 +32,6 @@ contains
       integer, intent(in) :: index
       !> The values in SI units; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives what is wrong with the values.
       type(problems_t), intent(inout) :: problems
 
       select case (index)

@@ -48,7 +48,6 @@ contains
 
    !> The values without a temperature that is for the interface alone.
    pure function without_temperature(values, given) result(of_solid)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
       real(dp) :: of_solid(size(values))
@@ -87,7 +86,6 @@ contains
 
    !> Add the interface to the friction of a point.
    pure subroutine add_column_interface(values, given, given_law, others, results, is_valid)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
       type(given_law_t), intent(in) :: given_law
@@ -136,7 +134,6 @@ contains
 
    !> Add the shear stress of the interface to that of the pressure on the slopes.
    pure subroutine add_column_tractions(values, given, given_law, has_contact, profiles)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
       type(given_law_t), intent(in) :: given_law

@@ -108,9 +108,7 @@ contains
    !> Solve the strip at a node of the finest rule, and add it to all rules that know it.
    pure subroutine add_node(surface, penetration, needs_slope, interval, j, near, state)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Is the change of the load with the penetration asked for?
       logical, intent(in) :: needs_slope
       !> The interval; the sums of all rules that know the node take in the strip.
       type(interval_t), intent(inout) :: interval

@@ -100,11 +100,9 @@ contains
    !> The next penetration of a search where no trial is put aside.
    pure subroutine step_on(surface, direction, is_turn, limit, near, last, next, is_over)
       type(surface_t), intent(in) :: surface
-      !> The path of the search, `downwards` or `upwards`.
       integer, intent(in) :: direction
       !> Has the load just turned? Upwards it still falls then.
       logical, intent(in) :: is_turn
-      !> Beyond this penetration nothing is sought [h].
       real(dp), intent(in) :: limit
       !> The trial where the search stands, and the one before it.
       type(trial_t), intent(in) :: near, last
@@ -131,7 +129,6 @@ contains
    !> The penetration up to which a search passes no state for certain [h].
    pure real(dp) function get_sure(surface, direction, near, slope_bound) result(sure)
       type(surface_t), intent(in) :: surface
-      !> The path of the search, `downwards` or `upwards`.
       integer, intent(in) :: direction
       type(trial_t), intent(in) :: near
       !> Bound of the slope up to the furthest penetration in question [1/K]; downwards the trial has its own.
@@ -147,7 +144,6 @@ contains
    !> Is no state passed on the path from one trial to the next, but for one that is crossed?
    pure logical function is_clear(surface, direction, is_turn, sure, near, far, further)
       type(surface_t), intent(in) :: surface
-      !> The path of the search, `downwards` or `upwards`.
       integer, intent(in) :: direction
       !> Downwards: does the load rise with the penetration somewhere above `near`, between the same regimes?
       logical, intent(in) :: is_turn
@@ -174,11 +170,9 @@ contains
       real(dp), intent(in) :: load
       !> Above this penetration all carry more [h].
       real(dp), intent(in) :: highest
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> In: a penetration below which none carries less than the load. Out: the first that carries less.
       type(trial_t), intent(inout) :: low
-      !> How the search ends, one of `search_...`.
       integer, intent(out) :: outcome
       type(aside_t) :: aside
       type(trial_t) :: high
@@ -216,9 +210,7 @@ contains
       type(surface_t), intent(in) :: surface
       !> The penetration, and the one from which it is reached [h].
       real(dp), intent(in) :: penetration, from
-      !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> Trials put aside; the new one comes last.
       type(aside_t), intent(inout) :: aside

@@ -66,7 +66,6 @@ contains
    !> A penetration above which every state carries more than a load: with adhesion in the whole gap it carries as much.
    pure subroutine start_above(surface, load, high, outcome)
       type(surface_t), intent(in) :: surface
-      !> The load [h/K].
       real(dp), intent(in) :: load
       !> Receives the penetration; the rest is that of the surface with adhesion in the whole gap.
       type(trial_t), intent(out) :: high
@@ -84,13 +83,10 @@ contains
    !> A penetration below which every state carries less than a load, and which carries less itself.
    pure subroutine start_below(surface, load, memory, low, outcome)
       type(surface_t), intent(in) :: surface
-      !> The load [h/K].
       real(dp), intent(in) :: load
-      !> Strips found before, as first guesses.
       type(memory_t), intent(inout) :: memory
       !> What that penetration carries, if the outcome is `search_found`.
       type(trial_t), intent(out) :: low
-      !> One of `search_...`.
       integer, intent(out) :: outcome
       type(surface_t) :: bare
       type(trial_t) :: high
@@ -116,13 +112,11 @@ contains
    !> than `enough`, or is near a load.
    pure subroutine descend_convex(surface, load, enough, state, outcome)
       type(surface_t), intent(in) :: surface
-      !> The load [h/K].
       real(dp), intent(in) :: load
       !> A load not below it, where the path may end [h/K].
       real(dp), intent(in) :: enough
       !> The last penetration, and what it carries.
       type(trial_t), intent(out) :: state
-      !> `search_empty` if every penetration carries more.
       integer, intent(out) :: outcome
       type(surface_t) :: rough
       type(memory_t) :: memory

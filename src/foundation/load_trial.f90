@@ -51,7 +51,6 @@ contains
       real(dp), intent(in) :: load
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> The penetration and what it carries.
       type(trial_t), intent(out) :: trial
 
       trial%penetration = penetration
@@ -63,13 +62,10 @@ contains
    !> Load at a penetration, or next to it towards `from` where a strip happens to be at the very end of its branch.
    pure subroutine try_near(surface, penetration, from, load, memory, trial)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> The penetration towards which it may move, by 3/128 of the path at most [h].
       real(dp), intent(in) :: from
-      !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> The penetration that was reached, and what it carries.
       type(trial_t), intent(out) :: trial
@@ -135,10 +131,7 @@ contains
    !> largest value.
    pure logical function is_plain(surface, low, high, far)
       type(surface_t), intent(in) :: surface
-      !> The trials at the smaller and the larger penetration.
-      type(trial_t), intent(in) :: low, high
-      !> The one of the two that is further on the path.
-      type(trial_t), intent(in) :: far
+      type(trial_t), intent(in) :: low, high, far
       real(dp) :: width, reach
 
       is_plain = low%totals%is_converged .and. high%totals%is_converged

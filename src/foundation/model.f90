@@ -133,7 +133,6 @@ contains
    !> See `model_t`.
    pure real(dp) function nominal_size(self, values)
       class(wavy_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       nominal_size = size_of_period(values, self%given)
@@ -379,11 +378,7 @@ contains
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
       class(wavy_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Results of the point, NaN where they are not known; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(inout) :: measures(:)
 
       if (has_heights(values)) then

@@ -80,12 +80,10 @@ contains
    !> Where the regime of a strip ends, on the way to another phase where it has ended.
    pure subroutine locate_edge(surface, penetration, inside, outside, edge, n_strips)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       type(probe_t), intent(in) :: inside
       !> Crosswise phase where that regime has ended [rad].
       real(dp), intent(in) :: outside
-      !> Where and how the regime ends.
       type(edge_t), intent(out) :: edge
       !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
@@ -112,14 +110,12 @@ contains
    !> Does a branch that Newton's method lost go on? `last` is where it was met again, `limit` where it has ended.
    pure subroutine look_for_more(surface, penetration, edge, last, limit, n_strips, is_found)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       type(edge_t), intent(in) :: edge
       !> In: any strip on the branch. Out: the last strip where the branch was met again, if it was.
       type(probe_t), intent(inout) :: last
       !> Crosswise phase where the branch has ended [rad]. Out: the same, or one nearer to the edge.
       real(dp), intent(inout) :: limit
-      !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
       !> Was the branch met again beyond the edge?
       logical, intent(out) :: is_found
@@ -146,7 +142,6 @@ contains
    !> Regula falsi with the Illinois rule.
    pure subroutine locate_release(surface, penetration, inside, outside, edge, is_found, n_strips)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Crosswise phases where the margin is positive and where it is negative [rad].
       real(dp), intent(in) :: inside, outside
@@ -154,7 +149,6 @@ contains
       type(edge_t), intent(inout) :: edge
       !> Does the regime end between the two phases?
       logical, intent(out) :: is_found
-      !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
       real(dp) :: low, high, at_low, at_high, value, theta
       integer :: trial, side
@@ -191,10 +185,7 @@ contains
    !> Margin of the range in the state with adhesion in the whole gap.
    pure real(dp) function margin_at(surface, penetration, theta) result(margin)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
-      real(dp), intent(in) :: penetration
-      !> Crosswise phase k y [rad], 0 on the crest line and pi in the valley.
-      real(dp), intent(in) :: theta
+      real(dp), intent(in) :: penetration, theta
       type(strip_t) :: strip
       type(steady_state_t) :: state
 
@@ -206,14 +197,11 @@ contains
    !> Where the branch of `inside` ends: Newton's method on its end as soon as that is near enough, bisection until then.
    pure subroutine locate_end(surface, penetration, inside, outside, edge, n_strips)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       type(probe_t), intent(in) :: inside
       !> Crosswise phase where that branch has ended [rad].
       real(dp), intent(in) :: outside
-      !> Receives where and how the branch ends.
       type(edge_t), intent(inout) :: edge
-      !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
       type(probe_t) :: near, next
       type(strip_t) :: strip
@@ -251,7 +239,6 @@ contains
    !> Solve for the end of a branch from a strip on it, and see that it is that branch's, before `limit`.
    pure subroutine jump_to_end(surface, penetration, near, limit, edge, is_found)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       type(probe_t), intent(in) :: near
       !> Crosswise phase where that branch has ended [rad].
@@ -290,7 +277,6 @@ contains
    !> Move an end to where it is now, from where it is on a neighbouring surface.
    pure subroutine solve_end(surface, penetration, edge, is_found)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> In: the edge on a neighbouring surface. Out: the edge on this surface.
       type(edge_t), intent(inout) :: edge
@@ -322,7 +308,6 @@ contains
    !> The first strip beyond the end of a branch.
    pure type(probe_t) function look_beyond(surface, penetration, edge, other) result(beyond)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       type(edge_t), intent(in) :: edge
       !> Crosswise phase where the branch has ended [rad].

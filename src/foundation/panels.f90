@@ -96,13 +96,11 @@ contains
    !> Crosswise phases where the regime changes in closed form, with both ends, in increasing order.
    pure subroutine get_known_edges(surface, penetration, edges, kinds, n_edges)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> The phases, 0 first and pi last [rad].
       real(dp), intent(out) :: edges(n_known + 2)
       !> Which of the closed forms each phase is known by, 1 to `n_known`; 0 at both ends.
       integer, intent(out) :: kinds(n_known + 2)
-      !> Number of phases, with both ends.
       integer, intent(out) :: n_edges
       real(dp) :: shares(n_known), lift, excess, theta
       integer :: k, j
@@ -139,7 +137,6 @@ contains
    !> the other. The other way, strips join the branch wherever they like.
    pure logical function may_track(surface, penetration, division)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       type(division_t), intent(in) :: division
 
@@ -158,7 +155,6 @@ contains
    !> an edge that is born elsewhere shows when strips of the wrong regime are met.
    pure subroutine track_edges(surface, penetration, edges, kinds, division, is_tracked)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Crosswise phases of the edges known in closed form now, with both ends [rad].
       real(dp), intent(in) :: edges(:)
@@ -196,7 +192,6 @@ contains
    !> Are panels that will not be looked into, because they are free or saturated, still in their regime?
    pure subroutine check_panels(surface, penetration, division, is_right)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> The panels; the strips solved here are added to their number.
       type(division_t), intent(inout) :: division
@@ -223,7 +218,6 @@ contains
    !> Follow the edge between two panels.
    pure subroutine track_edge(surface, penetration, reach, before, this, n_strips, is_tracked)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> How far the edge may have moved [rad].
       real(dp), intent(in) :: reach
@@ -265,7 +259,6 @@ contains
    !> Divide a stretch without known edges.
    pure subroutine divide_stretch(surface, penetration, n_looks, start, finish, kind, division)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Number of strips to look at where there is adhesion.
       integer, intent(in) :: n_looks
@@ -309,7 +302,6 @@ contains
    !> Find the edges between two strips: one edge of a regime at an end, then what lies beyond it.
    pure recursive subroutine divide_between(surface, penetration, one, two, division)
       type(surface_t), intent(in) :: surface
-      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Two strips, the first at the smaller crosswise phase.
       type(probe_t), intent(in) :: one, two

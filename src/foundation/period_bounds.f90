@@ -120,7 +120,6 @@ contains
    !> can be; one that never took hold, the beginning.
    pure subroutine bound_release(strip, late, early, low, high)
       type(strip_t), intent(in) :: strip
-      !> The period that starts later (at a smaller phase), and the one that starts earlier.
       type(bound_probe_t), intent(in) :: late, early
       !> Least and greatest drive where adhesion is lost [c].
       real(dp), intent(out) :: low, high

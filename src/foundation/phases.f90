@@ -42,9 +42,7 @@ contains
    !> Half the length of the interval where the drive is above a bound, or below it.
    pure real(dp) function half_interval(strip, bound, below) result(half)
       type(strip_t), intent(in) :: strip
-      !> Bound of the drive [c].
       real(dp), intent(in) :: bound
-      !> Is the interval where the drive is below the bound? Else it is where the drive is above.
       logical, intent(in) :: below
       real(dp) :: ratio
 
@@ -58,7 +56,6 @@ contains
       type(strip_t), intent(in) :: strip
       !> Phase where the path ends [rad].
       real(dp), intent(in) :: xi
-      !> Bound of the drive [c].
       real(dp), intent(in) :: bound
       real(dp) :: ratio
 

@@ -50,7 +50,6 @@ contains
 
    !> Profiles along one strip.
    pure subroutine get_strip_profiles(point, penetration, x, share, state, profiles)
-      !> The point in reduced units, and what these units are in SI units.
       type(wavy_case_t), intent(in) :: point
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration

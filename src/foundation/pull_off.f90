@@ -139,7 +139,6 @@ contains
    !> The least of all turns; only those that may be the least are looked at closely.
    pure subroutine compare_turns(surface, memory, turns, self)
       type(surface_t), intent(in) :: surface
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> The turns, with falling penetration; nothing below the last one carries less than it does. Out: some are narrowed.
       type(turn_t), intent(inout) :: turns(:)
@@ -170,7 +169,6 @@ contains
    !> From a state go down to where the load is no longer smaller.
    pure subroutine follow_to_turn(surface, memory, start, turn, beyond)
       type(surface_t), intent(in) :: surface
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       type(trial_t), intent(in) :: start
       !> The turn; its trial is not converged if there is none.
@@ -229,7 +227,6 @@ contains
    !> Where the slope of the load is known its zero is the position of a smooth turn: secants from next to it.
    pure subroutine polish(surface, memory, turn)
       type(surface_t), intent(in) :: surface
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> In: the least trial near the turn. Out: one that carries no more and is nearer to the turn, if there is one.
       type(trial_t), intent(inout) :: turn
@@ -257,7 +254,6 @@ contains
    !> these gain too little (Brent's method).
    pure subroutine narrow(surface, memory, lowest, highest, least, unknown)
       type(surface_t), intent(in) :: surface
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> The two penetrations [h].
       real(dp), intent(in) :: lowest, highest

@@ -16,7 +16,6 @@ contains
 
    !> The pull-off load of a surface, from the table if it stands there.
    subroutine get_pull_off(table, surface, pull_off)
-      !> The table, which receives what had to be found.
       type(found_once_t), intent(inout) :: table
       !> The surface in reduced units; its branch does not matter.
       type(surface_t), intent(in) :: surface

@@ -64,7 +64,6 @@ contains
    !> The last phase in a direction where a column may come into the range of adhesion.
    pure real(dp) function last_edge(strip, direction, xi) result(last)
       type(strip_t), intent(in) :: strip
-      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Phase of a leading edge from which the path leads on [rad].
       real(dp), intent(in) :: xi
@@ -81,7 +80,6 @@ contains
    !> Time stepping a period, and tell its excess.
    pure subroutine stepping_excess(strip, direction, xi, probe)
       type(strip_t), intent(in) :: strip
-      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Phase of the leading edge where the period starts [rad].
       real(dp), intent(in) :: xi
@@ -119,7 +117,6 @@ contains
    !> judged first.
    pure subroutine look_between(strip, direction, near, far, is_found)
       type(strip_t), intent(in) :: strip
-      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> In: the period where the search stands; its excess is positive. Out: that period, or one further on of the same kind.
       type(bound_probe_t), intent(inout) :: near
@@ -145,7 +142,6 @@ contains
    !> The first period that closes between two, where the first judgement did not tell.
    pure subroutine search_between(strip, direction, near, far, first_centre, is_found)
       type(strip_t), intent(in) :: strip
-      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> The period where the search stands, and one further on; see `look_between`.
       type(bound_probe_t), intent(inout) :: near, far
@@ -197,7 +193,6 @@ contains
    !> The one period that closes between `near` (excess positive) and `far` (negative).
    pure subroutine polish_period(strip, direction, near, far, is_found)
       type(strip_t), intent(in) :: strip
-      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Phase of the leading edge where the near period starts [rad].
       real(dp), intent(in) :: near

@@ -60,7 +60,6 @@ contains
    !> Depth \( \kappa + 1 \) of a half width, to full relative precision, and its derivative.
    elemental subroutine depth_of_half_width(foundation, half_width, depth, slope, shift_slope)
       type(foundation_t), intent(in) :: foundation
-      !> Half width of the contact [rad], in (0, pi).
       real(dp), intent(in) :: half_width
       !> Depth \( \kappa + 1 \) [c], in (0, |G| + 1).
       real(dp), intent(out) :: depth
@@ -68,8 +67,7 @@ contains
       real(dp), intent(out) :: slope
       !> Derivative of the shift with respect to the half width [-].
       real(dp), intent(out), optional :: shift_slope
-      real(dp) :: coth_u, coth_v, excess_u, excess_v, s, c, n, d, h, versine, h_less_d
-      real(dp) :: n_slope, d_slope, h_slope, storage_coth
+      real(dp) :: coth_u, coth_v, excess_u, excess_v, s, c, n, d, h, versine, h_less_d, n_slope, d_slope, h_slope, storage_coth
 
       if (has_asserts) call assert(half_width > 0 .and. half_width < pi, 'depth_of_half_width: 0 < half width < pi')
       associate (u => foundation%u, v => foundation%v, loss => foundation%loss)

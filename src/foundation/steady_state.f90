@@ -88,10 +88,8 @@ contains
    !> search from the bound, so it starts on the far side of it.
    pure subroutine find_beyond_fold(strip, branch, fold, state)
       type(strip_t), intent(in) :: strip
-      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
       type(steady_state_t), intent(in) :: fold
-      !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
       logical :: is_found
 
@@ -105,13 +103,10 @@ contains
    !> gap.
    pure subroutine try_bound(strip, branch, state, is_found, guess)
       type(strip_t), intent(in) :: strip
-      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
-      !> The state that bounds the branch.
       type(steady_state_t), intent(out) :: state
       !> Is there nothing to search for? That is so, too, where `state` did not converge.
       logical, intent(out) :: is_found
-      !> State of a neighbouring strip; it may save time.
       type(steady_state_t), intent(in), optional :: guess
 
       if (branch == branch_approach) then
@@ -157,7 +152,6 @@ contains
       type(strip_t), intent(in) :: strip
       !> The state; its range of adhesion is as large as the gap.
       type(steady_state_t), intent(out) :: state
-      !> State of a neighbouring strip; it may save time.
       type(steady_state_t), intent(in), optional :: guess
       real(dp) :: start
 
@@ -203,9 +197,7 @@ contains
    !> Search the states in which adhesion is lost somewhere, from the bound of the branch.
    pure subroutine search_with_release(strip, branch, state, fold)
       type(strip_t), intent(in) :: strip
-      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
-      !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
       !> Phase of the leading edge of adhesion in a fold that has just been passed [rad].
       real(dp), intent(in), optional :: fold
@@ -241,7 +233,6 @@ contains
    !> The leading edge of adhesion that a column from the bound of a branch comes to first.
    pure subroutine find_first_edge(strip, branch, xi, outcome)
       type(strip_t), intent(in) :: strip
-      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
       !> Phase of that edge [rad].
       real(dp), intent(out) :: xi
@@ -298,9 +289,7 @@ contains
    !> A column above all steady states: free in the valley, with the largest displacement that any state can have.
    pure subroutine get_highest_column(strip, column, outcome)
       type(strip_t), intent(in) :: strip
-      !> The column, free in the valley.
       type(column_t), intent(out) :: column
-      !> `period_closed` if there is a column to time stepping; else another of `period_...`.
       integer, intent(out) :: outcome
       real(dp) :: w, periods
 

@@ -66,7 +66,6 @@ contains
 
    !> Is the surface one of measured heights?
    pure logical function has_heights(values)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       has_heights = nint(values(in%kind)) == kind_profile .or. nint(values(in%kind)) == kind_map
@@ -74,7 +73,6 @@ contains
 
    !> Distance of samples along x [m]; unset if it is not given.
    pure real(dp) function spacing_of(values, given) result(spacing)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
 
@@ -84,7 +82,6 @@ contains
 
    !> Distance of the rows of a map [m]; unset if it is not given.
    pure real(dp) function strip_spacing_of(values, given) result(spacing)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
 
@@ -94,7 +91,6 @@ contains
 
    !> Length of one period, after the ends of heights have been brought together [m].
    pure real(dp) function period_of(values, given) result(period)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
 
@@ -107,7 +103,6 @@ contains
 
    !> Number of samples of one period, after the ends of heights have been brought together.
    pure integer function samples_of(values, given) result(n)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
       type(preparation_t) :: preparation
@@ -118,7 +113,6 @@ contains
 
    !> What makes one period of measured heights.
    pure type(preparation_t) function preparation_of(values) result(preparation)
-      !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       if (is_set(values(in%detrend))) preparation%trend = nint(values(in%detrend))
@@ -166,7 +160,6 @@ contains
 
    !> Relaxed stiffness and arms of the foundation.
    pure subroutine get_spectrum(values, given, prony, fit)
-      !> Values of all variables, which have been checked; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
       !> Receives the spectrum [Pa/m, s].
@@ -211,7 +204,6 @@ contains
 
    !> The point that the values describe; they have been checked.
    pure subroutine resolve_stepped(values, given, relief, prony, self)
-      !> Values of all variables in SI units; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
       type(relief_t), intent(in) :: relief

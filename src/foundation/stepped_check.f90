@@ -10,7 +10,7 @@ module adfric_foundation_stepped_check
    use adfric_solid_master_curve, only: master_curve_fit_t
    use adfric_solid_prony, only: prony_t
    use adfric_solid_shift_rows, only: check_shift
-   use adfric_describe_check, only: require
+   use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
    use adfric_foundation_case, only: kind_2d, kind_3d, kind_cosines, kind_map
    use adfric_foundation_given_surface, only: given_surface_t
@@ -34,52 +34,31 @@ contains
    !> Add to `problems` what is wrong with the values together.
    subroutine check_stepped_values(variables, values, given, is_swept, problems)
       !> Table of the variables; their names stand in the messages.
-      type(variable_t), intent(in) :: variables(:)
+      type(variable_t), intent(in), target :: variables(:)
       !> Values in the order of `variables`, `unset` where none is given; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
+      real(dp), intent(in), target :: values(:)
       type(given_surface_t), intent(in) :: given
-      logical, intent(in) :: is_swept(:)
-      type(problems_t), intent(inout) :: problems
+      logical, intent(in), target :: is_swept(:)
+      type(problems_t), intent(inout), target :: problems
+      type(checks_t) :: c
       integer :: before
 
       before = problems%count()
-      call require(variables, values, [in%kind], problems)
+      call new_checks(c, variables, values, problems, is_swept)
+      call c%need([in%kind])
       if (problems%count() > before) return
       call check_surface()
       call check_foundation()
       call check_shift(variables, values, is_swept, in%shift, in%temperature, given%master_temperature, problems)
       call check_stress(variables(in%stress:in%range), values(in%stress:in%range), problems)
-      call require(variables, values, [in%velocity], problems)
-      call check_load_values(variables, values, problems)
-      call refuse([in%pull_off], 'belongs to waves on a standard solid; not to heights, cosines or a spectrum')
-      if (nint(values(in%slope)) == slope_finite) call add(in%slope, 'is small for heights, cosines and spectra')
+      call c%need([in%velocity])
+      call check_load_values(c)
+      call c%refuse([in%pull_off], 'belongs to waves on a standard solid; not to heights, cosines or a spectrum')
+      call c%add(in%slope, 'is small for heights, cosines and spectra', c%is_choice(in%slope, slope_finite))
       call check_profiles()
       if (problems%count() == before) call check_numbers()
 
    contains
-
-      !> Add a problem of one variable to the list.
-      subroutine add(v, text)
-         !> Index of the variable in the table, one of `v_...`.
-         integer, intent(in) :: v
-         !> What is wrong with the variable; its name is put before this.
-         character(*), intent(in) :: text
-
-         call problems%add(variables(v)%group, variables(v)%name, text)
-      end subroutine add
-
-      !> Refuse variables that have no meaning beside others.
-      subroutine refuse(indices, text)
-         !> Indices of the variables, `v_...`.
-         integer, intent(in) :: indices(:)
-         !> Why, behind the name of the variable.
-         character(*), intent(in) :: text
-         integer :: k
-
-         do k = 1, size(indices)
-            if (is_set(values(indices(k))) .or. is_swept(indices(k))) call add(indices(k), text)
-         end do
-      end subroutine refuse
 
       !> What the kind of the surface needs, and what it has no use for.
       subroutine check_surface()
@@ -89,19 +68,19 @@ contains
 
          select case (nint(values(in%kind)))
          case (kind_2d)
-            call require(variables, values, [in%period, in%height], problems)
-            call refuse([of_heights, in%strip_spacing, in%amplitudes, in%phases, in%reverse], 'has no meaning for kind wave_2d')
+            call c%need([in%period, in%height])
+            call c%refuse([of_heights, in%strip_spacing, in%amplitudes, in%phases, in%reverse], 'has no meaning for kind wave_2d')
          case (kind_3d)
-            call add(in%kind, 'is wave_3d, which has one relaxation time; make a map of it for a spectrum')
+            call c%add(in%kind, 'is wave_3d, which has one relaxation time; make a map of it for a spectrum')
          case (kind_cosines)
-            call require(variables, values, [in%period, in%amplitudes, in%phases], problems)
-            call refuse([of_heights, in%strip_spacing, in%height], 'has no meaning for kind cosines')
+            call c%need([in%period, in%amplitudes, in%phases])
+            call c%refuse([of_heights, in%strip_spacing, in%height], 'has no meaning for kind cosines')
             if (allocated(given%amplitudes) .and. allocated(given%phases)) then
-               if (size(given%amplitudes) /= size(given%phases)) call add(in%phases, 'are not as many as amplitudes')
+               if (size(given%amplitudes) /= size(given%phases)) call c%add(in%phases, 'are not as many as amplitudes')
             end if
          case default
-            call require(variables, values, [in%heights], problems)
-            call refuse([in%amplitudes, in%phases, in%period, in%height], 'has no meaning beside heights')
+            call c%need([in%heights])
+            call c%refuse([in%amplitudes, in%phases, in%period, in%height], 'has no meaning beside heights')
             if (allocated(given%heights)) call check_heights()
          end select
       end subroutine check_surface
@@ -111,16 +90,16 @@ contains
          logical :: is_map
 
          is_map = nint(values(in%kind)) == kind_map
-         if (.not. is_set(spacing_of(values, given))) call add(in%spacing, &
+         if (.not. is_set(spacing_of(values, given))) call c%add(in%spacing, &
             & 'is missing [m]; it is needed for heights without an attribute dx')
-         if (size(given%heights, 1) < fewest_samples) call add(in%heights, 'have too few samples along x, 4 are needed')
+         if (size(given%heights, 1) < fewest_samples) call c%add(in%heights, 'have too few samples along x, 4 are needed')
          if (is_map) then
-            if (.not. is_set(strip_spacing_of(values, given))) call add(in%strip_spacing, &
+            if (.not. is_set(strip_spacing_of(values, given))) call c%add(in%strip_spacing, &
                & 'is missing [m]; it is needed for heights without an attribute dy')
-            if (size(given%heights, 2) < 2) call add(in%heights, 'of a map have two dimensions, y and x')
+            if (size(given%heights, 2) < 2) call c%add(in%heights, 'of a map have two dimensions, y and x')
          else
-            call refuse([in%strip_spacing], 'has no meaning for kind profile')
-            if (size(given%heights, 2) > 1) call add(in%heights, &
+            call c%refuse([in%strip_spacing], 'has no meaning for kind profile')
+            if (size(given%heights, 2) > 1) call c%add(in%heights, &
                & 'of a profile have one dimension; a dataset of two is a map')
          end if
       end subroutine check_heights
@@ -130,31 +109,27 @@ contains
          integer, parameter :: of_layer(2) = [in%poisson_ratio, in%thickness]
          integer, parameter :: single(2) = [in%relaxation_time, in%retardation_ratio]
 
-         if (is_set(values(in%master_curve))) then
-            call refuse([in%stiffness, in%young_modulus, in%moduli, in%young_moduli, in%relaxation_times, single], &
+         if (c%has(in%master_curve)) then
+            call c%refuse([in%stiffness, in%young_modulus, in%moduli, in%young_moduli, in%relaxation_times, single], &
                & 'stands beside master_curve, which gives all moduli and times')
-            call require(variables, values, of_layer, problems)
+            call c%need(of_layer)
             return
          end if
-         call refuse([in%relaxed_modulus, in%terms_per_decade], 'has no meaning without master_curve')
-         if (is_set(values(in%stiffness))) then
-            call refuse([in%young_modulus, of_layer, in%young_moduli], &
+         call c%refuse([in%relaxed_modulus, in%terms_per_decade], 'has no meaning without master_curve')
+         if (c%has(in%stiffness)) then
+            call c%refuse([in%young_modulus, of_layer, in%young_moduli], &
                & 'stands beside stiffness; give stiffness and moduli, or young_modulus, young_moduli, poisson_ratio and thickness')
          else
-            call require_modulus(variables, values, problems)
-            call refuse([in%moduli], 'needs stiffness; young_moduli stand beside young_modulus')
+            call require_modulus(c)
+            call c%refuse([in%moduli], 'needs stiffness; young_moduli stand beside young_modulus')
          end if
-         if (.not. is_set(values(in%relaxation_times))) then
-            call refuse([in%moduli, in%young_moduli], 'needs relaxation_times')
-            call require_single_time(variables, values, problems)
+         if (.not. c%has(in%relaxation_times)) then
+            call c%refuse([in%moduli, in%young_moduli], 'needs relaxation_times')
+            call require_single_time(c)
             return
          end if
-         call refuse(single, 'stands beside relaxation_times; give one or the other')
-         if (is_set(values(in%stiffness))) then
-            call require(variables, values, [in%moduli], problems)
-         else
-            call require(variables, values, [in%young_moduli], problems)
-         end if
+         call c%refuse(single, 'stands beside relaxation_times; give one or the other')
+         call c%need([merge(in%moduli, in%young_moduli, c%has(in%stiffness))])
          call check_numbers_of_arms(variables(in%moduli), variables(in%young_moduli), given, problems)
       end subroutine check_foundation
 
@@ -165,8 +140,8 @@ contains
 
          if (.not. values(in%profiles) > 0) return
          do k = 1, size(of_axes)
-            if (is_swept(of_axes(k))) call add(in%profiles, 'need one axis, and '//variables(of_axes(k))%name &
-               & //' is swept; sweep another variable or switch profiles off')
+            call c%add(in%profiles, 'need one axis, and '//variables(of_axes(k))%name &
+               & //' is swept; sweep another variable or switch profiles off', is_swept(of_axes(k)))
          end do
       end subroutine check_profiles
 
@@ -185,19 +160,19 @@ contains
          type(prony_t), intent(out) :: prony
          type(master_curve_fit_t) :: fit
 
-         if (is_set(values(in%master_curve))) then
+         if (c%has(in%master_curve)) then
             call check_curve(variables(in%master_curve), variables(in%relaxed_modulus), values(in%relaxed_modulus), given, problems)
             if (problems%count() > before) return
          end if
          call get_spectrum(values, given, prony, fit)
-         if (is_set(values(in%master_curve))) then
+         if (c%has(in%master_curve)) then
             call check_fit(variables(in%master_curve), fit, problems)
             if (.not. (fit%is_solved .and. fit%is_solid)) return
          end if
          associate (instantaneous => prony%relaxed + sum(prony%moduli))
-            if (.not. (prony%relaxed > tiny(1.0_dp) .and. prony%relaxed > instantaneous/largest)) call add( &
-               & merge(in%stiffness, merge(in%relaxed_modulus, in%young_modulus, is_set(values(in%relaxed_modulus))), &
-               & is_set(values(in%stiffness))), 'is too small, or other moduli are too large, for a foundation')
+            if (.not. (prony%relaxed > tiny(1.0_dp) .and. prony%relaxed > instantaneous/largest)) call c%add( &
+               & merge(in%stiffness, merge(in%relaxed_modulus, in%young_modulus, c%has(in%relaxed_modulus)), &
+               & c%has(in%stiffness)), 'is too small, or other moduli are too large, for a foundation')
          end associate
       end subroutine check_spectrum
 
@@ -212,14 +187,14 @@ contains
             return
          end if
          if (samples_of(values, given) < fewest_samples) then
-            call add(in%heights, 'have too few samples once their ends have been brought together, 4 are needed')
+            call c%add(in%heights, 'have too few samples once their ends have been brought together, 4 are needed')
             return
          end if
          call get_relief(values, given, .false., relief, error)
          if (allocated(error)) then
-            call add(in%heights, 'cannot be prepared: '//error%message)
+            call c%add(in%heights, 'cannot be prepared: '//error%message)
          else if (.not. relief%height > round_off*maxval(abs(given%heights))) then
-            call add(in%heights, 'are flat once trend and short waves are taken out')
+            call c%add(in%heights, 'are flat once trend and short waves are taken out')
          end if
       end subroutine check_rows
 
@@ -232,82 +207,57 @@ contains
          call resolve_stepped(values, given, relief, prony, point)
          if (.not. (point%pressure_unit > tiny(1.0_dp) .and. point%friction_unit > tiny(1.0_dp) &
             & .and. max(point%pressure_unit, point%load_unit, point%friction_unit) < largest)) then
-            call add(in%kind, 'has heights and a period that are too small or too large for the stiffness')
+            call c%add(in%kind, 'has heights and a period that are too small or too large for the stiffness')
             return
          end if
          if (.not. point%pace < largest) then
-            call add(in%velocity, 'is too large for the period')
+            call c%add(in%velocity, 'is too large for the period')
          else if (size(prony%times) > 0) then
-            if (.not. sum(prony%moduli)/prony%relaxed*point%pace*maxval(prony%times) < largest) call add(in%velocity, &
+            if (.not. sum(prony%moduli)/prony%relaxed*point%pace*maxval(prony%times) < largest) call c%add(in%velocity, &
                & 'times the longest retardation time is too large for the period')
          end if
-         if (.not. max(point%stress, point%range) < largest) call add(in%stress, &
+         if (.not. max(point%stress, point%range) < largest) call c%add(in%stress, &
             & 'or its range is too large for these heights and this stiffness')
          if (.not. max(abs(point%load), abs(point%penetration)) < largest) then
-            if (is_set(values(in%load))) call add(in%load, 'is too large for these heights and this stiffness')
-            if (is_set(values(in%mean_pressure))) call add(in%mean_pressure, 'is too large for these heights and this stiffness')
-            if (is_set(values(in%penetration))) call add(in%penetration, 'is too large for these heights')
+            if (c%has(in%load)) call c%add(in%load, 'is too large for these heights and this stiffness')
+            if (c%has(in%mean_pressure)) call c%add(in%mean_pressure, 'is too large for these heights and this stiffness')
+            if (c%has(in%penetration)) call c%add(in%penetration, 'is too large for these heights')
          end if
       end subroutine check_reduced
 
    end subroutine check_stepped_values
 
    !> Without a stiffness all of a layer is asked for.
-   subroutine require_modulus(variables, values, problems)
-      !> Table of the variables; their names stand in the messages.
-      type(variable_t), intent(in) :: variables(:)
-      !> Values in the order of `variables`; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
+   subroutine require_modulus(c)
+      type(checks_t), intent(in) :: c
 
-      if (.not. any(is_set(values([in%young_modulus, in%poisson_ratio, in%thickness])))) then
-         call problems%add(variables(in%stiffness)%group, variables(in%stiffness)%name, &
-            & 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness, or master_curve')
+      if (.not. c%has_any([in%young_modulus, in%poisson_ratio, in%thickness])) then
+         call c%add(in%stiffness, 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness, or master_curve')
          return
       end if
-      if (.not. is_set(values(in%young_modulus))) call problems%add(variables(in%young_modulus)%group, &
-         & variables(in%young_modulus)%name, 'is missing [Pa]; a layer has it, or master_curve')
-      call require(variables, values, [in%poisson_ratio, in%thickness], problems)
+      call c%add(in%young_modulus, 'is missing [Pa]; a layer has it, or master_curve', .not. c%has(in%young_modulus))
+      call c%need([in%poisson_ratio, in%thickness])
    end subroutine require_modulus
 
    !> The standard solid, which is asked for where there is no spectrum.
-   subroutine require_single_time(variables, values, problems)
-      !> Table of the variables; their names stand in the messages.
-      type(variable_t), intent(in) :: variables(:)
-      !> Values in the order of `variables`; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
-      character(*), parameter :: instead = ']; it is needed without relaxation_times or master_curve'
+   subroutine require_single_time(c)
+      type(checks_t), intent(in) :: c
       integer, parameter :: single(2) = [in%relaxation_time, in%retardation_ratio]
       integer :: k
 
       do k = 1, size(single)
-         associate (v => variables(single(k)))
-            if (.not. is_set(values(single(k)))) call problems%add(v%group, v%name, 'is missing ['//v%unit//instead)
-         end associate
+         call c%add(single(k), 'is missing ['//c%variables(single(k))%unit &
+            & //']; it is needed without relaxation_times or master_curve', .not. c%has(single(k)))
       end do
    end subroutine require_single_time
 
    !> Load, mean pressure or penetration: one of them.
-   subroutine check_load_values(variables, values, problems)
-      !> Table of the variables; their names stand in the messages.
-      type(variable_t), intent(in) :: variables(:)
-      !> Values in the order of `variables`; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
-      integer, parameter :: indices(3) = [in%load, in%mean_pressure, in%penetration]
-      logical :: has(3)
-      integer :: first
+   subroutine check_load_values(c)
+      type(checks_t), intent(in) :: c
+      integer, parameter :: list(3) = [in%load, in%mean_pressure, in%penetration]
 
-      has = is_set(values(indices))
-      first = findloc(has, .true., dim=1)
-      if (count(has) > 1) then
-         call problems%add(variables(indices(first))%group, variables(indices(first))%name, 'stands beside ' &
-            & //variables(indices(findloc(has, .true., dim=1, back=.true.)))%name//'; give one of them')
-      else if (first == 0) then
-         call problems%add(variables(in%load)%group, variables(in%load)%name, &
-            & 'is missing; load or penetration is needed')
-      end if
+      call c%add(in%load, 'is missing; load or penetration is needed', .not. c%has_any(list))
+      call c%need_one(list, .false.)
    end subroutine check_load_values
 
 end module adfric_foundation_stepped_check

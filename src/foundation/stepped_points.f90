@@ -336,8 +336,7 @@ contains
    !> Regimes of rows.
    pure function regimes_of(forces) result(regimes)
       type(stepping_forces_t), intent(in) :: forces(:)
-      integer :: regimes(size(forces))
-      integer :: i
+      integer :: regimes(size(forces)), i
 
       do i = 1, size(forces)
          regimes(i) = regime_of(forces(i))
@@ -419,9 +418,7 @@ contains
    !> Profiles of the point that was solved last, in SI units.
    subroutine get_profiles(self, x, profiles)
       class(stepped_points_t), intent(in) :: self
-      !> Coordinates along the sliding direction [m]; shape `(n_x)`.
       real(dp), intent(in) :: x(:)
-      !> Receives pressure and shear stress [Pa], displacement and gap [m]; shape `(n_x, n_rows, 4)`.
       real(dp), intent(out) :: profiles(:, :, :)
       integer :: i
 

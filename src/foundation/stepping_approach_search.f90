@@ -6,9 +6,8 @@
 module adfric_foundation_stepping_approach_search
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_response, only: bound_response
-   use adfric_foundation_stepping_states, only: stepping_surface_t, stepping_states_t, start, find_least, find_greatest, sum_up, &
-      & shift, &
-      & largest_depth, is_shared, stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
+   use adfric_foundation_stepping_states, only: stepping_surface_t, stepping_states_t, start, find_extreme, is_shared, sum_up, &
+      & shift, largest_depth, stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
    use adfric_foundation_stepping_steady_column, only: take_step, take_edge_step, move, most_edge_steps
    implicit none (type, external)
    private
@@ -53,7 +52,7 @@ contains
          return
       end if
       call start(surface, limit, .false., least)
-      call find_least(surface, limit, least)
+      call find_extreme(surface, limit, .true., least)
       do k = 1, most_penetrations
          if (states%have_failed .or. least%have_failed) return
          ! the penetration has met one that carries the load or more
@@ -71,7 +70,7 @@ contains
          step = min(step, limit - depth)
          depth = depth + step
          call shift(states, step)
-         call find_greatest(surface, depth, states)
+         call find_extreme(surface, depth, .false., states)
       end do
       if (k <= most_penetrations) status = stepping_solved
    end subroutine search_upwards
@@ -102,14 +101,13 @@ contains
       real(dp), intent(out) :: depth
       !> Receives the greatest states there, which carry the load or less.
       type(stepping_states_t), intent(inout) :: states
-      !> Receives how the search ended.
       integer, intent(out) :: status
       type(stepping_states_t) :: beyond
       real(dp) :: last_depth
 
       depth = -surface%law%attach_gap + drawn_in*(1 + surface%law%attach_gap)
       call start(surface, depth, .true., states)
-      call find_greatest(surface, depth, states)
+      call find_extreme(surface, depth, .false., states)
       status = merge(stepping_failed, stepping_solved, states%have_failed)
       if (states%have_failed .or. states%load <= load) return
       ! a tension: there is a state if there is a last one, and one before it if the load falls below it once more
@@ -131,7 +129,6 @@ contains
       !> In: a penetration beyond which none carries the load. Out: the last one that does, if there is one.
       real(dp), intent(inout) :: depth
       type(stepping_states_t), intent(inout) :: states
-      !> Receives how the search ended.
       integer, intent(out) :: status
       real(dp) :: step
       integer :: k
@@ -139,7 +136,7 @@ contains
       status = stepping_failed
       do k = 1, most_penetrations
          call start(surface, depth, .true., states)
-         call find_greatest(surface, depth, states)
+         call find_extreme(surface, depth, .false., states)
          if (states%have_failed) return
          if (.not. states%slope > 0 .and. states%load > load) then
             ! nothing touches: no smaller penetration carries less
@@ -175,7 +172,7 @@ contains
       do k = 1, steps_of_scan
          depth = depth + step
          call shift(states, step)
-         call find_greatest(surface, depth, states)
+         call find_extreme(surface, depth, .false., states)
          if (states%have_failed .or. states%load <= load) return
       end do
    end subroutine scan_for_fall
@@ -206,7 +203,7 @@ contains
          if (k > 1 .or. reach < limit - depth) then
             beyond = states
             call shift(beyond, reach)
-            call find_greatest(surface, depth + reach, beyond)
+            call find_extreme(surface, depth + reach, .false., beyond)
             if (beyond%have_failed) return
             slope = beyond%slope
             slope_limit = depth + reach
@@ -222,9 +219,7 @@ contains
    !> between these two, and the load rises.
    subroutine find_proved(surface, load, limit, depth, states, slope, slope_limit, is_proved)
       type(stepping_surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      !> A penetration beyond which nothing is sought.
-      real(dp), intent(in) :: limit
+      real(dp), intent(in) :: load, limit
       !> In: a penetration that carries less. Out: the one that carries the load, if it is proved.
       real(dp), intent(inout) :: depth
       !> In: the greatest states there. Out: those of the load, if it is proved.
@@ -268,9 +263,7 @@ contains
    !> Newton's method with edges for states and penetration that carry a load.
    subroutine find_with_edges(surface, load, limit, depth, states)
       type(stepping_surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      !> A penetration beyond which nothing is sought.
-      real(dp), intent(in) :: limit
+      real(dp), intent(in) :: load, limit
       !> In: where to start. Out: the penetration.
       real(dp), intent(inout) :: depth
       !> In: where to start. Out: states that are steady if the method converges.

@@ -110,7 +110,6 @@ contains
       type(steady_column_t), intent(in) :: self
       !> Period of the state from which the first step was taken.
       type(stepped_period_t), intent(in) :: period
-      !> Number of steps taken.
       integer, intent(in) :: k
       !> The largest component of the step before.
       real(dp), intent(in) :: last_step
@@ -166,12 +165,10 @@ contains
    pure subroutine raise_bound(self, bound, path, law, depth, steps)
       !> A state above the greatest one, with its period.
       type(steady_column_t), intent(in) :: self
-      !> In: the period whose response is used. Out: a better one, if there is one.
       type(stepped_period_t), intent(inout) :: bound
       type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      !> In: (I - J0)^-1 of the bound. Out: that of the better one.
       real(dp), intent(inout) :: steps(:, :)
       type(steady_column_t) :: below
       real(dp) :: own(size(steps, 1), size(steps, 2))
@@ -190,14 +187,12 @@ contains
 
    !> Take the response of a period for a bound, if the step that follows is longer.
    pure subroutine take_bound(self, period, bound, path, steps)
-      !> A state above the greatest one, with its period.
       type(steady_column_t), intent(in) :: self
       !> The period of a state below the greatest one.
       type(stepped_period_t), intent(in) :: period
       !> In: the period whose response is used. Out: the better one.
       type(stepped_period_t), intent(inout) :: bound
       type(column_path_t), intent(in) :: path
-      !> In: (I - J0)^-1 of the bound. Out: that of the better one.
       real(dp), intent(inout) :: steps(:, :)
       real(dp) :: other(size(steps, 1), size(steps, 2))
       logical :: is_solved

@@ -98,7 +98,6 @@ contains
       type(stepped_period_t), intent(in) :: upper
       !> Its penetration.
       real(dp), intent(in) :: upper_depth
-      !> Number of the zone.
       integer, intent(in) :: i
       !> Times from which both are in the zone, and one has left it.
       real(dp), intent(in) :: last, first

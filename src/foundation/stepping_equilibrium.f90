@@ -13,9 +13,8 @@ module adfric_foundation_stepping_equilibrium
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_approach_search, only: search_upwards
    use adfric_foundation_stepping_forces, only: stepping_forces_t, get_stepping_forces
-   use adfric_foundation_stepping_states, only: stepping_surface_t, stepping_states_t, start, find_least, find_greatest, sum_up, &
-      & largest_depth, &
-      & is_shared, stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
+   use adfric_foundation_stepping_states, only: stepping_surface_t, stepping_states_t, start, find_extreme, is_shared, sum_up, &
+      & largest_depth, stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
    use adfric_foundation_stepping_steady_column, only: steady_column_t, take_step, move
    implicit none (type, external)
    private
@@ -50,10 +49,10 @@ contains
 
       if (surface%is_approach) then
          call start(surface, depth, .true., states)
-         call find_greatest(surface, depth, states)
+         call find_extreme(surface, depth, .false., states)
       else
          call start(surface, depth, .false., states)
-         call find_least(surface, depth, states)
+         call find_extreme(surface, depth, .true., states)
       end if
       call finish(surface, depth, states, merge(stepping_solved, stepping_failed, states%are_steady), equilibrium)
    end subroutine find_at_penetration

@@ -207,7 +207,6 @@ contains
       !> Kelvin elements where it begins; shape `(n_arms)`.
       real(dp), intent(in) :: elements(:)
       type(stepping_forces_t), intent(inout) :: forces
-      !> Integral of the displacement over the period.
       real(dp), intent(inout) :: displacement
       real(dp) :: work
 

@@ -436,9 +436,7 @@ contains
    !> Derivative of the height with respect to theta.
    pure real(dp) function steepness_at(self, j, theta) result(slope)
       type(column_path_t), intent(in) :: self
-      !> The piece.
       integer, intent(in) :: j
-      !> Share of it that is passed, 0 to 1.
       real(dp), intent(in) :: theta
       integer :: m
 
@@ -452,9 +450,7 @@ contains
    !> since the piece began.
    pure subroutine stretches_at(self, j, theta, stretch, growth)
       type(column_path_t), intent(in) :: self
-      !> The piece.
       integer, intent(in) :: j
-      !> Share of it that is passed, 0 to 1.
       real(dp), intent(in) :: theta
       !> Receives r_i; shape `(n_arms)`.
       real(dp), intent(out) :: stretch(:)
@@ -517,13 +513,11 @@ contains
 
    !> The stretch of a fast arm within a piece: a polynomial, and what decays.
    pure real(dp) function relaxed_stretch(c, z, start, theta) result(stretch)
-      !> Coefficients of the heights; shape `(0:degree)`.
       real(dp), intent(in) :: c(0:)
       !> Step over relaxation time, >= 1.
       real(dp), intent(in) :: z
       !> Stretch where the piece begins.
       real(dp), intent(in) :: start
-      !> Share of the piece that is passed.
       real(dp), intent(in) :: theta
       real(dp) :: b
       integer :: m
@@ -544,9 +538,7 @@ contains
       type(column_path_t), intent(in) :: self
       !> Number of the piece whose end the integral begins at; 0 for the beginning of the period.
       integer, intent(in) :: first
-      !> The piece.
       integer, intent(in) :: j
-      !> Share of it that is passed, 0 to 1.
       real(dp), intent(in) :: theta
       !> Stretches and growths there, see `stretches_at`; shape `(n_arms)`.
       real(dp), intent(in) :: stretch(:), growth(:)

@@ -130,7 +130,6 @@ contains
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       type(column_state_t), intent(in) :: state
-      !> Receives the kind of the zone.
       integer, intent(out) :: kind
       !> Receives the stretches, or the Kelvin elements; shape `(n_arms)`.
       real(dp), intent(out) :: current(:)
@@ -161,7 +160,6 @@ contains
    !> Add a zone.
    pure subroutine add_zone(period, kind, position, is_snap)
       type(stepped_period_t), intent(inout) :: period
-      !> Kind of the zone.
       integer, intent(in) :: kind
       type(position_t), intent(in) :: position
       logical, intent(in) :: is_snap
@@ -226,11 +224,9 @@ contains
       type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      !> The zone; receives its end and load.
       type(zone_t), intent(inout) :: zone
       !> In: Kelvin elements where it begins. Out: where it ends; shape `(n_arms)`.
       real(dp), intent(inout) :: current(:)
-      !> The period, whose growth is completed.
       type(stepped_period_t), intent(inout) :: period
       logical, intent(out) :: is_over
       real(dp) :: lost(path%solid%n), pressure, close_gap, release_gap

@@ -44,7 +44,6 @@ contains
    !> The zone of a position.
    pure integer function find_zone(period, piece, theta) result(zone)
       type(stepped_period_t), intent(in) :: period
-      !> The piece of the position.
       integer, intent(in) :: piece
       !> Share of the piece that is passed.
       real(dp), intent(in) :: theta
@@ -65,14 +64,9 @@ contains
       type(stepped_period_t), intent(in) :: period
       !> Number of the zone of the position.
       integer, intent(in) :: zone
-      !> The piece of the position.
       integer, intent(in) :: piece
-      !> Share of the piece that is passed.
       real(dp), intent(in) :: theta
-      !> Receives the pressure.
-      real(dp), intent(out) :: pressure
-      !> Receives the displacement.
-      real(dp), intent(out) :: displacement
+      real(dp), intent(out) :: pressure, displacement
       real(dp), dimension(path%solid%n) :: stretch, growth
       real(dp) :: time
 

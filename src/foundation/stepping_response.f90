@@ -67,7 +67,6 @@ contains
       type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       type(stepped_period_t), intent(in) :: period
-      !> Number of the zone.
       integer, intent(in) :: i
       type(span_t), intent(out) :: span
       !> Do gap and reach meet at a rate?
@@ -90,7 +89,6 @@ contains
    !> Does the displacement jump where a zone ends?
    pure logical function lets_jump(period, i)
       type(stepped_period_t), intent(in) :: period
-      !> Number of the zone.
       integer, intent(in) :: i
 
       lets_jump = .false.
@@ -178,7 +176,6 @@ contains
       type(stepped_period_t), intent(in) :: upper
       !> Its penetration.
       real(dp), intent(in) :: upper_depth
-      !> Number of the zone.
       integer, intent(in) :: i
       !> In: time from which both states are in this zone. Out: from which both are in the next.
       real(dp), intent(inout) :: last
@@ -209,17 +206,13 @@ contains
       type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       type(stepped_period_t), intent(in) :: lower
-      !> Its penetration.
       real(dp), intent(in) :: lower_depth
       type(stepped_period_t), intent(in) :: upper
-      !> Its penetration.
       real(dp), intent(in) :: upper_depth
-      !> Number of the zone.
       integer, intent(in) :: i
       !> Times from which both states are in the zone, one has left it, and both have.
       real(dp), intent(in) :: last, first, second
       type(span_t), intent(inout) :: span
-      !> Do gap and reach meet at a rate?
       logical, intent(out) :: is_set
       type(position_t) :: early, late
       real(dp) :: rate, excess, response

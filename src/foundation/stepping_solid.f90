@@ -79,7 +79,6 @@ contains
       real(dp), intent(in) :: matrix(n, n), vectors(n, n_vectors)
       !> Are the products added to what stands in `products`?
       logical, intent(in) :: is_added
-      !> Receives the products.
       real(dp), intent(inout) :: products(n, n_vectors)
       integer :: i, k
 

@@ -109,12 +109,8 @@ contains
    !> Pass an open zone: Kelvin elements relax, and lengths tend to what the penetration is less.
    pure subroutine pass_open(solid, duration, vectors, growth, displacement)
       type(solid_t), intent(in) :: solid
-      !> Its time.
       real(dp), intent(in) :: duration
-      !> Changes of the lengths; shape `(n_arms, n_arms + 1)`.
-      real(dp), intent(inout) :: vectors(:, :)
-      !> What has been added to them; shape `(n_arms, n_arms + 1)`.
-      real(dp), intent(inout) :: growth(:, :)
+      real(dp), intent(inout) :: vectors(:, :), growth(:, :)
       !> What has been added to the integral of w - D; shape `(n_arms + 1)`.
       real(dp), intent(inout) :: displacement(:)
       real(dp), dimension(size(vectors, 1), size(vectors, 2)) :: elements

@@ -8,7 +8,7 @@ module adfric_foundation_stepping_states
    use adfric_foundation_stepping_path, only: column_path_t
    implicit none (type, external)
    private
-   public :: stepping_surface_t, stepping_states_t, start, find_least, find_greatest, sum_up, shift, largest_depth, is_shared
+   public :: stepping_surface_t, stepping_states_t, start, find_extreme, sum_up, shift, largest_depth, is_shared
    public :: stepping_solved, stepping_no_equilibrium, stepping_failed, round_off
 
    !> How a search ends.
@@ -80,37 +80,25 @@ contains
       end do
    end subroutine start
 
-   !> The least states.
-   subroutine find_least(surface, depth, states)
+   !> The least states, from states below; or the greatest ones, from states above.
+   subroutine find_extreme(surface, depth, is_least, states)
       type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: depth
-      !> In: states below. Out: the least states.
+      logical, intent(in) :: is_least
       type(stepping_states_t), intent(inout) :: states
       integer :: i
 
       !$omp parallel do schedule(dynamic) if (is_shared(surface))
       do i = 1, size(surface%rows)
-         call find_adhered(states%rows(i), surface%rows(i), surface%law, depth)
+         if (is_least) then
+            call find_adhered(states%rows(i), surface%rows(i), surface%law, depth)
+         else
+            call find_approach(states%rows(i), surface%rows(i), surface%law, depth)
+         end if
       end do
       !$omp end parallel do
       call sum_up(depth, states)
-   end subroutine find_least
-
-   !> The greatest states.
-   subroutine find_greatest(surface, depth, states)
-      type(stepping_surface_t), intent(in) :: surface
-      real(dp), intent(in) :: depth
-      !> In: states above. Out: the greatest states.
-      type(stepping_states_t), intent(inout) :: states
-      integer :: i
-
-      !$omp parallel do schedule(dynamic) if (is_shared(surface))
-      do i = 1, size(surface%rows)
-         call find_approach(states%rows(i), surface%rows(i), surface%law, depth)
-      end do
-      !$omp end parallel do
-      call sum_up(depth, states)
-   end subroutine find_greatest
+   end subroutine find_extreme
 
    !> Sums over rows.
    pure subroutine sum_up(depth, states)

@@ -13,7 +13,7 @@ module adfric_foundation_stepping_steady_column
    use adfric_foundation_stepping_law, only: stepping_law_t
    use adfric_foundation_stepping_period, only: column_state_t, stepped_period_t, step_period, in_contact
    use adfric_foundation_stepping_response, only: get_edge_steps
-   use adfric_foundation_stepping_solid, only: multiply, product_of
+   use adfric_foundation_stepping_solid, only: multiply
    use adfric_foundation_stepping_path, only: column_path_t, expm1_of
    implicit none (type, external)
    private
@@ -127,7 +127,6 @@ contains
 
    !> Time stepping a period and find the step that follows from it, and how the load changes.
    pure subroutine take_step(self, path, law, depth)
-      !> The state; receives period and step.
       type(steady_column_t), intent(inout) :: self
       type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law

@@ -79,7 +79,6 @@ contains
    !> Follow an open zone to its end.
    pure subroutine end_open_zone(path, depth, pressure, close_gap, release_gap, elements, position, event, is_found)
       type(column_path_t), intent(in) :: path
-      !> Penetration, by which all heights are higher.
       real(dp), intent(in) :: depth
       !> Pressure in the zone: minus the adhesion stress, or 0.
       real(dp), intent(in) :: pressure
@@ -87,7 +86,6 @@ contains
       real(dp), intent(in) :: close_gap, release_gap
       !> Kelvin elements where the zone begins; shape `(n_arms)`.
       real(dp), intent(in) :: elements(:)
-      !> In: where the zone begins. Out: where it ends.
       type(position_t), intent(inout) :: position
       !> Receives `period_over`, `zone_closes` or `zone_lets_go`.
       integer, intent(out) :: event
@@ -208,7 +206,6 @@ contains
       type(position_t), intent(in) :: position
       !> A piece over the times of relaxation, and what remains after pieces and blocks; shapes `(n_arms)`, `(n_arms, n_levels)`.
       real(dp), intent(in) :: ratio(:), decay(:, :)
-      !> Level of the block.
       integer, intent(in) :: level
       real(dp) :: remaining(path%solid%n)
 
@@ -219,7 +216,6 @@ contains
    !> Number of the block of a position.
    pure integer function block_of(position, level)
       type(position_t), intent(in) :: position
-      !> Level of the block.
       integer, intent(in) :: level
 
       block_of = (position%piece - 1)/block_length(level) + 1

@@ -95,7 +95,6 @@ contains
    !> The profile above a foundation that adhesion has lifted, F + stress [c].
    elemental real(dp) function lifted_profile(self, xi)
       type(strip_t), intent(in) :: self
-      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
 
       lifted_profile = self%depth - 2*sin(xi/2)**2
@@ -106,7 +105,6 @@ contains
    elemental real(dp) function drive(self, xi)
       !> The strip, of which the level and the foundation are read.
       type(strip_t), intent(in) :: self
-      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
 
       drive = self%level + cos(xi) + self%foundation%v*sin(xi)
@@ -114,9 +112,7 @@ contains
 
    !> The drive and its derivative.
    pure subroutine get_drive(self, xi, value, slope)
-      !> The strip, of which the level and the foundation are read.
       type(strip_t), intent(in) :: self
-      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
       !> The drive at the phase [c].
       real(dp), intent(out) :: value

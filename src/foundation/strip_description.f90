@@ -43,7 +43,6 @@ contains
 
    !> Sliding so slow that a layer has no front (docs/theory/columns_adhesion.md); empty without a doubt.
    function doubt_strips(values) result(text)
-      !> Values of one point; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
       character(40) :: lengths

@@ -214,9 +214,7 @@ contains
       type(strip_zone_curve_t), intent(out) :: curve
       !> Gap at which the zone ends: 0 or that of release [c].
       real(dp), intent(out) :: bound
-      !> Does the zone end within a period?
       logical, intent(out) :: has_event
-      !> In: a guess of the phase passed, or 0. Out: the phase passed [rad].
       real(dp), intent(inout) :: passed
       real(dp) :: to_closure, to_release
       integer :: try

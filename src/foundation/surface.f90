@@ -241,7 +241,6 @@ contains
    pure subroutine add_load_slope(strip, state, width, totals)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      !> Part of the period in y that the strip stands for [-].
       real(dp), intent(in) :: width
       !> Sums over strips; slope and bound of this strip are added.
       type(totals_t), intent(inout) :: totals

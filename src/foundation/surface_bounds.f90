@@ -40,7 +40,6 @@ contains
    pure subroutine measure_heights(values, given, measures)
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
-      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
       real(dp) :: spacing, shortest, square, trend
       integer :: lag, n, j

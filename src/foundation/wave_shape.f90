@@ -59,7 +59,6 @@ contains
    !> Steepest slope of a strip, or 0 for tau = p f'.
    elemental real(dp) function strip_steepness(self, share)
       type(wave_shape_t), intent(in) :: self
-      !> Share Y of the height.
       real(dp), intent(in) :: share
 
       strip_steepness = self%steepness*share/2

@@ -58,7 +58,6 @@ contains
    subroutine write_real(calls, index, name, number)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: index
-      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> Number that is written in 8 bytes.
       real(dp), intent(in) :: number
@@ -72,7 +71,6 @@ contains
    subroutine write_integer(calls, index, name, number)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: index
-      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> Integer that is written in 8 bytes.
       integer(i8), intent(in) :: number
@@ -112,7 +110,6 @@ contains
    subroutine write_small_integers(calls, index, name, numbers)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: index
-      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> Integers that are written in a byte each, in a row.
       integer(int8), intent(in) :: numbers(:)
@@ -127,7 +124,6 @@ contains
    subroutine write_any(calls, index, name, file_type, memory_type, length, address)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: index
-      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
       !> HDF5 type of the values in the file.
       integer(hid_t), intent(in) :: file_type

@@ -212,10 +212,7 @@ contains
    !> Write states.
    subroutine write_states(calls, dataset, memory_space, file_space, values)
       type(hdf5_calls_t), intent(inout) :: calls
-      integer(hid_t), intent(in) :: dataset
-      !> Space of as many values as are written.
-      integer(hid_t), intent(in) :: memory_space
-      integer(hid_t), intent(in) :: file_space
+      integer(hid_t), intent(in) :: dataset, memory_space, file_space
       !> States in the order of the file, the last dimension fastest.
       integer(int8), intent(in), contiguous, target :: values(:)
 
@@ -225,10 +222,7 @@ contains
    !> Write integers.
    subroutine write_integers(calls, dataset, memory_space, file_space, values)
       type(hdf5_calls_t), intent(inout) :: calls
-      integer(hid_t), intent(in) :: dataset
-      !> Space of as many values as are written.
-      integer(hid_t), intent(in) :: memory_space
-      integer(hid_t), intent(in) :: file_space
+      integer(hid_t), intent(in) :: dataset, memory_space, file_space
       !> Integers in the order of the file, the last dimension fastest.
       integer(i8), intent(in), contiguous, target :: values(:)
 
@@ -241,9 +235,7 @@ contains
       integer(hid_t), intent(in) :: dataset
       !> HDF5 type of the values in the memory.
       integer(hid_t), intent(in) :: memory_type
-      !> Space of as many values as are written.
-      integer(hid_t), intent(in) :: memory_space
-      integer(hid_t), intent(in) :: file_space
+      integer(hid_t), intent(in) :: memory_space, file_space
       type(c_ptr), intent(in) :: address
 
       if (.not. calls%is_good()) return

@@ -231,10 +231,7 @@ contains
    !> Read states.
    subroutine read_states(calls, dataset, memory_space, file_space, values)
       type(hdf5_calls_t), intent(inout) :: calls
-      integer(hid_t), intent(in) :: dataset
-      !> Space of as many values as are read.
-      integer(hid_t), intent(in) :: memory_space
-      integer(hid_t), intent(in) :: file_space
+      integer(hid_t), intent(in) :: dataset, memory_space, file_space
       !> States in the order of the file, the last dimension fastest; left as they are if a call has failed.
       integer(int8), intent(inout), contiguous, target :: values(:)
 
@@ -244,10 +241,7 @@ contains
    !> Read integers.
    subroutine read_integers(calls, dataset, memory_space, file_space, values)
       type(hdf5_calls_t), intent(inout) :: calls
-      integer(hid_t), intent(in) :: dataset
-      !> Space of as many values as are read.
-      integer(hid_t), intent(in) :: memory_space
-      integer(hid_t), intent(in) :: file_space
+      integer(hid_t), intent(in) :: dataset, memory_space, file_space
       !> Integers in the order of the file, the last dimension fastest; left as they are if a call has failed.
       integer(i8), intent(inout), contiguous, target :: values(:)
 
@@ -257,13 +251,7 @@ contains
    !> Read values of any type.
    subroutine read_at(calls, dataset, memory_type, memory_space, file_space, address)
       type(hdf5_calls_t), intent(inout) :: calls
-      integer(hid_t), intent(in) :: dataset
-      !> HDF5 type of the values in the memory.
-      integer(hid_t), intent(in) :: memory_type
-      !> Space of as many values as are read.
-      integer(hid_t), intent(in) :: memory_space
-      integer(hid_t), intent(in) :: file_space
-      !> Address of space for the values; left as it is if a call has failed.
+      integer(hid_t), intent(in) :: dataset, memory_type, memory_space, file_space
       type(c_ptr), intent(in) :: address
       type(c_ptr) :: copy
 

@@ -111,7 +111,6 @@ contains
       integer, intent(in) :: largest_rank
       !> Number of values along each dimension, the slowest first.
       integer(i8), allocatable, intent(out) :: counts(:)
-      !> What is wrong, for the user; empty if nothing is.
       character(:), allocatable, intent(inout) :: flaw
       integer(hsize_t) :: extents(most_dimensions), limits(most_dimensions)
       integer(hid_t) :: type_id, space
@@ -156,7 +155,6 @@ contains
       integer(i8), intent(in) :: counts(:)
       !> Numbers in the order of Fortran: the last dimension of the file first; not allocated if there is no space.
       real(dp), allocatable, target, intent(out) :: values(:, :)
-      !> What is wrong, for the user; empty if nothing is.
       character(:), allocatable, intent(inout) :: flaw
       type(c_ptr) :: address
       real(dp) :: n_bytes

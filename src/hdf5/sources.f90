@@ -6,7 +6,6 @@ module adfric_hdf5_sources
       h5pget_virtual_count_f, h5pget_virtual_filename_f, h5pget_virtual_dsetname_f, h5pget_virtual_vspace_f, &
       h5sget_simple_extent_ndims_f, h5sget_simple_extent_npoints_f, h5sget_select_type_f, h5sget_select_npoints_f, &
       h5sselect_all_f, h5sselect_hyperslab_f, H5D_VIRTUAL_F, H5S_SEL_ALL_F, H5S_SELECT_OR_F
-   use adfric_base_kinds, only: i8
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_hdf5_datasets, only: close_dataset
    use adfric_hdf5_file, only: open_source, close_file
@@ -76,14 +75,12 @@ contains
    !> Check each source of a virtual dataset, and whether they have all of its values.
    recursive subroutine check_each(calls, path, dataset, list, level, flaw)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Name of the file of the dataset.
       character(*), intent(in) :: path
       integer(hid_t), intent(in) :: dataset
       !> Properties with which the dataset was created.
       integer(hid_t), intent(in) :: list
       !> Number of virtual datasets that have led here; at most `most_levels`.
       integer, intent(in) :: level
-      !> What is wrong, for the user; empty if nothing is. An earlier flaw is kept.
       character(:), allocatable, intent(inout) :: flaw
       integer(hid_t) :: covered
       integer(size_t) :: n_sources, i
@@ -109,15 +106,11 @@ contains
    !> Is a source there? HDF5 would look for it in other indices, too; only the usual one counts.
    recursive subroutine check_source(calls, path, list, i, level, flaw)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Name of the file of the dataset.
       character(*), intent(in) :: path
-      !> Properties with which the dataset was created.
       integer(hid_t), intent(in) :: list
       !> Number of the source, from 0.
       integer(size_t), intent(in) :: i
-      !> Number of virtual datasets that have led here; at most `most_levels`.
       integer, intent(in) :: level
-      !> What is wrong, for the user; empty if nothing is. An earlier flaw is kept.
       character(:), allocatable, intent(inout) :: flaw
       character(name_length) :: file_name, name
       character(:), allocatable :: source
@@ -165,13 +158,10 @@ contains
    !> Add to what is covered the index of the values of a source.
    subroutine add_index(calls, list, i, covered, flaw)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Properties with which the dataset was created.
       integer(hid_t), intent(in) :: list
-      !> Number of the source, from 0.
       integer(size_t), intent(in) :: i
       !> Space of the dataset, with the values selected that have a source; those of this source are added.
       integer(hid_t), intent(in) :: covered
-      !> What is wrong, for the user; empty if nothing is. An earlier flaw is kept.
       character(:), allocatable, intent(inout) :: flaw
       integer(c_int64_t), dimension(most_dimensions) :: start, stride, count, block
       integer(hid_t) :: space

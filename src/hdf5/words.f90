@@ -54,7 +54,6 @@ contains
       character(*), intent(in) :: words
       !> Receives the letters, a column for each word.
       character(kind=c_char), allocatable, target, intent(out) :: letters(:, :)
-      !> Receives the address of each word.
       type(c_ptr), intent(out) :: indices(:)
       character(:), allocatable :: word
       integer :: i, k

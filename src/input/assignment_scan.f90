@@ -183,7 +183,6 @@ contains
 
    !> Set where the value of an assignment stands.
    pure subroutine trim_value(bare, first, last, assignment)
-      !> Text of the file without comments.
       character(*), intent(in) :: bare
       !> Ends of what stands behind the `=`, up to the next name or the end of the group.
       integer, intent(in) :: first, last

@@ -1,13 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The case: a value for every variable of the model.
 module adfric_input_case
-   use adfric_base_kinds, only: dp
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_text
    use adfric_base_words, only: has_word
    use adfric_input_dataset, only: read_dataset_name
    use adfric_input_given_list, only: is_dataset_name, read_numbers
-   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: case_t, reading_t
    use adfric_input_suggestion, only: find_nearest
    use adfric_input_variable, only: read_variable, describe_allowed
    use adfric_input_vocabulary, only: common_groups, job_names, list_known_groups, output_names, say_unknown_group, &
@@ -19,22 +17,6 @@ module adfric_input_case
    implicit none (type, external)
    private
    public :: case_t, new_case, read_groups, mark_meant
-
-   !> A value for every variable, each component of shape `(n_variables)`.
-   type :: case_t
-      !> Values as a model holds them; of a swept variable the first one.
-      real(dp), allocatable :: values(:)
-      !> Does the variable stand in its group?
-      logical, allocatable :: is_given(:)
-      !> Is the variable swept?
-      logical, allocatable :: is_swept(:)
-      !> Was something wrong with the variable, so that its value is not what the user wanted?
-      logical, allocatable :: is_broken(:)
-      !> Line where the variable is given or swept; 0 where it is neither.
-      integer, allocatable :: line(:)
-      !> The dataset or group that the variable names, or its list of numbers, if it has one.
-      type(dataset_t), allocatable :: datasets(:)
-   end type case_t
 
 contains
 
@@ -54,32 +36,28 @@ contains
    end subroutine new_case
 
    !> Read the groups of a model.
-   subroutine read_groups(file, model, input, problems, common)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
-      !> Receives a value for every variable, and which of them are given or broken.
-      type(case_t), intent(out) :: input
-      type(problems_t), intent(inout) :: problems
+   subroutine read_groups(r, common)
+      type(reading_t), intent(in) :: r
       !> Names of the groups that the input may have beside those of the model, separated by a blank; not present: those of a run.
       character(*), intent(in), optional :: common
       character(:), allocatable :: groups
       integer :: i
 
-      call new_case(input, model)
+      call new_case(r%input, r%model)
       groups = common_groups
       if (present(common)) groups = common
-      call check_group_names(file, model, groups, input, problems)
-      groups = list_groups(model)
-      do i = 1, size(file%assignments)
-         if (problems%is_enough()) exit
-         associate (assignment => file%assignments(i))
-            if (file%groups(assignment%group)%index > 1) cycle
-            if (.not. has_word(groups, file%groups(assignment%group)%name)) cycle
-            if (file%find_assignment(assignment%group, trim(assignment%name)) /= i) cycle
-            if (file%groups(assignment%group)%name == 'output' .and. has_word(output_names, assignment%name)) cycle
-            if (file%groups(assignment%group)%name == 'job' .and. has_word(job_names//' solver', assignment%name)) cycle
-            if (is_read(model, trim(file%groups(assignment%group)%name), trim(assignment%name))) cycle
-            call read_assignment(file, i, model, input, problems)
+      call check_group_names(r, groups)
+      groups = list_groups(r%model)
+      do i = 1, size(r%file%assignments)
+         if (r%problems%is_enough()) exit
+         associate (assignment => r%file%assignments(i))
+            if (r%file%groups(assignment%group)%index > 1) cycle
+            if (.not. has_word(groups, r%file%groups(assignment%group)%name)) cycle
+            if (r%file%find_assignment(assignment%group, trim(assignment%name)) /= i) cycle
+            if (r%file%groups(assignment%group)%name == 'output' .and. has_word(output_names, assignment%name)) cycle
+            if (r%file%groups(assignment%group)%name == 'job' .and. has_word(job_names//' solver', assignment%name)) cycle
+            if (is_read(r%model, trim(r%file%groups(assignment%group)%name), trim(assignment%name))) cycle
+            call read_assignment(r, i)
          end associate
       end do
    end subroutine read_groups
@@ -94,25 +72,21 @@ contains
    end function is_read
 
    !> Report groups that the model does not have, and mark what is behind a group that makes no sense.
-   subroutine check_group_names(file, model, common, input, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
+   subroutine check_group_names(r, common)
+      type(reading_t), intent(in) :: r
       !> Names of the groups that the input may have beside those of the model, separated by a blank.
       character(*), intent(in) :: common
-      !> Receives which variables are broken, so that their absence is not reported as well.
-      type(case_t), intent(inout) :: input
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: known
       integer :: i
 
-      known = list_known_groups(model, common)
-      do i = 1, size(file%groups)
-         if (problems%is_enough()) exit
-         associate (group => file%groups(i))
-            if (group%is_garbled) call mark_group(model, trim(group%name), input)
+      known = list_known_groups(r%model, common)
+      do i = 1, size(r%file%groups)
+         if (r%problems%is_enough()) exit
+         associate (group => r%file%groups(i))
+            if (group%is_garbled) call mark_group(r%model, trim(group%name), r%input)
             if (has_word(known, group%name)) cycle
-            call file%report(problems, i, '', say_unknown_group(model, trim(group%name), common), group%first)
-            call mark_group(model, find_nearest(trim(group%name), known), input)
+            call r%file%report(r%problems, i, '', say_unknown_group(r%model, trim(group%name), common), group%first)
+            call mark_group(r%model, find_nearest(trim(group%name), known), r%input)
          end associate
       end do
    end subroutine check_group_names
@@ -122,7 +96,6 @@ contains
       class(model_t), intent(in) :: model
       !> Name of the group, in small letters; nothing is marked if the model has no such group.
       character(*), intent(in) :: group
-      !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
       integer :: k
 
@@ -132,36 +105,31 @@ contains
    end subroutine mark_group
 
    !> Read the value of one variable.
-   subroutine read_assignment(file, number, model, input, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_assignment(r, number)
+      type(reading_t), intent(in) :: r
       !> Number of the assignment in the file, from 1.
       integer, intent(in) :: number
-      class(model_t), intent(in) :: model
-      !> Receives the value of the variable, or that it is broken.
-      type(case_t), intent(inout) :: input
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: group, name, flaw
       integer :: i, index
 
-      associate (assignment => file%assignments(number))
-         group = trim(file%groups(assignment%group)%name)
+      associate (assignment => r%file%assignments(number))
+         group = trim(r%file%groups(assignment%group)%name)
          name = trim(assignment%name)
-         i = model%index_of(group, name)
+         i = r%model%index_of(group, name)
          if (i == 0) then
-            call file%report(problems, assignment%group, name, say_unknown_variable(model, group, name), assignment%first)
-            call mark_meant(model, group, name, input)
+            call r%file%report(r%problems, assignment%group, name, say_unknown_variable(r%model, group, name), assignment%first)
+            call mark_meant(r%model, group, name, r%input)
             return
          end if
-         if (model%variables(i)%kind == kind_dataset) then
-            call read_data(file%value_of(number), model%variables(i), input%datasets(i), flaw, index)
+         if (r%model%variables(i)%kind == kind_dataset) then
+            call read_data(r%file%value_of(number), r%model%variables(i), r%input%datasets(i), flaw, index)
          else
-            call read_variable(file%value_of(number), model%variables(i), input%values(i), flaw, index)
+            call read_variable(r%file%value_of(number), r%model%variables(i), r%input%values(i), flaw, index)
          end if
-         input%is_given(i) = .true.
-         input%line(i) = file%line_of(assignment%first)
-         input%is_broken(i) = input%is_broken(i) .or. len(flaw) > 0
-         if (len(flaw) > 0) &
-            call file%report(problems, assignment%group, name, flaw, assignment%value_first + index - 1)
+         r%input%is_given(i) = .true.
+         r%input%line(i) = r%file%line_of(assignment%first)
+         r%input%is_broken(i) = r%input%is_broken(i) .or. len(flaw) > 0
+         if (len(flaw) > 0) call r%file%report(r%problems, assignment%group, name, flaw, assignment%value_first + index - 1)
       end associate
    end subroutine read_assignment
 
@@ -195,7 +163,6 @@ contains
       character(*), intent(in) :: group
       !> The unknown name, in small letters.
       character(*), intent(in) :: name
-      !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
       character(:), allocatable :: meant
       integer :: k

@@ -49,7 +49,6 @@ contains
    !> Lines of comment above an assignment, from the assignment before it.
    function comments_above(file, number) result(lines)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
       integer, intent(in) :: number
       character(:), allocatable :: lines
       integer :: first
@@ -67,7 +66,6 @@ contains
    !> What stands between the name of an assignment and the end of its value.
    function layout_of(file, number) result(text)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
       integer, intent(in) :: number
       character(:), allocatable :: text
 
@@ -80,7 +78,6 @@ contains
    !> The comments between the name of an assignment and the end of its value, a line each.
    function comments_inside(file, number) result(lines)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
       integer, intent(in) :: number
       character(:), allocatable :: lines
       integer :: i, last
@@ -101,7 +98,6 @@ contains
    !> Position behind the end of a line.
    pure integer function end_of_line_at(text, position)
       character(*), intent(in) :: text
-      !> A position in the line.
       integer, intent(in) :: position
 
       end_of_line_at = len(text) + 1
@@ -131,7 +127,6 @@ contains
    !> The comment behind an assignment, in its line; empty if there is none.
    function comment_behind(file, number) result(comment)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
       integer, intent(in) :: number
       character(:), allocatable :: comment
       integer :: first, last, mark

@@ -6,6 +6,7 @@ module adfric_input_consistency
    use adfric_base_text, only: is_name_character
    use adfric_input_case, only: case_t
    use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_input_variable, only: show_value
    use adfric_describe_model, only: model_t
    use adfric_describe_scene_messages, only: say_as_scene
@@ -18,76 +19,59 @@ module adfric_input_consistency
 contains
 
    !> Let the model check the values.
-   subroutine check_consistency(file, model, input, axes, problems)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> The model, which knows what its values may be together.
-      class(model_t), intent(in) :: model
-      !> Values of all variables, and which of them are given, swept or broken.
-      type(case_t), intent(in) :: input
+   subroutine check_consistency(r, axes)
+      !> The input and its case.
+      type(reading_t), intent(in) :: r
       !> The swept variables with their values.
       type(axis_t), intent(in) :: axes(:)
-      !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
       integer :: j, k
 
-      call check_point(file, model, input, input%values, '', problems)
+      call check_point(r, r%input%values, '')
       do k = 1, size(axes)
          do j = 1, size(axes(k)%variables)
-            call check_end(file, model, input, axes(k), j, minloc(axes(k)%values(j, :), dim=1), problems)
-            call check_end(file, model, input, axes(k), j, maxloc(axes(k)%values(j, :), dim=1), problems)
+            call check_end(r, axes(k), j, minloc(axes(k)%values(j, :), dim=1))
+            call check_end(r, axes(k), j, maxloc(axes(k)%values(j, :), dim=1))
          end do
       end do
    end subroutine check_consistency
 
    !> Check where one swept variable takes its least or greatest value, unless that is the first one.
-   subroutine check_end(file, model, input, axis, position, number, problems)
-      type(namelist_file_t), intent(in) :: file
-      !> The model, which knows what its values may be together.
-      class(model_t), intent(in) :: model
-      !> Values of all variables, and which of them are given, swept or broken.
-      type(case_t), intent(in) :: input
+   subroutine check_end(r, axis, position, number)
+      type(reading_t), intent(in) :: r
       type(axis_t), intent(in) :: axis
       !> Index of the variable among those of the axis, from 1.
       integer, intent(in) :: position
       !> Which value of the axis is looked at, from 1; nothing is done at the first one.
       integer, intent(in) :: number
-      type(problems_t), intent(inout) :: problems
-      real(dp) :: values(size(input%values))
+      real(dp) :: values(size(r%input%values))
 
       if (number == 1) return
-      values = input%values
+      values = r%input%values
       values(axis%variables) = axis%values(:, number)
-      associate (variable => model%variables(axis%variables(position)))
-         call check_point(file, model, input, values, ' (at '//variable%name//' = '// &
-            show_value(axis%values(position, number), variable)//')', problems)
+      associate (variable => r%model%variables(axis%variables(position)))
+         call check_point(r, values, ' (at '//variable%name//' = '//show_value(axis%values(position, number), variable)//')')
       end associate
    end subroutine check_end
 
    !> Check one point.
-   subroutine check_point(file, model, input, values, point, problems)
-      type(namelist_file_t), intent(in) :: file
-      !> The model, which knows what its values may be together.
-      class(model_t), intent(in) :: model
-      !> Values of all variables, and which of them are given, swept or broken.
-      type(case_t), intent(in) :: input
+   subroutine check_point(r, values, point)
+      type(reading_t), intent(in) :: r
       !> Values of all variables at the point; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What to add to a problem to say at which point it is met; empty for the first point.
       character(*), intent(in) :: point
-      type(problems_t), intent(inout) :: problems
       type(problems_t) :: found
       integer :: i, n_before
 
-      call model%check_values(values, input%is_swept, found)
-      call say_as_scene(model, found)
-      n_before = problems%count()
+      call r%model%check_values(values, r%input%is_swept, found)
+      call say_as_scene(r%model, found)
+      n_before = r%problems%count()
       do i = 1, found%count()
          associate (item => found%items(i))
-            if (is_consequence(item, model, input)) cycle
-            if (is_known(item, problems, n_before, len(point) > 0)) cycle
-            call problems%add(item%group, item%variable, item%text//point, item%index, &
-               line_of_variable(item, file, model, input))
+            if (is_consequence(item, r%model, r%input)) cycle
+            if (is_known(item, r%problems, n_before, len(point) > 0)) cycle
+            call r%problems%add(item%group, item%variable, item%text//point, item%index, line_of_variable(item, r%file, r%model, &
+               r%input))
          end associate
       end do
    end subroutine check_point

@@ -1,13 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The design of a scan: all groups that say at which points a model is solved.
 module adfric_input_design
-   use adfric_base_problems, only: problems_t
-   use adfric_input_case, only: case_t
    use adfric_input_cases, only: read_cases
    use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_input_sample, only: read_sample
    use adfric_input_sweep, only: join_sweep, read_sweep
-   use adfric_describe_model, only: model_t
    use adfric_run_plan, only: axis_t
    implicit none (type, external)
    private
@@ -16,29 +14,25 @@ module adfric_input_design
 contains
 
    !> Read all axes. One that cannot be used is left out; there is a problem then.
-   subroutine read_axes(file, model, input, axes, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
-      !> In: what the groups give. Out: also the first values of the axes, and what is swept or broken.
-      type(case_t), intent(inout) :: input
+   subroutine read_axes(r, axes)
+      type(reading_t), intent(in) :: r
       !> Variables and values of the axes that can be used, in the order of the file.
       type(axis_t), allocatable, intent(out) :: axes(:)
-      type(problems_t), intent(inout) :: problems
       type(axis_t) :: axis
       integer :: i, n
 
-      allocate (axes(count([(makes_axis(file, i), i=1, size(file%groups))])))
+      allocate (axes(count([(makes_axis(r%file, i), i=1, size(r%file%groups))])))
       n = 0
-      do i = 1, size(file%groups)
-         if (problems%is_enough()) exit
-         if (.not. makes_axis(file, i)) cycle
-         select case (file%groups(i)%name)
+      do i = 1, size(r%file%groups)
+         if (r%problems%is_enough()) exit
+         if (.not. makes_axis(r%file, i)) cycle
+         select case (r%file%groups(i)%name)
          case ('sweep')
-            call read_sweep(file, i, model, input, axis, problems)
+            call read_sweep(r, i, axis)
          case ('cases')
-            call read_cases(file, i, model, input, axis, problems)
+            call read_cases(r, i, axis)
          case default
-            call read_sample(file, i, model, input, axis, problems)
+            call read_sample(r, i, axis)
          end select
          if (.not. allocated(axis%variables)) cycle
          n = n + 1
@@ -47,11 +41,11 @@ contains
          call move_alloc(axis%values, axes(n)%values)
       end do
       if (n < size(axes)) axes = axes(:n)
-      do i = 1, size(file%groups)
-         if (problems%is_enough()) exit
-         if (goes_with_another(file, i)) call join_sweep(file, i, model, input, axes, problems)
+      do i = 1, size(r%file%groups)
+         if (r%problems%is_enough()) exit
+         if (goes_with_another(r%file, i)) call join_sweep(r, i, axes)
       end do
-      call check_ranges(file, problems)
+      call check_ranges(r)
    end subroutine read_axes
 
    !> Does a group make an axis of its own? Of `&cases` and `&sample` there may be one.
@@ -78,16 +72,14 @@ contains
    end function goes_with_another
 
    !> Ranges belong to a sample.
-   subroutine check_ranges(file, problems)
-      type(namelist_file_t), intent(in) :: file
-      type(problems_t), intent(inout) :: problems
+   subroutine check_ranges(r)
+      type(reading_t), intent(in) :: r
       integer :: i
 
-      if (file%find_group('sample') > 0) return
-      do i = 1, size(file%groups)
-         if (problems%is_enough()) exit
-         if (file%groups(i)%name == 'range') call file%report_variable(problems, i, '', &
-            'a range without a sample, needed: &sample count = ... /')
+      if (r%file%find_group('sample') > 0) return
+      do i = 1, size(r%file%groups)
+         if (r%problems%is_enough()) exit
+         if (r%file%groups(i)%name == 'range') call r%report(i, '', 'a range without a sample, needed: &sample count = ... /')
       end do
    end subroutine check_ranges
 

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A fit as the user describes it: the model's groups as in a run, and beside them the data, the events, what is free, and how.
 module adfric_input_fit
-   use adfric_base_kinds, only: dp, i8
+   use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
    use adfric_base_unset, only: unset
@@ -22,13 +22,13 @@ module adfric_input_fit
    use adfric_input_fit_stack, only: hdf5_stack_t
    use adfric_input_fit_values, only: reader_t
    use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: new_reading, reading_t
    use adfric_input_run, only: run_input_t
    use adfric_input_vocabulary, only: full_name, output_names
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: result_t, variable_t
    use adfric_run_conversion, only: follows_nothing
    use adfric_run_converted_model, only: converted_model_t
-   use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t, new_axis
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
@@ -72,119 +72,110 @@ contains
    !> Read the case, the data and what is free; the model of the run becomes the stack of curves.
    subroutine read_fit(file, run, details, problems)
       !> The input, cut into groups and assignments by `read_job`.
-      type(namelist_file_t), intent(in) :: file
+      type(namelist_file_t), intent(in), target :: file
       !> In: what `read_job` has found, and the model. Out: a run whose points are fits; only to be used when there are no problems.
-      type(run_input_t), intent(inout) :: run
+      type(run_input_t), intent(inout), target :: run
       !> Receives what the input says of the data.
       type(fit_input_t), intent(out) :: details
       !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      type(case_t) :: input
+      type(problems_t), intent(inout), target :: problems
+      type(case_t), target :: input
+      type(reading_t) :: r
       type(fit_t) :: fit
       type(reader_t), allocatable :: readers(:)
       type(variable_t), allocatable :: rows(:)
       logical :: is_together
 
       allocate (rows, source=get_fit_rows())
-      call read_groups(file, run%model, input, problems, 'job '//fit_groups)
-      call refuse_output(file, problems)
+      call new_reading(r, file, problems, run%model, input)
+      call read_groups(r, 'job '//fit_groups)
+      call refuse_output(r)
       call refuse_missing_work(run%model, problems)
-      call need_group(file, 'data', problems)
-      call need_group(file, 'free', problems)
-      call read_data_groups(file, rows, run%model, input, details%groups, problems)
+      call need_group(r, 'data')
+      call need_group(r, 'free')
+      call read_data_groups(r, rows, details%groups)
       if (problems%is_enough()) return
-      call read_frees(file, rows, run%model, details%groups, input, fit%frees, readers, problems)
-      call read_events(file, rows, details%groups, fit%events, problems)
-      call read_settings(file, rows, run%model, input, fit, is_together, details%wants_residuals, problems)
+      call read_frees(r, rows, details%groups, fit%frees, readers)
+      call read_events(r, rows, details%groups, fit%events)
+      call read_settings(r, rows, fit, is_together, details%wants_residuals)
       if (details%wants_residuals .and. size(details%groups) > 1) call problems%add('fit', 'residuals', &
          'is ''all'' beside several &data; the points of a stack are written where it has one')
       if (problems%is_enough()) return
       call load_datasets(run%model, input, problems)
-      call check_each_abscissa(file, run%model, details%groups, input, problems)
-      call check_identity(file, run%model, input, details%groups, fit%frees, readers, problems)
+      call check_each_abscissa(r, details%groups)
+      call check_identity(r, details%groups, fit%frees, readers)
       if (problems%count() > 0) return
       call set_units(run%model, input, details%groups)
-      call load_data(file, run%model, details%groups, is_together, details%loaded, problems)
-      if (problems%count() == 0) call check_data(file, details%groups, details%loaded, fit, problems)
+      call load_data(r, details%groups, is_together, details%loaded)
+      if (problems%count() == 0) call check_data(r, details%groups, details%loaded, fit)
       if (problems%count() > 0) return
       call set_run(input, fit, details, run, problems)
    end subroutine read_fit
 
    !> Report what only a run can write beside its results.
-   subroutine refuse_output(file, problems)
-      type(namelist_file_t), intent(in) :: file
-      type(problems_t), intent(inout) :: problems
+   subroutine refuse_output(r)
+      type(reading_t), intent(in) :: r
       integer :: group, k
 
-      group = file%find_group('output')
+      group = r%file%find_group('output')
       if (group == 0) return
       do k = 1, count_words(output_names)
-         if (file%find_assignment(group, get_word(output_names, k)) > 0) call file%report_variable(problems, group, &
-            get_word(output_names, k), 'has no place in a fit, allowed: adfric run')
+         if (r%file%find_assignment(group, get_word(output_names, k)) > 0) call r%report(group, get_word(output_names, k), &
+            'has no place in a fit, allowed: adfric run')
       end do
    end subroutine refuse_output
 
    !> Report a group that is missing.
-   subroutine need_group(file, name, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine need_group(r, name)
+      type(reading_t), intent(in) :: r
       !> Name of the group.
       character(*), intent(in) :: name
-      type(problems_t), intent(inout) :: problems
 
-      if (file%find_group(name) > 0 .or. problems%is_enough()) return
-      call problems%add(name, '', 'the group is missing, a fit needs at least one')
+      if (r%file%find_group(name) > 0 .or. r%problems%is_enough()) return
+      call r%problems%add(name, '', 'the group is missing, a fit needs at least one')
    end subroutine need_group
 
    !> Read every `&data`; its abscissa is given nowhere else.
-   subroutine read_data_groups(file, rows, model, input, groups, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_data_groups(r, rows, groups)
+      type(reading_t), intent(in) :: r
       type(variable_t), intent(in) :: rows(:)
-      class(model_t), intent(in) :: model
-      !> In: what the model's groups give. Out: also which variables are abscissas.
-      type(case_t), intent(inout) :: input
       type(data_group_t), allocatable, intent(out) :: groups(:)
-      type(problems_t), intent(inout) :: problems
       integer :: i, g, index
 
-      allocate (groups(count(file%groups%name == 'data')))
+      allocate (groups(count(r%file%groups%name == 'data')))
       g = 0
-      do i = 1, size(file%groups)
-         if (file%groups(i)%name /= 'data') cycle
-         if (problems%is_enough()) exit
+      do i = 1, size(r%file%groups)
+         if (r%file%groups(i)%name /= 'data') cycle
+         if (r%problems%is_enough()) exit
          g = g + 1
-         call read_data_group(file, i, rows, model, groups(g), problems)
+         call read_data_group(r, i, rows, groups(g))
          index = groups(g)%data_set%abscissa
          if (index == 0) then
-            input%is_broken = .true.
-         else if (input%is_given(index)) then
-            call groups(g)%reader%report(file, 'abscissa', model%variables(index)%name//' is given twice, here and in &'// &
-               model%variables(index)%group//' in line '//show_count(input%line(index))//', allowed: one of them', problems)
+            r%input%is_broken = .true.
+         else if (r%input%is_given(index)) then
+            call groups(g)%reader%report(r, 'abscissa', r%model%variables(index)%name//' is given twice, here and in &' &
+               //r%model%variables(index)%group//' in line '//show_count(r%input%line(index))//', allowed: one of them')
          end if
       end do
       groups = groups(:g)
    end subroutine read_data_groups
 
    !> Let the model check its values with each abscissa.
-   subroutine check_each_abscissa(file, model, groups, input, problems)
-      type(namelist_file_t), intent(in) :: file
-      !> The model, which knows what its values may be together.
-      class(model_t), intent(in) :: model
+   subroutine check_each_abscissa(r, groups)
+      type(reading_t), intent(in) :: r
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> Values of all variables; abscissas are not set afterwards.
-      type(case_t), intent(inout) :: input
-      type(problems_t), intent(inout) :: problems
       type(axis_t) :: axes(0)
       integer :: g
 
       do g = 1, size(groups)
          associate (index => groups(g)%data_set%abscissa)
             if (index == 0) cycle
-            if (input%is_given(index)) cycle
-            call hold_variable(model, index, input)
-            call check_consistency(file, model, input, axes, problems)
-            input%values(index) = unset
-            input%is_swept(index) = .false.
+            if (r%input%is_given(index)) cycle
+            call hold_variable(r%model, index, r%input)
+            call check_consistency(r, axes)
+            r%input%values(index) = unset
+            r%input%is_swept(index) = .false.
          end associate
       end do
    end subroutine check_each_abscissa
@@ -280,7 +271,6 @@ contains
    !> A checksum of all that says how the data are fitted.
    function digest_of(fit, groups) result(digest)
       type(fit_t), intent(in) :: fit
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       character(:), allocatable :: digest
       type(checksum_t) :: sum

@@ -2,7 +2,6 @@
 !> The points of all `&data` groups: read, counted, and held against what a fit needs.
 module adfric_input_fit_data
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
    use adfric_base_unset, only: is_set
    use adfric_fit_problem, only: data_set_t, fit_t, loss_gauss
@@ -10,7 +9,7 @@ module adfric_input_fit_data
    use adfric_input_fit_points, only: add_to_checksum, columns_t, count_points, find_flaw, point_counts_t, set_points
    use adfric_input_fit_stack, only: file_of, is_dataset, open_stack_file, path_of, stack_file_t
    use adfric_input_fit_table, only: read_table_columns
-   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_describe_model, only: model_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
@@ -40,34 +39,32 @@ module adfric_input_fit_data
 contains
 
    !> Read the points of all groups.
-   subroutine load_data(file, model, groups, is_together, loaded, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
+   subroutine load_data(r, groups, is_together, loaded)
+      type(reading_t), intent(in) :: r
       !> The `&data` groups, all of them whole.
       type(data_group_t), intent(in) :: groups(:)
       !> Are the curves of a stack fitted together?
       logical, intent(in) :: is_together
       !> Receives the points, or the open stacks.
       type(loaded_data_t), intent(out) :: loaded
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: variable, flaw
       integer :: g, n_before
 
-      n_before = problems%count()
+      n_before = r%problems%count()
       allocate (loaded%counts(size(groups)), loaded%datasets(size(groups)), loaded%data_sets(size(groups)), &
          loaded%files(size(groups)), loaded%lengths(0))
       do g = 1, size(groups)
          loaded%data_sets(g) = groups(g)%data_set
          loaded%data_sets(g)%name = groups(g)%file
          if (is_dataset(groups(g)%file) .and. .not. allocated(groups(g)%table)) then
-            call load_stack(groups(g), model, is_together, loaded, g, variable, flaw)
+            call load_stack(groups(g), r%model, is_together, loaded, g, variable, flaw)
          else
-            call load_table(groups(g), model, loaded, g, variable, flaw)
+            call load_table(groups(g), r%model, loaded, g, variable, flaw)
          end if
-         if (len(flaw) > 0) call groups(g)%reader%report(file, variable, flaw, problems)
+         if (len(flaw) > 0) call groups(g)%reader%report(r, variable, flaw)
       end do
-      if (problems%count() == n_before .and. .not. is_together) call find_lengths(file, groups, loaded, problems)
-      if (problems%count() == n_before .and. size(loaded%lengths) > 0) return
+      if (r%problems%count() == n_before .and. .not. is_together) call find_lengths(r, groups, loaded)
+      if (r%problems%count() == n_before .and. size(loaded%lengths) > 0) return
       do g = 1, size(groups)
          call loaded%files(g)%close()
       end do
@@ -100,18 +97,13 @@ contains
 
    !> Read every curve of a stack, to know what is in it; those of a single fit are kept.
    subroutine load_stack(group, model, is_together, loaded, g, variable, flaw)
-      !> The `&data` group.
       type(data_group_t), intent(in) :: group
       class(model_t), intent(in) :: model
-      !> Are the curves of a stack fitted together?
       logical, intent(in) :: is_together
       !> Receives the points, or what is known of them.
       type(loaded_data_t), intent(inout) :: loaded
       integer, intent(in) :: g
-      !> Variable of the group that a flaw is one of.
-      character(:), allocatable, intent(out) :: variable
-      !> What is wrong; empty if nothing is wrong.
-      character(:), allocatable, intent(out) :: flaw
+      character(:), allocatable, intent(out) :: variable, flaw
       type(columns_t), allocatable :: curves(:)
       type(columns_t) :: all_curves
       type(checksum_t) :: sum
@@ -205,13 +197,12 @@ contains
    end subroutine describe
 
    !> Find the shape of the stack: all groups have the same.
-   subroutine find_lengths(file, groups, loaded, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine find_lengths(r, groups, loaded)
+      type(reading_t), intent(in) :: r
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       !> In: the open stacks. Out: also the shape.
       type(loaded_data_t), intent(inout) :: loaded
-      type(problems_t), intent(inout) :: problems
       logical :: is_same
       integer :: g
 
@@ -225,19 +216,17 @@ contains
          is_same = allocated(loaded%files(g)%lengths)
          if (is_same) is_same = size(loaded%files(g)%lengths) == size(loaded%lengths)
          if (is_same) is_same = all(loaded%files(g)%lengths == loaded%lengths)
-         if (.not. is_same) call groups(g)%reader%report(file, 'file', 'not as many curves as in another &data, given '''// &
-            groups(g)%file//''', allowed: stacks of one shape', problems)
+         if (.not. is_same) call groups(g)%reader%report(r, 'file', 'not as many curves as in another &data, given ''' &
+            //groups(g)%file//''', allowed: stacks of one shape')
       end do
    end subroutine find_lengths
 
    !> Are there points enough for a single fit, and standard errors where they are needed?
-   subroutine check_data(file, groups, loaded, fit, problems)
-      type(namelist_file_t), intent(in) :: file
-      !> The `&data` groups.
+   subroutine check_data(r, groups, loaded, fit)
+      type(reading_t), intent(in) :: r
       type(data_group_t), intent(in) :: groups(:)
       type(loaded_data_t), intent(in) :: loaded
       type(fit_t), intent(in) :: fit
-      type(problems_t), intent(inout) :: problems
       integer :: g, n, n_priors
       logical :: is_known
 
@@ -248,25 +237,25 @@ contains
          n = n + loaded%counts(g)%n_used
          is_known = has_errors(groups(g), loaded, g)
          if (loaded%counts(g)%n_used == 0) then
-            call groups(g)%reader%report(file, 'file', say_no_points(groups(g), loaded%counts(g)), problems)
+            call groups(g)%reader%report(r, 'file', say_no_points(groups(g), loaded%counts(g)))
          else if (loaded%counts(g)%n_free == loaded%counts(g)%n_used) then
-            call groups(g)%reader%report(file, 'file', 'no point is in contact, given '//show_count(loaded%counts(g)%n_used)// &
-               ' free points in '//groups(g)%file//', needed: points in contact', problems)
+            call groups(g)%reader%report(r, 'file', 'no point is in contact, given '//show_count(loaded%counts(g)%n_used) &
+               //' free points in '//groups(g)%file//', needed: points in contact')
          end if
          if (is_known) cycle
-         if (size(groups) > 1) call groups(g)%reader%report(file, 'sigma', 'not given, needed: standard errors, by which several ' &
-            //'&data are weighed', problems)
-         if (groups(g)%data_set%loss /= loss_gauss) call groups(g)%reader%report(file, 'loss', 'needs standard errors, allowed ' &
-            //'without them: ''gauss''', problems)
-         if (allocated(loaded%data_sets(g)%x_sigma)) call groups(g)%reader%report(file, 'abscissa_sigma', 'needs standard errors ' &
-            //'of the ordinate beside', problems)
-         if (size(fit%events) + n_priors > 0) call groups(g)%reader%report(file, 'sigma', 'not given, needed: standard errors, ' &
-            //'by which points and events or priors are weighed', problems)
+         if (size(groups) > 1) call groups(g)%reader%report(r, 'sigma', 'not given, needed: standard errors, by which several ' &
+            //'&data are weighed')
+         if (groups(g)%data_set%loss /= loss_gauss) call groups(g)%reader%report(r, 'loss', 'needs standard errors, allowed ' &
+            //'without them: ''gauss''')
+         if (allocated(loaded%data_sets(g)%x_sigma)) call groups(g)%reader%report(r, 'abscissa_sigma', 'needs standard errors ' &
+            //'of the ordinate beside')
+         if (size(fit%events) + n_priors > 0) call groups(g)%reader%report(r, 'sigma', 'not given, needed: standard errors, ' &
+            //'by which points and events or priors are weighed')
       end do
-      if (problems%count() > 0 .or. size(loaded%lengths) > 0) return
-      if (n < size(fit%frees) .or. (n == size(fit%frees) .and. .not. is_known)) call groups(1)%reader%report(file, 'file', &
-         'too few points, given '//show_count(n)//' points, events and priors for '//show_count(size(fit%frees))// &
-         ' free variables, needed: at least '//show_count(size(fit%frees) + merge(0, 1, is_known)), problems)
+      if (r%problems%count() > 0 .or. size(loaded%lengths) > 0) return
+      if (n < size(fit%frees) .or. (n == size(fit%frees) .and. .not. is_known)) call groups(1)%reader%report(r, 'file', &
+         'too few points, given '//show_count(n)//' points, events and priors for '//show_count(size(fit%frees)) &
+         //' free variables, needed: at least '//show_count(size(fit%frees) + merge(0, 1, is_known)))
    end subroutine check_data
 
    !> Has a group standard errors of the ordinate from its file, or of all points?
@@ -280,7 +269,6 @@ contains
 
    !> Have the points of a group standard errors?
    pure logical function has_errors(group, loaded, g)
-      !> The `&data` group.
       type(data_group_t), intent(in) :: group
       type(loaded_data_t), intent(in) :: loaded
       integer, intent(in) :: g
@@ -290,7 +278,6 @@ contains
 
    !> Why there are no points.
    function say_no_points(group, counts) result(text)
-      !> The `&data` group.
       type(data_group_t), intent(in) :: group
       type(point_counts_t), intent(in) :: counts
       character(:), allocatable :: text

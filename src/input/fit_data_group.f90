@@ -2,17 +2,16 @@
 !> `&data`: where measured points are, and what they are.
 module adfric_input_fit_data_group
    use adfric_base_kinds, only: dp
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, show_number, show_text, to_lower
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
    use adfric_fit_problem, only: data_set_t, loss_gauss, n_nuisances, nuisance_names, nuisance_tilt
+   use adfric_input_reading, only: reading_t
    use adfric_input_text_table, only: text_table_t
    use adfric_input_fit_values, only: reader_t, new_reader
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: find_variable, is_number, list_numbers
-   use adfric_describe_model, only: model_t
    use adfric_describe_table, only: result_t, variable_t
    use adfric_system_files, only: kind_of_path, path_free
    implicit none (type, external)
@@ -47,34 +46,32 @@ module adfric_input_fit_data_group
 contains
 
    !> Read a group.
-   subroutine read_data_group(file, group, rows, model, self, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_data_group(r, group, rows, self)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
       type(variable_t), intent(in) :: rows(:)
-      class(model_t), intent(in) :: model
       type(data_group_t), intent(out) :: self
-      type(problems_t), intent(inout) :: problems
       integer :: k, n_before
 
-      n_before = problems%count()
-      call new_reader(self%reader, file, group, rows, problems)
-      call self%reader%read_text(file, 'file', self%file, problems)
-      call self%reader%report_missing(file, 'file', problems)
-      if (allocated(self%file)) call find_table(file, self)
-      if (allocated(self%file) .and. .not. allocated(self%table)) call look_beside(file%path, self%file)
-      call read_abscissa(file, model, self, problems)
-      call read_ordinate(file, model, self, problems)
-      call read_columns(file, self, problems)
-      call read_errors(file, self, problems)
-      call read_range(file, self, problems)
-      call read_loss(file, self, problems)
+      n_before = r%problems%count()
+      call new_reader(self%reader, r, group, rows)
+      call self%reader%read_text(r, 'file', self%file)
+      call self%reader%report_missing(r, 'file')
+      if (allocated(self%file)) call find_table(r%file, self)
+      if (allocated(self%file) .and. .not. allocated(self%table)) call look_beside(r%file%path, self%file)
+      call read_abscissa(r, self)
+      call read_ordinate(r, self)
+      call read_columns(r, self)
+      call read_errors(r, self)
+      call read_range(r, self)
+      call read_loss(r, self)
       do k = 1, n_nuisances
-         self%is_nuisance_given(k) = self%reader%has(file, get_word(nuisance_names, k))
-         call self%reader%read_number(file, get_word(nuisance_names, k), self%data_set%nuisance(k), problems)
+         self%is_nuisance_given(k) = self%reader%has(r%file, get_word(nuisance_names, k))
+         call self%reader%read_number(r, get_word(nuisance_names, k), self%data_set%nuisance(k))
       end do
-      call check_tilt(file, model, self, problems)
+      call check_tilt(r, self)
       self%is_whole = allocated(self%file) .and. self%data_set%abscissa > 0 .and. self%data_set%ordinate > 0 &
-         .and. problems%count() == n_before
+         .and. r%problems%count() == n_before
    end subroutine read_data_group
 
    !> Find the table in memory that the group names, if it names one.
@@ -90,16 +87,15 @@ contains
    end subroutine find_table
 
    !> A tilt belongs to a load over another abscissa.
-   subroutine check_tilt(file, model, self, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
+   subroutine check_tilt(r, self)
+      type(reading_t), intent(in) :: r
       type(data_group_t), intent(in) :: self
-      type(problems_t), intent(inout) :: problems
 
       if (.not. self%is_nuisance_given(nuisance_tilt) .or. self%data_set%abscissa == 0 .or. self%data_set%ordinate == 0) return
-      if (model%results(self%data_set%ordinate)%name == 'load' .and. model%variables(self%data_set%abscissa)%name /= 'load') return
-      call self%reader%report(file, 'tilt', 'has no effect on '//model%results(self%data_set%ordinate)%name//' against '// &
-         model%variables(self%data_set%abscissa)%name//', allowed: with the ordinate load', problems)
+      if (r%model%results(self%data_set%ordinate)%name == 'load' .and. r%model%variables(self%data_set%abscissa)%name /= 'load') &
+         return
+      call self%reader%report(r, 'tilt', 'has no effect on '//r%model%results(self%data_set%ordinate)%name//' against ' &
+         //r%model%variables(self%data_set%abscissa)%name//', allowed: with the ordinate load')
    end subroutine check_tilt
 
    !> A file that is not found from here may stand beside the input.
@@ -121,54 +117,50 @@ contains
    end subroutine look_beside
 
    !> Find the abscissa among the variables of the model.
-   subroutine read_abscissa(file, model, self, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
+   subroutine read_abscissa(r, self)
+      type(reading_t), intent(in) :: r
       !> Receives the index of the variable; 0 if it is none.
       type(data_group_t), intent(inout) :: self
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, flaw
       integer :: position
 
-      call self%reader%read_text(file, 'abscissa', name, problems)
-      call self%reader%report_missing(file, 'abscissa', problems)
+      call self%reader%read_text(r, 'abscissa', name)
+      call self%reader%report_missing(r, 'abscissa')
       if (.not. allocated(name)) return
-      call find_variable(model, to_lower(name), list_numbers(model), position, flaw)
+      call find_variable(r%model, to_lower(name), list_numbers(r%model), position, flaw)
       if (position > 0) then
-         if (.not. is_number(model%variables(position))) then
-            flaw = 'not a number, given '''//show_text(name)//''', allowed: '//join_words(list_numbers(model), ', ')
+         if (.not. is_number(r%model%variables(position))) then
+            flaw = 'not a number, given '''//show_text(name)//''', allowed: '//join_words(list_numbers(r%model), ', ')
             position = 0
          end if
       end if
-      if (position == 0) call self%reader%report(file, 'abscissa', flaw, problems)
+      if (position == 0) call self%reader%report(r, 'abscissa', flaw)
       self%data_set%abscissa = position
    end subroutine read_abscissa
 
    !> Find the ordinate among the results of the model.
-   subroutine read_ordinate(file, model, self, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
+   subroutine read_ordinate(r, self)
+      type(reading_t), intent(in) :: r
       !> Receives the index of the result; 0 if it is none.
       type(data_group_t), intent(inout) :: self
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, known
       integer :: i
 
-      call self%reader%read_text(file, 'ordinate', name, problems)
-      call self%reader%report_missing(file, 'ordinate', problems)
+      call self%reader%read_text(r, 'ordinate', name)
+      call self%reader%report_missing(r, 'ordinate')
       if (.not. allocated(name)) return
       known = ''
-      do i = 1, size(model%results)
-         if (model%results(i)%is_hidden) cycle
-         if (is_smooth(model%results(i))) known = known//' '//model%results(i)%name
-         if (model%results(i)%name == to_lower(name)) self%data_set%ordinate = i
+      do i = 1, size(r%model%results)
+         if (r%model%results(i)%is_hidden) cycle
+         if (is_smooth(r%model%results(i))) known = known//' '//r%model%results(i)%name
+         if (r%model%results(i)%name == to_lower(name)) self%data_set%ordinate = i
       end do
       if (self%data_set%ordinate == 0) then
-         call self%reader%report(file, 'ordinate', 'unknown result of the model, given '''//show_text(name)//''', allowed: ' &
-            //join_words(known, ', ')//did_you_mean(name, known), problems)
-      else if (.not. is_smooth(model%results(self%data_set%ordinate))) then
-         call self%reader%report(file, 'ordinate', 'a state, or what is found by counting, has no derivative and cannot be ' &
-            //'fitted, given '''//show_text(name)//''', allowed: '//join_words(known, ', '), problems)
+         call self%reader%report(r, 'ordinate', 'unknown result of the model, given '''//show_text(name)//''', allowed: ' &
+            //join_words(known, ', ')//did_you_mean(name, known))
+      else if (.not. is_smooth(r%model%results(self%data_set%ordinate))) then
+         call self%reader%report(r, 'ordinate', 'a state, or what is found by counting, has no derivative and cannot be ' &
+            //'fitted, given '''//show_text(name)//''', allowed: '//join_words(known, ', '))
          self%data_set%ordinate = 0
       end if
    end subroutine read_ordinate
@@ -181,35 +173,32 @@ contains
    end function is_smooth
 
    !> Read the names of the columns.
-   subroutine read_columns(file, self, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_columns(r, self)
+      type(reading_t), intent(in) :: r
       type(data_group_t), intent(inout) :: self
-      type(problems_t), intent(inout) :: problems
 
-      call self%reader%read_text(file, 'abscissa_column', self%abscissa_column, problems)
-      call self%reader%read_text(file, 'ordinate_column', self%ordinate_column, problems)
-      call self%reader%read_text(file, 'sigma_column', self%sigma_column, problems)
-      call self%reader%read_text(file, 'abscissa_sigma_column', self%abscissa_sigma_column, problems)
-      call self%reader%read_text(file, 'branch_column', self%branch_column, problems)
-      call self%reader%read_text(file, 'segment_column', self%segment_column, problems)
+      call self%reader%read_text(r, 'abscissa_column', self%abscissa_column)
+      call self%reader%read_text(r, 'ordinate_column', self%ordinate_column)
+      call self%reader%read_text(r, 'sigma_column', self%sigma_column)
+      call self%reader%read_text(r, 'abscissa_sigma_column', self%abscissa_sigma_column)
+      call self%reader%read_text(r, 'branch_column', self%branch_column)
+      call self%reader%read_text(r, 'segment_column', self%segment_column)
    end subroutine read_columns
 
    !> Read the standard errors; at most one of each is given.
-   subroutine read_errors(file, self, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_errors(r, self)
+      type(reading_t), intent(in) :: r
       type(data_group_t), intent(inout) :: self
-      type(problems_t), intent(inout) :: problems
 
-      call self%reader%read_number(file, 'sigma', self%sigma, problems)
-      call self%reader%read_number(file, 'relative_sigma', self%relative_sigma, problems)
-      call self%reader%read_number(file, 'abscissa_sigma', self%abscissa_sigma, problems)
-      if (self%reader%has(file, 'sigma') .and. self%reader%has(file, 'relative_sigma')) call self%reader%report(file, &
-         'relative_sigma', 'contradicts sigma, given both, allowed: one of them', problems)
-      if (is_named(self%sigma_column) .and. (is_set(self%sigma) .or. is_set(self%relative_sigma))) &
-         call self%reader%report(file, 'sigma_column', 'contradicts the standard error that is given beside, allowed: one of ' &
-         //'them', problems)
-      if (is_named(self%abscissa_sigma_column) .and. is_set(self%abscissa_sigma)) call self%reader%report(file, &
-         'abscissa_sigma_column', 'contradicts abscissa_sigma, given both, allowed: one of them', problems)
+      call self%reader%read_number(r, 'sigma', self%sigma)
+      call self%reader%read_number(r, 'relative_sigma', self%relative_sigma)
+      call self%reader%read_number(r, 'abscissa_sigma', self%abscissa_sigma)
+      if (self%reader%has(r%file, 'sigma') .and. self%reader%has(r%file, 'relative_sigma')) call self%reader%report(r, &
+         'relative_sigma', 'contradicts sigma, given both, allowed: one of them')
+      if (is_named(self%sigma_column) .and. (is_set(self%sigma) .or. is_set(self%relative_sigma))) call self%reader%report(r, &
+         'sigma_column', 'contradicts the standard error that is given beside, allowed: one of ' //'them')
+      if (is_named(self%abscissa_sigma_column) .and. is_set(self%abscissa_sigma)) call self%reader%report(r, &
+         'abscissa_sigma_column', 'contradicts abscissa_sigma, given both, allowed: one of them')
    end subroutine read_errors
 
    !> Is a column wanted by its name?
@@ -222,30 +211,28 @@ contains
    end function is_named
 
    !> Read the ends of the abscissa.
-   subroutine read_range(file, self, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_range(r, self)
+      type(reading_t), intent(in) :: r
       type(data_group_t), intent(inout) :: self
-      type(problems_t), intent(inout) :: problems
 
-      call self%reader%read_number(file, 'from', self%from, problems)
-      call self%reader%read_number(file, 'to', self%to, problems)
+      call self%reader%read_number(r, 'from', self%from)
+      call self%reader%read_number(r, 'to', self%to)
       if (.not. (is_set(self%from) .and. is_set(self%to))) return
       if (self%from < self%to) return
-      call self%reader%report(file, 'to', 'no range, given from = '//show_number(self%from)//' and to = '//show_number(self%to) &
-         //', allowed: from < to', problems)
+      call self%reader%report(r, 'to', 'no range, given from = '//show_number(self%from)//' and to = '//show_number(self%to) &
+         //', allowed: from < to')
    end subroutine read_range
 
    !> Read what a residual costs.
-   subroutine read_loss(file, self, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_loss(r, self)
+      type(reading_t), intent(in) :: r
       !> Receives the loss and its width.
       type(data_group_t), intent(inout) :: self
-      type(problems_t), intent(inout) :: problems
 
-      call self%reader%read_whole(file, 'loss', self%data_set%loss, problems)
-      call self%reader%read_number(file, 'loss_width', self%data_set%loss_width, problems)
-      if (self%data_set%loss == loss_gauss .and. is_set(self%data_set%loss_width)) call self%reader%report(file, 'loss_width', &
-         'has no meaning with loss = ''gauss''', problems)
+      call self%reader%read_whole(r, 'loss', self%data_set%loss)
+      call self%reader%read_number(r, 'loss_width', self%data_set%loss_width)
+      if (self%data_set%loss == loss_gauss .and. is_set(self%data_set%loss_width)) call self%reader%report(r, 'loss_width', &
+         'has no meaning with loss = ''gauss''')
    end subroutine read_loss
 
 end module adfric_input_fit_data_group

@@ -2,16 +2,15 @@
 !> `&free`: which variables of the model, or of a measurement, the data shall give.
 module adfric_input_fit_free
    use adfric_base_kinds, only: dp
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, show_count, show_number, show_text, to_lower
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
-   use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_contact_point, &
-      & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt, nuisance_names, n_nuisances
+   use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_contact_point, nuisance_lateral_gain, &
+      nuisance_spring_stiffness, nuisance_tilt, nuisance_names, n_nuisances
    use adfric_input_case, only: case_t, mark_meant
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_values, only: reader_t, new_reader
-   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_variable, only: find_outlier
    use adfric_input_vocabulary, only: find_variable, full_name, list_numbers
@@ -32,35 +31,30 @@ module adfric_input_fit_free
 contains
 
    !> Read every group. One that cannot be used is left out; there is a problem then.
-   subroutine read_frees(file, rows, model, groups, input, frees, readers, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_frees(r, rows, groups, frees, readers)
+      type(reading_t), intent(in) :: r
       type(variable_t), intent(in) :: rows(:)
-      class(model_t), intent(in) :: model
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> In: what the model's groups give. Out: also what is free, and values for it with which the model can be asked.
-      type(case_t), intent(inout) :: input
       type(free_t), allocatable, intent(out) :: frees(:)
-      !> Receives the group of each of them, for messages.
       type(reader_t), allocatable, intent(out) :: readers(:)
-      type(problems_t), intent(inout) :: problems
       type(free_t) :: free
       type(reader_t) :: reader
       integer :: i, n, n_before
 
-      allocate (frees(count(file%groups%name == 'free')), readers(count(file%groups%name == 'free')))
+      allocate (frees(count(r%file%groups%name == 'free')), readers(count(r%file%groups%name == 'free')))
       n = 0
-      do i = 1, size(file%groups)
-         if (file%groups(i)%name /= 'free') cycle
-         if (problems%is_enough()) exit
-         n_before = problems%count()
-         call new_reader(reader, file, i, rows, problems)
+      do i = 1, size(r%file%groups)
+         if (r%file%groups(i)%name /= 'free') cycle
+         if (r%problems%is_enough()) exit
+         n_before = r%problems%count()
+         call new_reader(reader, r, i, rows)
          free = free_t()
-         call find_free(file, reader, model, groups, input, free, problems)
-         if (allocated(free%name)) call read_numbers_of(file, reader, model, free, problems)
-         if (.not. allocated(free%name) .or. problems%count() > n_before) cycle
+         call find_free(r, reader, groups, free)
+         if (allocated(free%name)) call read_numbers_of(r, reader, free)
+         if (.not. allocated(free%name) .or. r%problems%count() > n_before) cycle
          if (any(is_same(frees(:n), free))) then
-            call reader%report(file, 'variable', free%name//' is free twice, allowed: once', problems)
+            call reader%report(r, 'variable', free%name//' is free twice, allowed: once')
             cycle
          end if
          n = n + 1
@@ -69,8 +63,8 @@ contains
       end do
       frees = frees(:n)
       readers = readers(:n)
-      if (n > most_frees) call problems%add('free', '', 'too many free variables, given '//show_count(n)//', allowed: at most '// &
-         show_count(most_frees))
+      if (n > most_frees) call r%problems%add('free', '', 'too many free variables, given '//show_count(n)//', allowed: at most ' &
+         //show_count(most_frees))
    end subroutine read_frees
 
    !> Are two free variables the same?
@@ -81,44 +75,40 @@ contains
    end function is_same
 
    !> Find what is free; its name is not allocated if nothing can be.
-   subroutine find_free(file, reader, model, groups, input, free, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine find_free(r, reader, groups, free)
+      type(reading_t), intent(in) :: r
       type(reader_t), intent(in) :: reader
-      class(model_t), intent(in) :: model
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      !> In: what the model's groups give. Out: also what is free.
-      type(case_t), intent(inout) :: input
       !> Receives the index of the variable, or the nuisance and its data set, the name and the unit.
       type(free_t), intent(inout) :: free
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, flaw
 
-      call reader%read_text(file, 'variable', name, problems)
-      call reader%report_missing(file, 'variable', problems)
+      call reader%read_text(r, 'variable', name)
+      call reader%report_missing(r, 'variable')
       if (.not. allocated(name)) then
-         input%is_broken = .true.
+         r%input%is_broken = .true.
          return
       end if
       name = to_lower(name)
-      if (is_nuisance_name(model, name)) then
+      if (is_nuisance_name(r%model, name)) then
          call find_nuisance(name, groups, free, flaw)
       else
-         call find_variable(model, name, list_numbers(model)//' data%'//join_words(nuisance_names, ' data%'), free%variable, flaw)
+         call find_variable(r%model, name, list_numbers(r%model)//' data%'//join_words(nuisance_names, ' data%'), free%variable, &
+            flaw)
          if (free%variable == 0) then
             if (index(flaw, 'did you mean') == 0) flaw = flaw//did_you_mean(name, nuisance_names)
-            call mark_meant(model, '', name(index(name, '%') + 1:), input)
+            call mark_meant(r%model, '', name(index(name, '%') + 1:), r%input)
          else
-            call check_variable(model, groups, free%variable, input, flaw)
+            call check_variable(r%model, groups, free%variable, r%input, flaw)
          end if
       end if
       if (len(flaw) > 0) then
-         call reader%report(file, 'variable', flaw, problems)
+         call reader%report(r, 'variable', flaw)
       else if (free%variable > 0) then
-         free%name = full_name(model, free%variable)
-         free%unit = model%unit_of(input%values, free%variable)
-         free%is_log = model%variables(free%variable)%lower >= 0
-         call hold_variable(model, free%variable, input)
+         free%name = full_name(r%model, free%variable)
+         free%unit = r%model%unit_of(r%input%values, free%variable)
+         free%is_log = r%model%variables(free%variable)%lower >= 0
+         call hold_variable(r%model, free%variable, r%input)
       end if
    end subroutine find_free
 
@@ -142,9 +132,7 @@ contains
 
    !> Find a nuisance by `data[2]%load_offset`; without a number that of the only data set.
    subroutine find_nuisance(name, groups, free, flaw)
-      !> The name, in small letters.
       character(*), intent(in) :: name
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       type(free_t), intent(inout) :: free
       character(:), allocatable, intent(out) :: flaw
@@ -211,7 +199,6 @@ contains
    !> A variable of the model is given in one index, and is no abscissa.
    subroutine check_variable(model, groups, variable, input, flaw)
       class(model_t), intent(in) :: model
-      !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       !> Index of the variable in the model's table.
       integer, intent(in) :: variable
@@ -239,7 +226,6 @@ contains
    !> A value for what is free, of the usual size, so that the model can be asked what it thinks of the rest.
    subroutine hold_variable(model, variable, input)
       class(model_t), intent(in) :: model
-      !> Index of the variable in the model's table.
       integer, intent(in) :: variable
       !> Receives the value, and that it varies.
       type(case_t), intent(inout) :: input
@@ -258,79 +244,73 @@ contains
    end subroutine hold_variable
 
    !> Read start, bounds, scale and prior.
-   subroutine read_numbers_of(file, reader, model, free, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_numbers_of(r, reader, free)
+      type(reading_t), intent(in) :: r
       type(reader_t), intent(in) :: reader
-      class(model_t), intent(in) :: model
-      !> The free variable, which receives them.
       type(free_t), intent(inout) :: free
-      type(problems_t), intent(inout) :: problems
       integer :: scale
 
-      call reader%read_number(file, 'start', free%start, problems)
-      call reader%read_number(file, 'minimum', free%minimum, problems)
-      call reader%read_number(file, 'maximum', free%maximum, problems)
-      call reader%read_number(file, 'prior', free%prior, problems)
-      call reader%read_number(file, 'prior_sigma', free%prior_sigma, problems)
-      if (reader%has(file, 'scale')) then
-         call reader%read_whole(file, 'scale', scale, problems)
+      call reader%read_number(r, 'start', free%start)
+      call reader%read_number(r, 'minimum', free%minimum)
+      call reader%read_number(r, 'maximum', free%maximum)
+      call reader%read_number(r, 'prior', free%prior)
+      call reader%read_number(r, 'prior_sigma', free%prior_sigma)
+      if (reader%has(r%file, 'scale')) then
+         call reader%read_whole(r, 'scale', scale)
          if (free%is_log .or. scale /= scale_log) then
             free%is_log = scale == scale_log
          else
-            call reader%report(file, 'scale', free%name//' may be negative, given ''log'', allowed: ''linear''', problems)
+            call reader%report(r, 'scale', free%name//' may be negative, given ''log'', allowed: ''linear''')
          end if
       end if
-      call check_size(file, reader, model, free, 'start', free%start, problems)
-      call check_size(file, reader, model, free, 'minimum', free%minimum, problems)
-      call check_size(file, reader, model, free, 'maximum', free%maximum, problems)
-      call check_size(file, reader, model, free, 'prior', free%prior, problems)
-      call check_order(file, reader, free, problems)
-      if (is_set(free%prior) .neqv. is_set(free%prior_sigma)) call reader%report(file, trim(merge('prior_sigma', 'prior      ', &
-         is_set(free%prior))), 'not given, needed: prior and prior_sigma together', problems)
+      call check_size(r, reader, free, 'start', free%start)
+      call check_size(r, reader, free, 'minimum', free%minimum)
+      call check_size(r, reader, free, 'maximum', free%maximum)
+      call check_size(r, reader, free, 'prior', free%prior)
+      call check_order(r, reader, free)
+      if (is_set(free%prior) .neqv. is_set(free%prior_sigma)) call reader%report(r, trim(merge('prior_sigma', 'prior      ', &
+         is_set(free%prior))), 'not given, needed: prior and prior_sigma together')
    end subroutine read_numbers_of
 
    !> Is a value one that the variable may have?
-   subroutine check_size(file, reader, model, free, name, value, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine check_size(r, reader, free, name, value)
+      type(reading_t), intent(in) :: r
       type(reader_t), intent(in) :: reader
-      class(model_t), intent(in) :: model
       type(free_t), intent(in) :: free
       !> Name of the value in the group.
       character(*), intent(in) :: name
       !> The value, or `unset`.
       real(dp), intent(in) :: value
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
       integer :: first
 
       if (.not. is_set(value)) return
       flaw = ''
-      if (free%variable > 0) call find_outlier([value], model%variables(free%variable), first, flaw)
+      if (free%variable > 0) call find_outlier([value], r%model%variables(free%variable), first, flaw)
       if (len(flaw) > 0) flaw = 'out of range, given '//show_number(value)//flaw(index(flaw, ', allowed'):)
       if (len(flaw) == 0 .and. free%is_log .and. .not. value > 0) flaw = 'out of range, given '//show_number(value)// &
          ', allowed: a number > 0, since its logarithm is fitted'
-      if (len(flaw) > 0) call reader%report(file, name, flaw, problems)
+      if (len(flaw) > 0) call reader%report(r, name, flaw)
    end subroutine check_size
 
    !> Do minimum, start and maximum rise?
-   subroutine check_order(file, reader, free, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine check_order(r, reader, free)
+      type(reading_t), intent(in) :: r
       type(reader_t), intent(in) :: reader
       type(free_t), intent(in) :: free
-      type(problems_t), intent(inout) :: problems
 
       if (is_set(free%minimum) .and. is_set(free%maximum)) then
-         if (.not. free%minimum < free%maximum) call reader%report(file, 'maximum', 'no range, given minimum = ' &
-            //show_number(free%minimum)//' and maximum = '//show_number(free%maximum)//', allowed: minimum < maximum', problems)
+         if (.not. free%minimum < free%maximum) call reader%report(r, 'maximum', 'no range, given minimum = ' &
+            //show_number(free%minimum)//' and maximum = '//show_number(free%maximum)//', allowed: minimum < maximum')
       end if
       if (.not. is_set(free%start)) return
       if (is_set(free%minimum)) then
-         if (free%start < free%minimum) call reader%report(file, 'start', 'below the minimum, given '//show_number(free%start)// &
-            ', allowed: a number >= '//show_number(free%minimum), problems)
+         if (free%start < free%minimum) call reader%report(r, 'start', 'below the minimum, given '//show_number(free%start) &
+            //', allowed: a number >= '//show_number(free%minimum))
       end if
       if (is_set(free%maximum)) then
-         if (free%start > free%maximum) call reader%report(file, 'start', 'above the maximum, given '//show_number(free%start)// &
-            ', allowed: a number <= '//show_number(free%maximum), problems)
+         if (free%start > free%maximum) call reader%report(r, 'start', 'above the maximum, given '//show_number(free%start) &
+            //', allowed: a number <= '//show_number(free%maximum))
       end if
    end subroutine check_order
 

@@ -2,15 +2,14 @@
 !> What data cannot say, whatever the noise: free variables that only occur together, or not at all. Known before anything is
 !> solved, it is refused with the reason; what depends on the values is found by the fit.
 module adfric_input_fit_identity
-   use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
    use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
-      & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
+      nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
    use adfric_input_case, only: case_t
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_values, only: reader_t
-   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
@@ -19,86 +18,78 @@ module adfric_input_fit_identity
 contains
 
    !> Report what is known beforehand not to be in the data.
-   subroutine check_identity(file, model, input, groups, frees, readers, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
-      type(case_t), intent(in) :: input
+   subroutine check_identity(r, groups, frees, readers)
+      type(reading_t), intent(in) :: r
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       type(free_t), intent(in) :: frees(:)
       type(reader_t), intent(in) :: readers(:)
-      type(problems_t), intent(inout) :: problems
       integer :: i
 
       do i = 1, size(frees)
-         if (frees(i)%nuisance > 0) call check_nuisance(file, model, groups(frees(i)%data_set), frees, i, readers(i), problems)
+         if (frees(i)%nuisance > 0) call check_nuisance(r, groups(frees(i)%data_set), frees, i, readers(i))
       end do
-      if (model%name /= 'sphere') return
-      call check_gain(file, model, groups, frees, readers, problems)
-      call check_friction_alone(file, model, input, groups, frees, readers, problems)
-      call check_theory(file, model, input, frees, readers, problems)
+      if (r%model%name /= 'sphere') return
+      call check_gain(r, groups, frees, readers)
+      call check_friction_alone(r, groups, frees, readers)
+      call check_theory(r, frees, readers)
    end subroutine check_identity
 
    !> Has a nuisance any effect on its data set, and one of its own?
-   subroutine check_nuisance(file, model, group, frees, index, reader, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
+   subroutine check_nuisance(r, group, frees, index, reader)
+      type(reading_t), intent(in) :: r
       !> The `&data` group of the nuisance.
       type(data_group_t), intent(in) :: group
       type(free_t), intent(in) :: frees(:)
       !> Which of them it is.
       integer, intent(in) :: index
       type(reader_t), intent(in) :: reader
-      type(problems_t), intent(inout) :: problems
       logical :: is_x_load, is_y_load, is_approach, has_effect
       integer :: i
 
       if (group%data_set%abscissa == 0 .or. group%data_set%ordinate == 0) return
-      is_x_load = model%variables(group%data_set%abscissa)%name == 'load'
-      is_y_load = model%results(group%data_set%ordinate)%name == 'load'
-      is_approach = model%variables(group%data_set%abscissa)%name == 'approach'
+      is_x_load = r%model%variables(group%data_set%abscissa)%name == 'load'
+      is_y_load = r%model%results(group%data_set%ordinate)%name == 'load'
+      is_approach = r%model%variables(group%data_set%abscissa)%name == 'approach'
       has_effect = .true.
       select case (frees(index)%nuisance)
       case (nuisance_load_offset)
          has_effect = is_x_load .or. is_y_load
       case (nuisance_contact_point)
-         has_effect = is_approach .or. model%variables(group%data_set%abscissa)%name == 'base_approach'
+         has_effect = is_approach .or. r%model%variables(group%data_set%abscissa)%name == 'base_approach'
       case (nuisance_spring_stiffness)
          has_effect = is_approach
       case (nuisance_tilt)
          has_effect = is_y_load .and. .not. is_x_load
       end select
-      if (.not. has_effect) call reader%report(file, 'variable', frees(index)%name//' has no effect on '// &
-         model%results(group%data_set%ordinate)%name//' against '//model%variables(group%data_set%abscissa)%name// &
-         ', allowed: a variable that has one', problems)
+      if (.not. has_effect) call reader%report(r, 'variable', frees(index)%name//' has no effect on ' &
+         //r%model%results(group%data_set%ordinate)%name//' against '//r%model%variables(group%data_set%abscissa)%name &
+         //', allowed: a variable that has one')
       if (frees(index)%nuisance /= nuisance_friction_offset .or. .not. is_y_load .or. is_x_load) return
       do i = 1, size(frees)
          if (frees(i)%nuisance /= nuisance_load_offset .or. frees(i)%data_set /= frees(index)%data_set) cycle
          if (is_set(frees(i)%prior) .or. is_set(frees(index)%prior)) cycle
-         call reader%report(file, 'variable', frees(index)%name//' and '//frees(i)%name//' are one number where the load is ' &
-            //'the ordinate, allowed: one of them free, or a prior', problems)
+         call reader%report(r, 'variable', frees(index)%name//' and '//frees(i)%name//' are one number where the load is ' &
+            //'the ordinate, allowed: one of them free, or a prior')
       end do
    end subroutine check_nuisance
 
    !> The gain of friction and the shear strength are one number.
-   subroutine check_gain(file, model, groups, frees, readers, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
-      !> The `&data` groups.
+   subroutine check_gain(r, groups, frees, readers)
+      type(reading_t), intent(in) :: r
       type(data_group_t), intent(in) :: groups(:)
       type(free_t), intent(in) :: frees(:)
       type(reader_t), intent(in) :: readers(:)
-      type(problems_t), intent(inout) :: problems
       integer :: strength, i, g, last
       logical :: is_known
 
-      strength = find_free(model, frees, 'shear_strength')
+      strength = find_free(r%model, frees, 'shear_strength')
       if (strength == 0) return
       if (is_set(frees(strength)%prior)) return
       last = 0
       do g = 1, size(groups)
          if (groups(g)%data_set%ordinate == 0) return
-         if (model%results(groups(g)%data_set%ordinate)%name /= 'friction_force') cycle
+         if (r%model%results(groups(g)%data_set%ordinate)%name /= 'friction_force') cycle
          is_known = .true.
          do i = 1, size(frees)
             if (frees(i)%nuisance /= nuisance_lateral_gain .or. frees(i)%data_set /= g) cycle
@@ -108,40 +99,36 @@ contains
          ! one friction with a known gain tells the strength
          if (is_known) return
       end do
-      if (last > 0) call readers(last)%report(file, 'variable', frees(last)%name//' and shear_strength are one number: only ' &
-         //'their product is in the data, allowed: one of them free, or a prior', problems)
+      if (last > 0) call readers(last)%report(r, 'variable', frees(last)%name//' and shear_strength are one number: only ' &
+         //'their product is in the data, allowed: one of them free, or a prior')
    end subroutine check_gain
 
    !> What friction against load alone cannot say: F is tau0 R^(4/3) (w/E*)^(2/3) times a function of P/(w R) and lambda.
-   subroutine check_friction_alone(file, model, input, groups, frees, readers, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
-      type(case_t), intent(in) :: input
-      !> The `&data` groups.
+   subroutine check_friction_alone(r, groups, frees, readers)
+      type(reading_t), intent(in) :: r
       type(data_group_t), intent(in) :: groups(:)
       type(free_t), intent(in) :: frees(:)
       type(reader_t), intent(in) :: readers(:)
-      type(problems_t), intent(inout) :: problems
       integer :: strength, modulus, fraction, g
 
       do g = 1, size(groups)
          if (groups(g)%data_set%abscissa == 0 .or. groups(g)%data_set%ordinate == 0) return
-         if (model%results(groups(g)%data_set%ordinate)%name /= 'friction_force') return
-         if (model%variables(groups(g)%data_set%abscissa)%name /= 'load') return
+         if (r%model%results(groups(g)%data_set%ordinate)%name /= 'friction_force') return
+         if (r%model%variables(groups(g)%data_set%abscissa)%name /= 'load') return
       end do
-      if (is_above_zero(input, model%index_of('friction', 'interaction'))) return
-      strength = find_free(model, frees, 'shear_strength')
-      modulus = find_free(model, frees, 'contact_modulus')
-      fraction = find_free(model, frees, 'edge_fraction')
+      if (is_above_zero(r%input, r%model%index_of('friction', 'interaction'))) return
+      strength = find_free(r%model, frees, 'shear_strength')
+      modulus = find_free(r%model, frees, 'contact_modulus')
+      fraction = find_free(r%model, frees, 'edge_fraction')
       if (strength > 0 .and. modulus > 0) then
-         if (.not. (is_set(frees(strength)%prior) .or. is_set(frees(modulus)%prior) .or. is_dugdale_given(model, input))) &
-            call readers(modulus)%report(file, 'variable', 'contact_modulus and shear_strength cannot both be known from ' &
+         if (.not. (is_set(frees(strength)%prior) .or. is_set(frees(modulus)%prior) .or. is_dugdale_given(r%model, r%input))) &
+            call readers(modulus)%report(r, 'variable', 'contact_modulus and shear_strength cannot both be known from ' &
             //'friction against load: only shear_strength^3/contact_modulus^2 is in it, allowed: one of them free, a prior, ' &
-            //'or a &data of contact_area', problems)
+            //'or a &data of contact_area')
       end if
-      if (fraction > 0 .and. find_free(model, frees, 'lambda') > 0) call readers(fraction)%report(file, 'variable', &
+      if (fraction > 0 .and. find_free(r%model, frees, 'lambda') > 0) call readers(fraction)%report(r, 'variable', &
          'edge_fraction and lambda cannot both be known from friction against load, allowed: one of them free, or a &data of ' &
-         //'contact_area', problems)
+         //'contact_area')
    end subroutine check_friction_alone
 
    !> Is the stress or the range of adhesion held, so that the modulus has a part in lambda?
@@ -170,29 +157,26 @@ contains
    end function is_above_zero
 
    !> Has each free variable a meaning in the theory?
-   subroutine check_theory(file, model, input, frees, readers, problems)
-      type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
-      type(case_t), intent(in) :: input
+   subroutine check_theory(r, frees, readers)
+      type(reading_t), intent(in) :: r
       type(free_t), intent(in) :: frees(:)
       type(reader_t), intent(in) :: readers(:)
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: theory
       integer :: index, i, k
 
-      index = model%solver_index_of('model', 'theory')
+      index = r%model%solver_index_of('model', 'theory')
       if (index == 0) return
-      theory = get_word(model%variables(index)%choices, nint(input%values(index)))
+      theory = get_word(r%model%variables(index)%choices, nint(r%input%values(index)))
       if (theory == 'maugis_dugdale') return
       do k = 1, 3
-         i = find_free(model, frees, get_word('lambda adhesion_stress adhesion_range', k))
+         i = find_free(r%model, frees, get_word('lambda adhesion_stress adhesion_range', k))
          if (i == 0) cycle
          if (theory == 'auto') then
-            call readers(i)%report(file, 'variable', frees(i)%name//' is free, and theory = ''auto'' changes the theory with it, ' &
-               //'needed: &model theory = ''maugis_dugdale''', problems)
+            call readers(i)%report(r, 'variable', frees(i)%name//' is free, and theory = ''auto'' changes the theory with it, ' &
+               //'needed: &model theory = ''maugis_dugdale''')
          else
-            call readers(i)%report(file, 'variable', frees(i)%name//' has no meaning with theory = '''//theory// &
-               ''', needed: &model theory = ''maugis_dugdale''', problems)
+            call readers(i)%report(r, 'variable', frees(i)%name//' has no meaning with theory = '''//theory &
+               //''', needed: &model theory = ''maugis_dugdale''')
          end if
       end do
    end subroutine check_theory

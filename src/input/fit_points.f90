@@ -85,7 +85,6 @@ contains
    pure subroutine need_positive(sigma, is_used)
       !> Standard errors; not allocated: none is needed.
       real(dp), allocatable, intent(in) :: sigma(:)
-      !> Which points are used.
       logical, intent(inout) :: is_used(:)
 
       if (.not. allocated(sigma)) return

@@ -138,9 +138,7 @@ contains
    !> Index of a row; 0 if there is none.
    pure integer function find_fit_row(rows, group, name)
       type(variable_t), intent(in) :: rows(:)
-      !> Group of the variable, without `&`.
-      character(*), intent(in) :: group
-      character(*), intent(in) :: name
+      character(*), intent(in) :: group, name
 
       do find_fit_row = size(rows), 1, -1
          if (rows(find_fit_row)%group == group .and. rows(find_fit_row)%name == name) return

@@ -2,17 +2,14 @@
 !> `&event` and `&fit`: what was measured beside the points, and how the fit is made.
 module adfric_input_fit_settings
    use adfric_base_kinds, only: dp
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, show_count, show_text
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words, get_word, has_word
    use adfric_fit_problem, only: event_t, fit_t
-   use adfric_input_case, only: case_t
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_values, only: reader_t, new_reader
-   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_describe_model, only: model_t
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
@@ -28,55 +25,51 @@ module adfric_input_fit_settings
 contains
 
    !> Read every `&event`.
-   subroutine read_events(file, rows, groups, events, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_events(r, rows, groups, events)
+      type(reading_t), intent(in) :: r
       type(variable_t), intent(in) :: rows(:)
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
       type(event_t), allocatable, intent(out) :: events(:)
-      type(problems_t), intent(inout) :: problems
       type(reader_t) :: reader
       real(dp) :: kind
       integer :: i, n
 
-      allocate (events(count(file%groups%name == 'event')))
+      allocate (events(count(r%file%groups%name == 'event')))
       n = 0
-      do i = 1, size(file%groups)
-         if (file%groups(i)%name /= 'event') cycle
-         if (problems%is_enough()) exit
+      do i = 1, size(r%file%groups)
+         if (r%file%groups(i)%name /= 'event') cycle
+         if (r%problems%is_enough()) exit
          n = n + 1
          associate (event => events(n))
-            call new_reader(reader, file, i, rows, problems)
-            call reader%read_whole(file, 'data', event%data_set, problems)
+            call new_reader(reader, r, i, rows)
+            call reader%read_whole(r, 'data', event%data_set)
             if (event%data_set > size(groups)) then
-               call reader%report(file, 'data', 'no &data of this number, given '//show_count(event%data_set)// &
-                  ', allowed: 1 to '//show_count(size(groups)), problems)
+               call reader%report(r, 'data', 'no &data of this number, given '//show_count(event%data_set)//', allowed: 1 to ' &
+                  //show_count(size(groups)))
                event%data_set = 1
             end if
-            call reader%read_number(file, 'kind', kind, problems)
+            call reader%read_number(r, 'kind', kind)
             if (is_set(kind)) event%kind = nint(kind)
-            call reader%read_number(file, 'value', event%value, problems)
-            call reader%read_number(file, 'sigma', event%sigma, problems)
-            call reader%report_missing(file, 'kind', problems)
-            call reader%report_missing(file, 'value', problems)
-            call reader%report_missing(file, 'sigma', problems)
+            call reader%read_number(r, 'value', event%value)
+            call reader%read_number(r, 'sigma', event%sigma)
+            call reader%report_missing(r, 'kind')
+            call reader%report_missing(r, 'value')
+            call reader%report_missing(r, 'sigma')
          end associate
       end do
       events = events(:n)
    end subroutine read_events
 
    !> Read `&fit`, which may be absent.
-   subroutine read_settings(file, rows, model, input, fit, is_together, wants_residuals, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_settings(r, rows, fit, is_together, wants_residuals)
+      type(reading_t), intent(in) :: r
       type(variable_t), intent(in) :: rows(:)
-      class(model_t), intent(in) :: model
-      type(case_t), intent(in) :: input
       type(fit_t), intent(inout) :: fit
       !> Are the curves of a stack fitted together?
       logical, intent(out) :: is_together
       !> Are the points of each curve wanted beside the results?
       logical, intent(out) :: wants_residuals
-      type(problems_t), intent(inout) :: problems
       type(reader_t) :: reader
       integer :: curves, residuals, group
 
@@ -85,53 +78,49 @@ contains
       allocate (fit%theories(0))
       is_together = .false.
       wants_residuals = .false.
-      group = file%find_group('fit')
+      group = r%file%find_group('fit')
       if (group == 0) return
-      call new_reader(reader, file, group, rows, problems)
-      call reader%read_whole(file, 'intervals', fit%intervals, problems)
-      call reader%read_numbers(file, 'levels', fit%levels, problems)
-      call reader%read_whole(file, 'starts', fit%n_starts, problems)
-      call reader%read_whole(file, 'curves', curves, problems)
-      call reader%read_whole(file, 'residuals', residuals, problems)
-      call reader%read_number(file, 'relative_tolerance', fit%relative_tolerance, problems)
-      call reader%read_whole(file, 'refits', fit%n_bootstrap, problems)
-      call reader%read_whole(file, 'seed', fit%seed, problems)
-      call read_theories(file, reader, model, input, fit, problems)
-      call reader%read_texts(file, 'derived', fit%derived, problems)
+      call new_reader(reader, r, group, rows)
+      call reader%read_whole(r, 'intervals', fit%intervals)
+      call reader%read_numbers(r, 'levels', fit%levels)
+      call reader%read_whole(r, 'starts', fit%n_starts)
+      call reader%read_whole(r, 'curves', curves)
+      call reader%read_whole(r, 'residuals', residuals)
+      call reader%read_number(r, 'relative_tolerance', fit%relative_tolerance)
+      call reader%read_whole(r, 'refits', fit%n_bootstrap)
+      call reader%read_whole(r, 'seed', fit%seed)
+      call read_theories(r, reader, fit)
+      call reader%read_texts(r, 'derived', fit%derived)
       is_together = curves == curves_together
       wants_residuals = residuals == all_residuals
    end subroutine read_settings
 
    !> Read the theories that are compared.
-   subroutine read_theories(file, reader, model, input, fit, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_theories(r, reader, fit)
+      type(reading_t), intent(in) :: r
       !> The group `&fit`.
       type(reader_t), intent(in) :: reader
-      class(model_t), intent(in) :: model
-      type(case_t), intent(in) :: input
-      !> Receives the indices of the theories.
       type(fit_t), intent(inout) :: fit
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: words, known
       integer :: i, k, index
 
-      call reader%read_texts(file, 'theories', words, problems)
+      call reader%read_texts(r, 'theories', words)
       if (len(words) == 0) return
-      index = model%solver_index_of('model', 'theory')
+      index = r%model%solver_index_of('model', 'theory')
       if (index == 0) then
-         call reader%report(file, 'theories', 'the model '''//model%name//''' has no theories', problems)
+         call reader%report(r, 'theories', 'the model '''//r%model%name//''' has no theories')
          return
       end if
-      known = model%variables(index)%choices
+      known = r%model%variables(index)%choices
       do i = 1, count_words(words)
          if (.not. has_word(known, get_word(words, i)) .or. get_word(words, i) == 'auto') then
-            call reader%report(file, 'theories', 'unknown theory, given '''//show_text(get_word(words, i))//''', allowed: '''// &
-               join_words(trim(adjustl(without_auto(known))), ''', ''')//''''//did_you_mean(get_word(words, i), known), problems)
+            call reader%report(r, 'theories', 'unknown theory, given '''//show_text(get_word(words, i))//''', allowed: ''' &
+               //join_words(trim(adjustl(without_auto(known))), ''', ''')//''''//did_you_mean(get_word(words, i), known))
             cycle
          end if
          do k = 1, count_words(known)
             if (get_word(known, k) /= get_word(words, i)) cycle
-            if (k /= nint(input%values(index))) fit%theories = [fit%theories, k]
+            if (k /= nint(r%input%values(index))) fit%theories = [fit%theories, k]
          end do
       end do
    end subroutine read_theories

@@ -75,7 +75,6 @@ contains
 
    !> The name of the file.
    pure function file_of(name) result(file)
-      !> Name of a file, with that of a dataset or without.
       character(*), intent(in) :: name
       character(:), allocatable :: file
 
@@ -168,9 +167,7 @@ contains
    !> Open a column, and find out how its numbers become SI units.
    subroutine open_column(self, file, path, unit, flaw)
       type(stack_column_t), intent(out) :: self
-      character(*), intent(in) :: file, path
-      !> SI unit that is wanted.
-      character(*), intent(in) :: unit
+      character(*), intent(in) :: file, path, unit
       !> What is wrong; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       character(:), allocatable :: units
@@ -188,9 +185,7 @@ contains
    subroutine check_shape(self, column, flaw)
       !> The columns; that of one curve is read.
       type(stack_file_t), intent(inout) :: self
-      !> Which column, `c_...`.
       integer, intent(in) :: column
-      !> What is wrong; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       real(dp), allocatable :: values(:, :)
       logical :: is_read, is_same
@@ -286,11 +281,8 @@ contains
    !> See `curve_source_t`.
    subroutine get_curves(self, first, data_sets, is_read)
       class(hdf5_stack_t), intent(in) :: self
-      !> Number of the first curve, from 1.
       integer(i8), intent(in) :: first
-      !> In: the data sets without their points. Out: with those of each curve; shape `(n_data_sets, n_curves)`.
       type(data_set_t), intent(inout) :: data_sets(:, :)
-      !> False: the points could not be read.
       logical, intent(out) :: is_read
       type(columns_t) :: curves(size(data_sets, 2))
       integer :: g, i

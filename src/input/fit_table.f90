@@ -103,7 +103,6 @@ contains
 
    !> Is a column wanted: by its name, because it is needed, or because it is there?
    pure logical function is_wanted(given, is_needed, is_there)
-      !> Name that is given; not allocated if none is, empty if no column is wanted.
       character(:), allocatable, intent(in) :: given
       logical, intent(in) :: is_needed
       !> Is there a column of the usual name?

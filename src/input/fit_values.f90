@@ -2,7 +2,6 @@
 !> The values of the groups that an input of `adfric fit` has beside those of its model.
 module adfric_input_fit_values
    use adfric_base_kinds, only: dp
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_text
    use adfric_input_fit_rows, only: find_fit_row, list_fit_names
    use adfric_input_group_values, only: take_text
@@ -10,6 +9,7 @@ module adfric_input_fit_values
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_number_list, only: read_list
+   use adfric_input_reading, only: reading_t
    use adfric_input_variable, only: describe_allowed, find_outlier, read_variable
    use adfric_input_vocabulary, only: report_unknown_names
    use adfric_describe_table, only: variable_t
@@ -42,17 +42,16 @@ module adfric_input_fit_values
 contains
 
    !> Begin with a group: names that it does not have are reported.
-   subroutine new_reader(self, file, group, rows, problems)
+   subroutine new_reader(self, r, group, rows)
       type(reader_t), intent(out) :: self
-      type(namelist_file_t), intent(in) :: file
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
       type(variable_t), intent(in) :: rows(:)
-      type(problems_t), intent(inout) :: problems
 
       self%group = group
-      self%name = trim(file%groups(group)%name)
+      self%name = trim(r%file%groups(group)%name)
       self%rows = rows
-      call report_unknown_names(file, group, list_fit_names(rows, self%name), problems)
+      call report_unknown_names(r, group, list_fit_names(rows, self%name))
    end subroutine new_reader
 
    !> Is a variable given?
@@ -65,94 +64,89 @@ contains
    end function has
 
    !> Read a number, or a choice as its place; the default where it is not given, or wrong.
-   subroutine read_number(self, file, name, value, problems)
+   subroutine read_number(self, r, name, value)
       class(reader_t), intent(in) :: self
-      type(namelist_file_t), intent(in) :: file
+      type(reading_t), intent(in) :: r
       character(*), intent(in) :: name
       !> Receives the number.
       real(dp), intent(out) :: value
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
       integer :: number, entry
 
       associate (row => self%rows(find_fit_row(self%rows, self%name, name)))
          value = row%default
-         number = file%find_assignment(self%group, name)
+         number = r%file%find_assignment(self%group, name)
          if (number == 0) return
-         call read_variable(file%value_of(number), row, value, flaw, entry)
-         if (len(flaw) > 0) call file%report_variable(problems, self%group, name, flaw, entry)
+         call read_variable(r%file%value_of(number), row, value, flaw, entry)
+         if (len(flaw) > 0) call r%report(self%group, name, flaw, entry)
       end associate
    end subroutine read_number
 
    !> Read a whole number, or a choice as its place.
-   subroutine read_whole(self, file, name, value, problems)
+   subroutine read_whole(self, r, name, value)
       class(reader_t), intent(in) :: self
-      type(namelist_file_t), intent(in) :: file
+      type(reading_t), intent(in) :: r
       !> Name of the variable, which has a default.
       character(*), intent(in) :: name
       !> Receives the number.
       integer, intent(out) :: value
-      type(problems_t), intent(inout) :: problems
       real(dp) :: number
 
-      call self%read_number(file, name, number, problems)
+      call self%read_number(r, name, number)
       value = nint(number)
    end subroutine read_whole
 
    !> Read a list of numbers.
-   subroutine read_numbers(self, file, name, values, problems)
+   subroutine read_numbers(self, r, name, values)
       class(reader_t), intent(in) :: self
-      type(namelist_file_t), intent(in) :: file
+      type(reading_t), intent(in) :: r
       character(*), intent(in) :: name
       !> In: the default. Out: the numbers that are given.
       real(dp), allocatable, intent(inout) :: values(:)
-      type(problems_t), intent(inout) :: problems
       real(dp), allocatable :: given(:)
       character(:), allocatable :: flaw
       integer :: number, entry, first
 
-      number = file%find_assignment(self%group, name)
+      number = r%file%find_assignment(self%group, name)
       if (number == 0) return
       associate (row => self%rows(find_fit_row(self%rows, self%name, name)))
-         call read_list(file%value_of(number), given, flaw, entry, most_numbers)
+         call read_list(r%file%value_of(number), given, flaw, entry, most_numbers)
          if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(row)
          if (len(flaw) == 0) call find_outlier(given, row, first, flaw)
       end associate
       if (len(flaw) > 0) then
-         call file%report_variable(problems, self%group, name, flaw)
+         call r%report(self%group, name, flaw)
       else
          values = given
       end if
    end subroutine read_numbers
 
    !> Read a text.
-   subroutine read_text(self, file, name, text, problems)
+   subroutine read_text(self, r, name, text)
       class(reader_t), intent(in) :: self
-      type(namelist_file_t), intent(in) :: file
+      type(reading_t), intent(in) :: r
       character(*), intent(in) :: name
       !> Receives the text; not allocated where none is given, or something is wrong.
       character(:), allocatable, intent(out) :: text
-      type(problems_t), intent(inout) :: problems
 
-      call take_text(file, self%group, name, 'a text in quotes', text, problems)
+      call take_text(r, self%group, name, 'a text in quotes', text)
    end subroutine read_text
 
    !> Read several words.
-   subroutine read_texts(self, file, name, words, problems)
+   subroutine read_texts(self, r, name, words)
       class(reader_t), intent(in) :: self
-      type(namelist_file_t), intent(in) :: file
+      type(reading_t), intent(in) :: r
       character(*), intent(in) :: name
       !> Receives the words, separated by a blank; empty where none is given, or something is wrong.
       character(:), allocatable, intent(out) :: words
-      type(problems_t), intent(inout) :: problems
       type(item_t) :: item
       character(:), allocatable :: text, word, flaw
       integer :: number, position
 
       words = ''
-      number = file%find_assignment(self%group, name)
+      number = r%file%find_assignment(self%group, name)
       if (number == 0) return
-      text = file%value_of(number)
+      text = r%file%value_of(number)
       position = 1
       do
          call next_item(text, position, item, flaw)
@@ -162,7 +156,7 @@ contains
             if (len_trim(word) == 0 .or. index(trim(word), ' ') > 0) flaw = 'not a word, given '''//show_text(word)//''''
          end if
          if (len(flaw) > 0) then
-            call file%report_variable(problems, self%group, name, flaw//', allowed: words in quotes')
+            call r%report(self%group, name, flaw//', allowed: words in quotes')
             words = ''
             return
          end if
@@ -171,27 +165,25 @@ contains
    end subroutine read_texts
 
    !> Add a problem of a variable of the group.
-   subroutine report(self, file, name, text, problems)
+   subroutine report(self, r, name, text)
       class(reader_t), intent(in) :: self
-      type(namelist_file_t), intent(in) :: file
+      type(reading_t), intent(in) :: r
       !> Name of the variable; empty for the group.
       character(*), intent(in) :: name
       character(*), intent(in) :: text
-      type(problems_t), intent(inout) :: problems
 
-      call file%report_variable(problems, self%group, name, text)
+      call r%report(self%group, name, text)
    end subroutine report
 
    !> Report that a variable is not given, unless something in the group made no sense.
-   subroutine report_missing(self, file, name, problems)
+   subroutine report_missing(self, r, name)
       class(reader_t), intent(in) :: self
-      type(namelist_file_t), intent(in) :: file
+      type(reading_t), intent(in) :: r
       character(*), intent(in) :: name
-      type(problems_t), intent(inout) :: problems
 
-      if (file%groups(self%group)%is_garbled .or. self%has(file, name)) return
+      if (r%file%groups(self%group)%is_garbled .or. self%has(r%file, name)) return
       associate (row => self%rows(find_fit_row(self%rows, self%name, name)))
-         call file%report_variable(problems, self%group, name, 'not given, needed: '//row%meaning//', '//describe_allowed(row))
+         call r%report(self%group, name, 'not given, needed: '//row%meaning//', '//describe_allowed(row))
       end associate
    end subroutine report_missing
 

@@ -32,7 +32,6 @@ contains
 
    !> Read the numbers of a list.
    subroutine read_numbers(text, variable, dataset, flaw, index)
-      !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
       !> Row of the model's table: unit, bounds and number of values.
       type(variable_t), intent(in) :: variable

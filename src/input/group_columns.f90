@@ -210,7 +210,6 @@ contains
 
    !> Is a unit an angle in a time?
    pure logical function is_in_radians(units)
-      !> Unit as the file says it.
       character(*), intent(in) :: units
 
       is_in_radians = index(to_lower(units), 'rad') > 0

@@ -125,9 +125,7 @@ contains
 
    !> Does a group end with the word `&end` at this position?
    pure logical function is_group_end(bare, position)
-      !> Text of the file without comments.
       character(*), intent(in) :: bare
-      !> Position in the text, from 1.
       integer, intent(in) :: position
       character(5) :: word
 
@@ -137,7 +135,6 @@ contains
 
    !> Read the name after `&`.
    subroutine read_group_name(bare, position, group)
-      !> Text of the file without comments.
       character(*), intent(in) :: bare
       !> In: position of the `&`. Out: the position behind the name.
       integer, intent(inout) :: position
@@ -171,9 +168,7 @@ contains
 
    !> Find the end of a group, with its `/` or without.
    pure subroutine find_group_end(bare, position, group)
-      !> Text of the file without comments.
       character(*), intent(in) :: bare
-      !> In: the position behind the name of the group. Out: the position behind the group.
       integer, intent(inout) :: position
       !> Receives the ends of its body, and whether it has an end; it is garbled if a quote is not closed.
       type(group_t), intent(inout) :: group

@@ -3,12 +3,11 @@
 !> reported, and the value stays as it was.
 module adfric_input_group_values
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, show_count, show_text, to_lower
    use adfric_base_words, only: has_word
    use adfric_input_item, only: item_t, next_item, take_only_word
    use adfric_input_literal, only: convert
-   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: find_variable, is_number, list_numbers
    use adfric_describe_model, only: model_t
@@ -19,118 +18,108 @@ module adfric_input_group_values
 contains
 
    !> A real number.
-   subroutine take_number(file, group, name, value, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine take_number(r, group, name, value)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
       character(*), intent(in) :: name
       !> Receives the number; left as it is if it is not given, or something is wrong.
       real(dp), intent(inout) :: value
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: word, flaw
       real(dp) :: given
       integer :: number, entry
 
-      number = file%find_assignment(group, name)
+      number = r%file%find_assignment(group, name)
       if (number == 0) return
-      call take_only_word(file%value_of(number), word, flaw, entry)
+      call take_only_word(r%file%value_of(number), word, flaw, entry)
       if (len(flaw) == 0) call convert(word, given, flaw)
       if (len(flaw) == 0) value = given
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: a number', entry)
+      if (len(flaw) > 0) call r%report(group, name, flaw//', allowed: a number', entry)
    end subroutine take_number
 
    !> An integer within bounds.
-   subroutine take_count(file, group, name, least, most, value, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine take_count(r, group, name, least, most, value)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
       character(*), intent(in) :: name
-      !> Bounds of the integer.
       integer, intent(in) :: least, most
       !> Receives the integer; left as it is if it is not given, or something is wrong.
       integer(i8), intent(inout) :: value
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: word, flaw
       integer(i8) :: given
       integer :: number, entry
 
-      number = file%find_assignment(group, name)
+      number = r%file%find_assignment(group, name)
       if (number == 0) return
-      call take_only_word(file%value_of(number), word, flaw, entry)
+      call take_only_word(r%file%value_of(number), word, flaw, entry)
       if (len(flaw) == 0) call convert(word, given, flaw)
       if (len(flaw) == 0) then
          if (given < least) flaw = 'out of range, given '//show_count(given)
          if (given > most) flaw = 'too many values, given '//show_count(given)
          if (len(flaw) == 0) value = given
       end if
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: an integer >= '//show_count(least)// &
-         ' and <= '//show_count(most), entry)
+      if (len(flaw) > 0) call r%report(group, name, flaw//', allowed: an integer >= '//show_count(least)//' and <= ' &
+         //show_count(most), entry)
    end subroutine take_count
 
    !> One of several words.
-   subroutine take_choice(file, group, name, choices, word, problems, what)
-      type(namelist_file_t), intent(in) :: file
+   subroutine take_choice(r, group, name, choices, word, what)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
       character(*), intent(in) :: name
       !> Words that are allowed, separated by a blank.
       character(*), intent(in) :: choices
       !> Receives the word; left as it is if it is not given, or something is wrong.
       character(:), allocatable, intent(inout) :: word
-      type(problems_t), intent(inout) :: problems
       !> What a word is called in a message; not present: choice.
       character(*), intent(in), optional :: what
       character(:), allocatable :: quoted, given, flaw, called
       integer :: number, entry
 
-      number = file%find_assignment(group, name)
+      number = r%file%find_assignment(group, name)
       if (number == 0) return
       given = ''
       called = 'choice'
       if (present(what)) called = what
-      call take_only_word(file%value_of(number), quoted, flaw, entry)
+      call take_only_word(r%file%value_of(number), quoted, flaw, entry)
       if (len(flaw) == 0) call convert(quoted, given, flaw)
       if (len(flaw) == 0 .and. .not. has_word(choices, given)) flaw = 'unknown '//called//', given '''//show_text(given)//''''
       if (len(flaw) == 0) word = given
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, &
-         flaw//', allowed: '''//join_words(choices, ''', ''')//''''//did_you_mean(given, choices), entry)
+      if (len(flaw) > 0) call r%report(group, name, flaw//', allowed: '''//join_words(choices, ''', ''')//'''' &
+         //did_you_mean(given, choices), entry)
    end subroutine take_choice
 
    !> A text in quotes.
-   subroutine take_text(file, group, name, allowed, word, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine take_text(r, group, name, allowed, word)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
-      character(*), intent(in) :: name
-      !> What is allowed, in words.
-      character(*), intent(in) :: allowed
+      character(*), intent(in) :: name, allowed
       !> Receives the text without its quotes; left as it is if it is not given, or something is wrong.
       character(:), allocatable, intent(inout) :: word
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted, given, flaw
       integer :: number, entry
 
-      number = file%find_assignment(group, name)
+      number = r%file%find_assignment(group, name)
       if (number == 0) return
-      call take_only_word(file%value_of(number), quoted, flaw, entry)
+      call take_only_word(r%file%value_of(number), quoted, flaw, entry)
       if (len(flaw) == 0) call convert(quoted, given, flaw)
       if (len(flaw) == 0) word = given
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: '//allowed, entry)
+      if (len(flaw) > 0) call r%report(group, name, flaw//', allowed: '//allowed, entry)
    end subroutine take_text
 
    !> Several words in quotes, in small letters.
-   subroutine take_words(file, group, name, allowed, words, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine take_words(r, group, name, allowed, words)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
-      character(*), intent(in) :: name
-      !> What is allowed, in words.
-      character(*), intent(in) :: allowed
+      character(*), intent(in) :: name, allowed
       !> Receives the words, separated by a blank; left as it is if they are not given, or something is wrong.
       character(:), allocatable, intent(inout) :: words
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: text, list, word, flaw
       type(item_t) :: item
       integer :: number, position, entry
 
-      number = file%find_assignment(group, name)
+      number = r%file%find_assignment(group, name)
       if (number == 0) return
-      text = file%value_of(number)
+      text = r%file%value_of(number)
       list = ''
       position = 1
       entry = 1
@@ -148,40 +137,38 @@ contains
       end do
       if (len(flaw) == 0 .and. len(list) == 0) flaw = 'no value given'
       if (len(flaw) == 0) words = list
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: '//allowed, entry)
+      if (len(flaw) > 0) call r%report(group, name, flaw//', allowed: '//allowed, entry)
    end subroutine take_words
 
    !> The numeric variable of the model that `variable` names.
-   subroutine take_variable(file, group, model, name, variable, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine take_variable(r, group, name, variable)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
-      class(model_t), intent(in) :: model
       !> Receives the name in small letters; empty if there is none.
       character(:), allocatable, intent(out) :: name
       !> Index of the variable in the model's table, from 1; 0 if there is none.
       integer, intent(out) :: variable
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted, flaw
       integer :: number, entry
 
       variable = 0
       name = ''
-      number = file%find_assignment(group, 'variable')
+      number = r%file%find_assignment(group, 'variable')
       if (number == 0) then
-         if (.not. file%groups(group)%is_garbled) call file%report_variable(problems, group, 'variable', &
+         if (.not. r%file%groups(group)%is_garbled) call r%report(group, 'variable', &
             'not given, needed: the name of a variable of the model')
          return
       end if
-      call take_only_word(file%value_of(number), quoted, flaw, entry)
+      call take_only_word(r%file%value_of(number), quoted, flaw, entry)
       if (len(flaw) == 0) call convert(quoted, name, flaw)
       if (len(flaw) > 0) then
          name = ''
          flaw = flaw//', allowed: the name of a variable of the model'
       else
          name = to_lower(name)
-         call look_up_number(model, name, variable, flaw)
+         call look_up_number(r%model, name, variable, flaw)
       end if
-      if (len(flaw) > 0) call file%report_variable(problems, group, 'variable', flaw, entry)
+      if (len(flaw) > 0) call r%report(group, 'variable', flaw, entry)
    end subroutine take_variable
 
    !> Look up a numeric variable, `name` or `group%name`.

@@ -116,7 +116,6 @@ contains
 
    !> Take a head apart whose last word is a unit.
    pure subroutine split_letters(head)
-      !> In: the whole head. Out: also the name and the unit, if there is one.
       type(head_t), intent(inout) :: head
       integer :: k, last
 

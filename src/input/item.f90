@@ -101,7 +101,6 @@ contains
 
    !> Take `3*` off a value.
    pure subroutine take_repeat_count(text, item)
-      !> Text of the value of an assignment.
       character(*), intent(in) :: text
       !> In: the ends of the value, with its count if it has one. Out: the ends without the count, and `repeat`.
       type(item_t), intent(inout) :: item

@@ -183,7 +183,6 @@ contains
 
    !> An integer; 0 if something is wrong.
    pure subroutine convert_integer(word, value, flaw)
-      !> The value as it is written, without blanks.
       character(*), intent(in) :: word
       !> The integer; 0 if something is wrong.
       integer(i8), intent(out) :: value
@@ -205,7 +204,6 @@ contains
 
    !> A logical; false if something is wrong.
    pure subroutine convert_logical(word, value, flaw)
-      !> The value as it is written, with any capitals.
       character(*), intent(in) :: word
       !> The logical; false if something is wrong.
       logical, intent(out) :: value

@@ -7,8 +7,7 @@ module adfric_input_modern
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: newline, strip
    use adfric_base_words, only: count_words, get_word, has_word, pad
-   use adfric_input_comments, only: comment_behind, comments_above, comments_at_end, comments_before, comments_inside, &
-      layout_of
+   use adfric_input_comments, only: comment_behind, comments_above, comments_at_end, comments_before, comments_inside, layout_of
    use adfric_input_literal, only: convert
    use adfric_input_modern_checks, only: check_ordinates, check_rest, count_samples
    use adfric_input_modern_values, only: bare_of, count_items, index_of_assigned, is_converted, item_of, names_in_scene, &
@@ -21,6 +20,7 @@ module adfric_input_modern
    use adfric_describe_vocabulary, only: list_groups
    use adfric_describe_scene_facts, only: find_facts, scene_t
    use adfric_describe_scene_names, only: added_word, likely_name_of, rename_words
+   use adfric_input_reading, only: new_reading, reading_t
    implicit none (type, external)
    private
    public :: write_scene
@@ -38,7 +38,7 @@ contains
    !> Write an input as a scene, with its comments.
    subroutine write_scene(file, name, counts, text, problems)
       !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
+      type(namelist_file_t), intent(in), target :: file
       !> Name of its model.
       character(*), intent(in) :: name
       !> Number of samples of the heights along x and y; 0 where it is not known.
@@ -46,12 +46,13 @@ contains
       !> Receives the scene.
       character(:), allocatable, intent(out) :: text
       !> Receives what a scene cannot say; nothing is removed.
-      type(problems_t), intent(inout) :: problems
+      type(problems_t), intent(inout), target :: problems
       class(model_t), allocatable :: old, new, chosen
       type(error_t), allocatable :: error
       type(scene_t) :: scene
       character(:), allocatable :: groups
       logical :: is_used(size(file%groups)), is_left_out(size(file%assignments))
+      type(reading_t) :: r
       integer :: g
 
       call new_model(old, name, error)
@@ -61,9 +62,10 @@ contains
       call find_facts(scene)
       call make_solver(old%name, scene, new)
       call find_solver(scene, '', chosen)
-      call count_samples(counts, file, new, problems)
-      call check_ordinates(file, old, new, problems)
-      call check_rest(file, old, new, is_left_out, problems)
+      call new_reading(r, file, problems)
+      call count_samples(counts, r, new)
+      call check_ordinates(r, old, new)
+      call check_rest(r, old, new, is_left_out)
       is_used = .false.
       if (size(is_used) > 0) is_used(1) = .true.
 
@@ -193,9 +195,7 @@ contains
       type(namelist_file_t), intent(in) :: file
       class(model_t), intent(in) :: old, new
       type(scene_t), intent(in) :: scene
-      !> Is the assignment left out? Shape `(n_assignments)`.
       logical, intent(in) :: is_left_out(:)
-      !> Name of the group.
       character(*), intent(in) :: group
       !> Have the comments before a group of the input been written? Shape `(n_groups)`.
       logical, intent(inout) :: is_used(:)
@@ -279,7 +279,6 @@ contains
    !> The lines of an assignment with its comments: those of its value, too, which keeps its lines if it has not changed.
    function lines_of_assignment(file, number, name, value, note) result(lines)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
       integer, intent(in) :: number
       !> Name and value in the scene.
       character(*), intent(in) :: name, value

@@ -36,7 +36,6 @@ contains
    !> Index of the variable that an assignment gives a value, in the table of the model; 0 if the model has none such.
    pure integer function index_of_assigned(file, number, old)
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
       integer, intent(in) :: number
       class(model_t), intent(in) :: old
 
@@ -93,7 +92,6 @@ contains
 
    !> Number of values of an assignment.
    integer function count_items(text)
-      !> Value of the assignment.
       character(*), intent(in) :: text
 
       count_items = 0
@@ -104,7 +102,6 @@ contains
 
    !> One of the values of an assignment; empty if there are not as many.
    function item_of(text, number) result(item_text)
-      !> Value of the assignment.
       character(*), intent(in) :: text
       !> Number of the value, from 1.
       integer, intent(in) :: number
@@ -174,7 +171,6 @@ contains
 
    !> Names of variables as a scene has them.
    function names_in_scene(text, old, new) result(names)
-      !> Words in quotes.
       character(*), intent(in) :: text
       class(model_t), intent(in) :: old, new
       character(:), allocatable :: names, word, flaw
@@ -193,7 +189,6 @@ contains
 
    !> Name of a result as a scene has it.
    function result_in_scene(text, old, new) result(name)
-      !> A word in quotes.
       character(*), intent(in) :: text
       class(model_t), intent(in) :: old, new
       character(:), allocatable :: name, word, flaw

@@ -58,7 +58,6 @@ contains
 
    !> Find the groups and assignments of a text that may be none.
    subroutine open_namelist_text(self, path, text, problems, error)
-      !> Receives the text with its groups and assignments; empty if there is an error.
       type(namelist_file_t), intent(out) :: self
       !> Name of the file, as the user gave it; empty if there is none.
       character(*), intent(in) :: path
@@ -84,10 +83,7 @@ contains
    subroutine new_namelist_file(self, path, text, problems)
       !> Receives the text with its groups and assignments.
       type(namelist_file_t), intent(out) :: self
-      !> Name of the file, as the user gave it.
-      character(*), intent(in) :: path
-      !> The whole text of the file, byte by byte.
-      character(*), intent(in) :: text
+      character(*), intent(in) :: path, text
       type(problems_t), intent(inout) :: problems
 
       self%path = path

@@ -54,7 +54,6 @@ contains
 
    !> Examine, keep and count the values of a list.
    subroutine scan_list(text, limit, values, n_kept, n, is_space, flaw, index)
-      !> Text of the value of an assignment: numbers, each with a repeat count or without.
       character(*), intent(in) :: text
       !> Values that the list may have, at most `most_values`.
       integer, intent(in) :: limit
@@ -68,7 +67,6 @@ contains
       logical, intent(out) :: is_space
       !> What is wrong with a value; empty if all are good.
       character(:), allocatable, intent(out) :: flaw
-      !> Position in the text of what is wrong, from 1.
       integer, intent(out) :: index
       type(item_t) :: item
       real(dp) :: value
@@ -99,7 +97,6 @@ contains
    subroutine make_space(values, n_kept, n, is_space)
       !> In: values that are kept, and space. Out: the same values with space for `n`; unchanged if that fails.
       real(dp), allocatable, intent(inout) :: values(:)
-      !> Number of values that are kept.
       integer(i8), intent(in) :: n_kept
       !> Number of values that there shall be space for.
       integer(i8), intent(in) :: n

@@ -14,6 +14,7 @@ module adfric_input_run
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file, open_namelist_text
+   use adfric_input_reading, only: new_reading, reading_t
    use adfric_input_refinement, only: read_refinement
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_input_sweep_size, only: check_counts, find_size_problem
@@ -46,17 +47,19 @@ contains
       !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
       !> Receives the input, cut into groups and assignments, for `read_case`.
-      type(namelist_file_t), intent(out) :: file
+      type(namelist_file_t), intent(out), target :: file
       !> Receives the names of the model and of the results file, the title and the text.
       type(run_input_t), intent(out) :: run
       !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
+      type(problems_t), intent(inout), target :: problems
       !> Allocated if the file cannot be read, or is no text.
       type(error_t), allocatable, intent(out) :: error
+      type(reading_t) :: r
 
+      call new_reading(r, file, problems)
       call start_run(run, default_output(path))
       call open_namelist_file(file, path, problems, error)
-      if (.not. allocated(error)) call find_job(file, known_models, run, problems)
+      if (.not. allocated(error)) call find_job(r, known_models, run)
    end subroutine read_job
 
    !> Find out which model a text wants that is no file.
@@ -66,17 +69,19 @@ contains
       !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
       !> Receives the input, cut into groups and assignments, for `read_case`.
-      type(namelist_file_t), intent(out) :: file
+      type(namelist_file_t), intent(out), target :: file
       !> Receives the names of the model and of the results file, the title and the text.
       type(run_input_t), intent(out) :: run
       !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
+      type(problems_t), intent(inout), target :: problems
       !> Allocated if it is no text.
       type(error_t), allocatable, intent(out) :: error
+      type(reading_t) :: r
 
+      call new_reading(r, file, problems)
       call start_run(run, default_output('text'))
       call open_namelist_text(file, '', text, problems, error)
-      if (.not. allocated(error)) call find_job(file, known_models, run, problems)
+      if (.not. allocated(error)) call find_job(r, known_models, run)
    end subroutine read_job_of_text
 
    !> Nothing is known of a run but where its results go.
@@ -90,30 +95,29 @@ contains
    end subroutine start_run
 
    !> Find out which model an input wants.
-   subroutine find_job(file, known_models, run, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine find_job(r, known_models, run)
+      type(reading_t), intent(in) :: r
       !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
       !> Receives the names of the model and of the results file, the title and the text.
       type(run_input_t), intent(inout) :: run
-      type(problems_t), intent(inout) :: problems
       integer :: group
 
       ! of a file that has not been looked at to its end nothing more can be said
-      if (problems%is_enough()) return
-      run%text = file%text
-      group = file%find_group('job')
-      run%is_scene = describes_scene(file, group)
+      if (r%problems%is_enough()) return
+      run%text = r%file%text
+      group = r%file%find_group('job')
+      run%is_scene = describes_scene(r%file, group)
       if (group == 0) then
          if (run%is_scene) return
          ! a file without any group is no input, and that has been said
-         if (size(file%groups) > 0 .or. problems%count() == 0) call report_missing_job(file, known_models, problems)
+         if (size(r%file%groups) > 0 .or. r%problems%count() == 0) call report_missing_job(r, known_models)
          return
       end if
-      call report_unknown_names(file, group, job_names//trim(merge(' units solver', '             ', run%is_scene)), problems)
-      call read_word(file, group, 'title', run%title, problems)
-      call read_output(file, group, run%output, problems)
-      if (.not. run%is_scene) call read_model(file, group, known_models, run%model_name, problems)
+      call report_unknown_names(r, group, job_names//trim(merge(' units solver', '             ', run%is_scene)))
+      call read_word(r, group, 'title', run%title)
+      call read_output(r, group, run%output)
+      if (.not. run%is_scene) call read_model(r, group, known_models, run%model_name)
    end subroutine find_job
 
    !> Does an input describe a scene, and name no model?
@@ -130,31 +134,33 @@ contains
    !> Read the case and the sweep of the model that the input wants, and hand the model its datasets.
    subroutine read_case(file, run, problems)
       !> The input, cut into groups and assignments by `read_job`.
-      type(namelist_file_t), intent(in) :: file
+      type(namelist_file_t), intent(in), target :: file
       !> In: what `read_job` has found, and the model. Out: also the points, the datasets, and what is given; they are only to be
       !> used when there are no problems.
-      type(run_input_t), intent(inout) :: run
+      type(run_input_t), intent(inout), target :: run
       !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      type(case_t) :: input
+      type(problems_t), intent(inout), target :: problems
+      type(case_t), target :: input
+      type(reading_t) :: r
       character(:), allocatable :: text
       integer :: n_before
       logical :: is_countable
 
-      call read_groups(file, run%model, input, problems)
+      call new_reading(r, file, problems, run%model, input)
+      call read_groups(r)
       n_before = problems%count()
-      call check_counts(file, problems)
+      call check_counts(r)
       is_countable = problems%count() == n_before
-      if (is_countable .and. .not. problems%is_enough()) call read_axes(file, run%model, input, run%plan%axes, problems)
+      if (is_countable .and. .not. problems%is_enough()) call read_axes(r, run%plan%axes)
       ! what the sweeps should have given is not missing
       if (.not. is_countable) input%is_broken = .true.
       if (.not. is_countable) allocate (run%plan%axes(0))
       ! what has not been read is not missing
       if (problems%is_enough()) return
       call load_datasets(run%model, input, problems)
-      if (.not. allocated(run%later)) call check_consistency(file, run%model, input, run%plan%axes, problems)
-      if (is_countable) call read_refinement(file, run%model, run%plan%axes, run%refinement, problems)
-      call read_variation(file, run%model, input, run%variation, problems)
+      if (.not. allocated(run%later)) call check_consistency(r, run%plan%axes)
+      if (is_countable) call read_refinement(r, run%plan%axes, run%refinement)
+      call read_variation(r, run%variation)
       text = find_size_problem(run%plan)
       if (len(text) > 0) call problems%add('sweep', '', text)
       call move_alloc(input%values, run%plan%base)
@@ -177,91 +183,84 @@ contains
    end function default_output
 
    !> Report that there is no `&job`.
-   subroutine report_missing_job(file, known_models, problems)
-      type(namelist_file_t), intent(in) :: file
-      !> Names of the models, separated by a blank.
+   subroutine report_missing_job(r, known_models)
+      type(reading_t), intent(in) :: r
       character(*), intent(in) :: known_models
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: text
       integer :: i
 
       text = 'the group is missing, needed: &surface or &traction of a scene (adfric help scenes), or &job model = '''// &
          join_words(known_models, ''' or ''')//''' /'
-      do i = 1, size(file%groups)
-         if (find_nearest(trim(file%groups(i)%name), 'job') /= 'job') cycle
-         text = text//'; did you mean it by &'//trim(file%groups(i)%name)//' in line '// &
-            show_count(file%line_of(file%groups(i)%first))//'?'
+      do i = 1, size(r%file%groups)
+         if (find_nearest(trim(r%file%groups(i)%name), 'job') /= 'job') cycle
+         text = text//'; did you mean it by &'//trim(r%file%groups(i)%name)//' in line ' &
+            //show_count(r%file%line_of(r%file%groups(i)%first))//'?'
          exit
       end do
-      call problems%add('job', '', text)
+      call r%problems%add('job', '', text)
    end subroutine report_missing_job
 
    !> Read a text of `&job`; what is wrong, or not given, leaves it as it is.
-   subroutine read_word(file, group, name, word, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_word(r, group, name, word)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
       !> Name of the variable of `&job`.
       character(*), intent(in) :: name
       !> Receives the text without its quotes; left as it is if something is wrong or nothing is given.
       character(:), allocatable, intent(inout) :: word
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted, given, flaw
       integer :: number, position
 
-      number = file%find_assignment(group, name)
+      number = r%file%find_assignment(group, name)
       if (number == 0) return
-      call take_only_word(file%value_of(number), quoted, flaw, position)
+      call take_only_word(r%file%value_of(number), quoted, flaw, position)
       if (len(flaw) == 0) call convert(quoted, given, flaw)
       if (len(flaw) == 0) then
          word = given
       else
-         call file%report_variable(problems, group, name, flaw//', allowed: a text in quotes', position)
+         call r%report(group, name, flaw//', allowed: a text in quotes', position)
       end if
    end subroutine read_word
 
    !> Read the name of the results file.
-   subroutine read_output(file, group, output, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_output(r, group, output)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
       !> In: the name for an input that gives none. Out: the name that is given, if one is.
       character(:), allocatable, intent(inout) :: output
-      type(problems_t), intent(inout) :: problems
 
-      call read_word(file, group, 'output', output, problems)
+      call read_word(r, group, 'output', output)
       if (len(output) == 0) then
-         call file%report_variable(problems, group, 'output', 'empty, allowed: the name of a file')
+         call r%report(group, 'output', 'empty, allowed: the name of a file')
       else if (len(output) > longest_name) then
-         call file%report_variable(problems, group, 'output', 'too long for the name of a file, given '//show_text(output)// &
-            ', allowed: at most '//show_count(longest_name)//' letters')
-      else if (output == file%path) then
-         call file%report_variable(problems, group, 'output', 'the results would replace the input, given '''// &
-            show_text(output)//''', allowed: the name of another file')
+         call r%report(group, 'output', 'too long for the name of a file, given '//show_text(output)//', allowed: at most ' &
+            //show_count(longest_name)//' letters')
+      else if (output == r%file%path) then
+         call r%report(group, 'output', 'the results would replace the input, given '''//show_text(output) &
+            //''', allowed: the name of another file')
       end if
    end subroutine read_output
 
    !> Read the name of the model; empty if it is unknown.
-   subroutine read_model(file, group, known_models, model, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_model(r, group, known_models, model)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
-      !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
       !> In: empty. Out: the name of a known model; empty if something is wrong.
       character(:), allocatable, intent(inout) :: model
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: choices
       integer :: n_before
 
       choices = ''''//join_words(known_models, ''', ''')//''''
-      if (file%find_assignment(group, 'model') == 0) then
-         if (.not. file%groups(group)%is_garbled) &
-            call file%report_variable(problems, group, 'model', 'not given, allowed: '//choices)
+      if (r%file%find_assignment(group, 'model') == 0) then
+         if (.not. r%file%groups(group)%is_garbled) call r%report(group, 'model', 'not given, allowed: '//choices)
          return
       end if
-      n_before = problems%count()
-      call read_word(file, group, 'model', model, problems)
-      if (problems%count() > n_before) return
+      n_before = r%problems%count()
+      call read_word(r, group, 'model', model)
+      if (r%problems%count() > n_before) return
       if (has_word(known_models, model)) return
-      call file%report_variable(problems, group, 'model', say_unknown_model(model, known_models))
+      call r%report(group, 'model', say_unknown_model(model, known_models))
       model = ''
    end subroutine read_model
 

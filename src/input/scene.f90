@@ -9,6 +9,7 @@ module adfric_input_scene
    use adfric_base_words, only: count_words, get_word, has_word
    use adfric_input_group_values, only: take_choice, take_words
    use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: new_reading, reading_t
    use adfric_input_run, only: run_input_t
    use adfric_input_vocabulary, only: output_names, say_name_of_model
    use adfric_describe_model, only: model_t
@@ -16,8 +17,8 @@ module adfric_input_scene
    use adfric_run_converted_model, only: convert_model
    use adfric_describe_scene_facts, only: describe_scene, find_facts, is_named, scene_t, words_of
    use adfric_describe_scene_names, only: rename_tables
-   use adfric_describe_scene_solvers, only: answers, find_nearest, known_curves, known_extents, known_surfaces, &
-      known_tractions, n_scenes, scenes, word_length
+   use adfric_describe_scene_solvers, only: answers, find_nearest, known_curves, known_extents, known_surfaces, known_tractions, &
+      n_scenes, scenes, word_length
    implicit none (type, external)
    private
    public :: make_model, find_solver, make_solver, naming
@@ -33,51 +34,51 @@ contains
    !> Make the model that an input names, or the solver of its scene.
    subroutine make_model(file, run, problems, error)
       !> The input, cut into groups and assignments by `read_job`.
-      type(namelist_file_t), intent(in) :: file
+      type(namelist_file_t), intent(in), target :: file
       !> In: what `read_job` has found. Out: also the model; it is not allocated if there is none.
       type(run_input_t), intent(inout) :: run
       !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
+      type(problems_t), intent(inout), target :: problems
       !> Allocated if the model cannot be made.
       type(error_t), allocatable, intent(out) :: error
+      type(reading_t) :: r
 
       if (len(run%model_name) > 0) then
          call new_model(run%model, run%model_name, error)
       else if (run%is_scene .and. .not. problems%is_enough()) then
+         call new_reading(r, file, problems)
          if (allocated(run%later)) then
-            call new_scene_model(file, run%later, run%model, problems)
+            call new_scene_model(r, run%later, run%model)
          else
-            call new_scene_model(file, '', run%model, problems)
+            call new_scene_model(r, '', run%model)
          end if
          if (allocated(run%model)) run%model_name = run%model%name
       end if
    end subroutine make_model
 
    !> Find the solver of a scene, with its tables in the language of scenes.
-   subroutine new_scene_model(file, later, model, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine new_scene_model(r, later, model)
+      type(reading_t), intent(in) :: r
       !> Names of variables that get their values later, separated by a blank.
       character(*), intent(in) :: later
       !> Receives the solver; not allocated if there is none.
       class(model_t), allocatable, intent(out) :: model
-      type(problems_t), intent(inout) :: problems
       type(scene_t) :: scene
       character(:), allocatable :: solver, units
 
-      call read_scene(file, scene, problems)
+      call read_scene(r, scene)
       if (len(later) > 0) scene%names = trim(scene%names//' '//later)
       units = ''
-      call read_choice(file, 'job', 'units', 'si reduced', units, problems)
+      call read_choice(r, 'job', 'units', 'si reduced', units)
       if (units == 'reduced') scene%names = scene%names//' job%units'
       solver = ''
-      call read_choice(file, 'job', 'solver', known_models, solver, problems)
+      call read_choice(r, 'job', 'solver', known_models, solver)
       if (len(scene%surface) == 0) return
       call find_solver(scene, solver, model)
       if (.not. allocated(model)) then
-         call report_no_solver(scene, solver, problems)
+         call report_no_solver(scene, solver, r%problems)
       else if (units == 'reduced' .and. model%index_of('job', 'units') == 0) then
-         call problems%add('job', 'units', &
-            'reduced units are those of a paraboloid with adhesion or friction, allowed here: si')
+         call r%problems%add('job', 'units', 'reduced units are those of a paraboloid with adhesion or friction, allowed here: si')
       end if
    end subroutine new_scene_model
 
@@ -87,7 +88,6 @@ contains
       type(scene_t), intent(inout) :: scene
       !> Name of the solver that is wanted; empty: any.
       character(*), intent(in) :: solver
-      !> Receives the solver; not allocated if there is none.
       class(model_t), allocatable, intent(out) :: model
       class(model_t), allocatable :: other
       integer :: row, n_unknown, least
@@ -148,47 +148,45 @@ contains
    end function count_unknown
 
    !> Read what an input says of its scene.
-   subroutine read_scene(file, scene, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_scene(r, scene)
+      type(reading_t), intent(in) :: r
       !> Receives names and words; the surface is empty if something is wrong.
       type(scene_t), intent(out) :: scene
-      type(problems_t), intent(inout) :: problems
       integer :: n_before
 
-      n_before = problems%count()
-      call list_given(file, scene%names)
+      n_before = r%problems%count()
+      call list_given(r, scene%names)
       scene%extent = 'half_space'
-      call read_choice(file, 'solid', 'extent', known_extents, scene%extent, problems)
-      call check_extent(scene, problems)
+      call read_choice(r, 'solid', 'extent', known_extents, scene%extent)
+      call check_extent(scene, r%problems)
       scene%curve = ''
-      call read_choice(file, 'solid', 'curve_modulus', known_curves, scene%curve, problems)
-      call check_curve(scene, problems)
+      call read_choice(r, 'solid', 'curve_modulus', known_curves, scene%curve)
+      call check_curve(scene, r%problems)
       scene%state = ''
-      call read_choice(file, 'operating', 'state', 'static sliding', scene%state, problems)
+      call read_choice(r, 'operating', 'state', 'static sliding', scene%state)
       scene%theory = ''
-      call read_choice(file, 'adhesion', 'theory', 'auto hertz jkr dmt maugis_dugdale', scene%theory, problems)
-      call check_cases(file, problems)
+      call read_choice(r, 'adhesion', 'theory', 'auto hertz jkr dmt maugis_dugdale', scene%theory)
+      call check_cases(r)
       scene%surface = ''
-      if (file%find_group('traction') == 0) then
+      if (r%file%find_group('traction') == 0) then
          call read_kind('surface', known_surfaces)
-      else if (file%find_group('surface') > 0) then
-         call problems%add('traction', '', 'stands beside &surface; give a surface, or the loads on the solid')
+      else if (r%file%find_group('surface') > 0) then
+         call r%problems%add('traction', '', 'stands beside &surface; give a surface, or the loads on the solid')
       else
          call read_kind('traction', known_tractions)
       end if
-      if (problems%count() > n_before) scene%surface = ''
+      if (r%problems%count() > n_before) scene%surface = ''
 
    contains
 
       !> The kind of a surface, or of given loads, which has to be there.
       subroutine read_kind(group, known)
-         !> The group that has it.
          character(*), intent(in) :: group
          !> Words that are allowed, separated by a blank.
          character(*), intent(in) :: known
 
-         call read_choice(file, group, 'kind', known, scene%surface, problems)
-         if (len(scene%surface) == 0 .and. problems%count() == n_before) call problems%add(group, 'kind', &
+         call read_choice(r, group, 'kind', known, scene%surface)
+         if (len(scene%surface) == 0 .and. r%problems%count() == n_before) call r%problems%add(group, 'kind', &
             'is missing, one of '//join_words(known, ', '))
       end subroutine read_kind
 
@@ -231,39 +229,41 @@ contains
    end subroutine check_curve
 
    !> The columns of a table say what is solved, so that the input has to name them.
-   subroutine check_cases(file, problems)
-      type(namelist_file_t), intent(in) :: file
-      type(problems_t), intent(inout) :: problems
+   subroutine check_cases(r)
+      type(reading_t), intent(in) :: r
       integer :: group
 
-      group = file%find_group('cases')
+      group = r%file%find_group('cases')
       if (group == 0) return
-      if (file%find_assignment(group, 'variables') == 0) call file%report_variable(problems, group, 'variables', &
+      if (r%file%find_assignment(group, 'variables') == 0) call r%report(group, 'variables', &
          'not given, needed: names of the columns, which say what scene is solved')
    end subroutine check_cases
 
    !> The names that an input gives values, in groups of the scene or by a sweep.
-   subroutine list_given(file, names)
-      type(namelist_file_t), intent(in) :: file
+   subroutine list_given(r, names)
+      type(reading_t), intent(in) :: r
       !> Receives the names with their groups; of what is swept by its name alone, the name.
       character(:), allocatable, intent(out) :: names
       character(:), allocatable :: group, name, swept
-      type(problems_t) :: unused
+      type(problems_t), target :: unused
+      type(reading_t) :: aside
       integer :: i
 
+      aside = r
+      aside%problems => unused
       names = ''
       group = ''
       name = ''
-      do i = 1, size(file%assignments)
-         group = trim(file%groups(file%assignments(i)%group)%name)
-         name = trim(file%assignments(i)%name)
+      do i = 1, size(r%file%assignments)
+         group = trim(r%file%groups(r%file%assignments(i)%group)%name)
+         name = trim(r%file%assignments(i)%name)
          if (has_word(order_of_scenes, group)) then
             if (group == 'output' .and. has_word(output_names, name)) cycle
             names = names//' '//group//'%'//name
          else if (has_word(naming, name)) then
             ! what is wrong with a sweep is said by those who read it
             swept = ''
-            call take_words(file, file%assignments(i)%group, name, '', swept, unused)
+            call take_words(aside, r%file%assignments(i)%group, name, '', swept)
             names = names//' '//swept
          end if
       end do
@@ -271,17 +271,15 @@ contains
    end subroutine list_given
 
    !> Read a word of a list; what is wrong, or not given, leaves it as it is.
-   subroutine read_choice(file, group, name, known, word, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine read_choice(r, group, name, known, word)
+      type(reading_t), intent(in) :: r
       !> Group and name of the variable.
       character(*), intent(in) :: group, name
-      !> Words that are allowed, separated by a blank.
       character(*), intent(in) :: known
       !> Receives the word.
       character(:), allocatable, intent(inout) :: word
-      type(problems_t), intent(inout) :: problems
 
-      if (file%find_group(group) > 0) call take_choice(file, file%find_group(group), name, known, word, problems, what='word')
+      if (r%file%find_group(group) > 0) call take_choice(r, r%file%find_group(group), name, known, word, what='word')
    end subroutine read_choice
 
    !> Report names that no solver has in the language of scenes: where they are unknown the scene may be another one.
@@ -321,7 +319,6 @@ contains
    !> Say that nobody answers a scene yet, what stands in the way, and which scene is nearest.
    subroutine report_no_solver(scene, solver, problems)
       type(scene_t), intent(in) :: scene
-      !> Name of the solver that is wanted; empty: any.
       character(*), intent(in) :: solver
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: groups(4) = [character(10) :: 'surface', 'solid', 'friction', 'operating']

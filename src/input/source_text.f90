@@ -42,7 +42,6 @@ contains
 
    !> Replace comments and tabs by blanks and line ends by one kind of them.
    pure subroutine strip_comments(text, bare)
-      !> The text as it stands in the file.
       character(*), intent(in) :: text
       !> In: a copy of the text. Out: the same with blanks for comments and tabs.
       character(*), intent(inout) :: bare
@@ -101,7 +100,6 @@ contains
 
    !> Position of the first character that no text has; 0 if there is none.
    pure integer function find_control_character(text)
-      !> The text as it stands in the file.
       character(*), intent(in) :: text
 
       do find_control_character = 1, len(text)

@@ -43,8 +43,7 @@ contains
       character(*), intent(in) :: word
       !> Words that may be meant, separated by a blank.
       character(*), intent(in) :: known
-      character(:), allocatable :: nearest
-      character(:), allocatable :: candidate, lower
+      character(:), allocatable :: nearest, candidate, lower
       integer :: k, distance, best
 
       nearest = ''

@@ -9,6 +9,7 @@ module adfric_input_sweep_size
    use adfric_input_number_list, only: most_values
    use adfric_run_plan, only: plan_t
    use adfric_run_refinement, only: refinement_t
+   use adfric_input_reading, only: reading_t
    implicit none (type, external)
    private
    public :: check_counts, find_size_problem, say_above_limit
@@ -19,29 +20,31 @@ module adfric_input_sweep_size
 contains
 
    !> Check the counts of ranges and samples. A list, a table and a dataset have one value at least.
-   subroutine check_counts(file, problems)
-      type(namelist_file_t), intent(in) :: file
-      type(problems_t), intent(inout) :: problems
+   subroutine check_counts(r)
+      type(reading_t), intent(in) :: r
       type(refinement_t) :: refinement
-      type(problems_t) :: unused
+      type(problems_t), target :: unused
+      type(reading_t) :: aside
       character(:), allocatable :: text
       integer(i8), allocatable :: lengths(:)
       integer(i8) :: length
       integer :: i, group
 
+      aside = r
+      aside%problems => unused
       allocate (lengths(0))
-      do i = 1, size(file%groups)
-         if (.not. has_count(file, i)) cycle
+      do i = 1, size(r%file%groups)
+         if (.not. has_count(r%file, i)) cycle
          length = 1
-         call take_count(file, i, 'count', 1, most_values, length, unused)
+         call take_count(aside, i, 'count', 1, most_values, length)
          lengths = [lengths, length]
       end do
       text = say_too_many(lengths)
-      if (len(text) > 0) call problems%add('sweep', '', text)
-      group = file%find_group('refine')
+      if (len(text) > 0) call r%problems%add('sweep', '', text)
+      group = r%file%find_group('refine')
       if (group == 0 .or. size(lengths) /= 1 .or. len(text) > 0) return
-      call take_count(file, group, 'limit', 3, most_values, refinement%limit, unused)
-      if (lengths(1) > refinement%limit) call file%report_variable(problems, group, 'limit', &
+      call take_count(aside, group, 'limit', 3, most_values, refinement%limit)
+      if (lengths(1) > refinement%limit) call r%report(group, 'limit', &
          say_above_limit(lengths(1), refinement%limit))
    end subroutine check_counts
 
@@ -68,8 +71,7 @@ contains
    pure function say_too_many(lengths) result(text)
       !> Number of values of each axis.
       integer(i8), intent(in) :: lengths(:)
-      character(:), allocatable :: text
-      character(:), allocatable :: counts
+      character(:), allocatable :: text, counts
       real(dp) :: n_points
       integer :: k
 

@@ -35,7 +35,6 @@ contains
    pure subroutine fill_logarithmic(from, to, values)
       !> First and last value, in any order; both positive or both negative.
       real(dp), intent(in) :: from, to
-      !> Receives the values, as many as there is space for; a single one is `from`.
       real(dp), intent(out) :: values(:)
       real(dp) :: first, last, n, steps, magnitude
       integer :: i

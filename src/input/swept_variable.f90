@@ -2,11 +2,11 @@
 !> What groups that sweep variables have in common, be it one variable alone or several together.
 module adfric_input_swept_variable
    use adfric_base_kinds, only: dp
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count, show_text
    use adfric_input_case, only: case_t
    use adfric_input_dataset, only: examine_values
    use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_input_variable, only: describe_allowed, find_outlier
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: variable_t
@@ -18,28 +18,23 @@ module adfric_input_swept_variable
 contains
 
    !> A variable is given in one index.
-   subroutine check_not_twice(file, group, model, variable, input, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine check_not_twice(r, group, variable)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
-      class(model_t), intent(in) :: model
       !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
-      !> Says which variables are given or swept already, and in which lines.
-      type(case_t), intent(in) :: input
-      type(problems_t), intent(inout) :: problems
       character(:), allocatable :: where_else
 
-      if (input%is_swept(variable)) then
-         where_else = 'in &'//group_at(file, input%line(variable))
+      if (r%input%is_swept(variable)) then
+         where_else = 'in &'//group_at(r%file, r%input%line(variable))
          if (where_else == 'in &sweep') where_else = 'in another &sweep'
-      else if (input%is_given(variable)) then
-         where_else = 'in &'//model%variables(variable)%group
+      else if (r%input%is_given(variable)) then
+         where_else = 'in &'//r%model%variables(variable)%group
       else
          return
       end if
-      call file%report_variable(problems, group, 'variable', model%variables(variable)%name// &
-         ' is given twice, here and '//where_else//' in line '//show_count(input%line(variable))// &
-         ', allowed: one of them')
+      call r%report(group, 'variable', r%model%variables(variable)%name//' is given twice, here and '//where_else//' in line ' &
+         //show_count(r%input%line(variable))//', allowed: one of them')
    end subroutine check_not_twice
 
    !> Name of the group that begins on a line; empty if none does.
@@ -59,7 +54,6 @@ contains
    !> Convert the values of a file to the unit of a variable, and note what is known of them.
    subroutine convert_values(model, variable, input, dataset, values, flaw)
       class(model_t), intent(in) :: model
-      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> What the groups give, on which the unit of the variable may depend.
       type(case_t), intent(in) :: input
@@ -88,7 +82,6 @@ contains
 
    !> Take note of a variable that is swept.
    subroutine put_swept(variable, first_value, line, dataset, input)
-      !> Index of the variable in the model's table, from 1.
       integer, intent(in) :: variable
       !> First value of the axis.
       real(dp), intent(in) :: first_value
@@ -107,10 +100,7 @@ contains
 
    !> Take note of a variable whose sweep cannot be used.
    subroutine break_variable(variable, line, input)
-      !> Index of the variable in the model's table, from 1.
-      integer, intent(in) :: variable
-      !> Line of the group that sweeps it.
-      integer, intent(in) :: line
+      integer, intent(in) :: variable, line
       !> Receives that the variable is broken, and swept unless it stands elsewhere as well.
       type(case_t), intent(inout) :: input
 

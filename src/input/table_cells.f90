@@ -97,7 +97,6 @@ contains
 
    !> Position in a comment of what stands behind the sign.
    pure integer function comment_text(line)
-      !> A line that is a comment.
       character(*), intent(in) :: line
 
       comment_text = verify(line, blanks//comment_signs)
@@ -165,10 +164,8 @@ contains
    !> Does a cell end here, behind its closing quote?
    pure logical function ends_here(text, last, separator, i)
       character(*), intent(in) :: text
-      !> Position of the last character of the line.
       integer, intent(in) :: last
       character, intent(in) :: separator
-      !> Position in the text.
       integer, intent(in) :: i
       integer :: k
 
@@ -183,7 +180,6 @@ contains
    !> Pass what stands in quotes.
    pure subroutine pass_quotes(text, last, cell, i)
       character(*), intent(in) :: text
-      !> Position of the last character of the line.
       integer, intent(in) :: last
       !> Receives the positions within the quotes, and whether they are not closed.
       type(cell_t), intent(inout) :: cell
@@ -207,7 +203,6 @@ contains
    !> Pass the separator behind a cell.
    pure subroutine pass_separator(text, last, separator, i, cell)
       character(*), intent(in) :: text
-      !> Position of the last character of the line.
       integer, intent(in) :: last
       character, intent(in) :: separator
       !> Position behind the cell, where blanks may stand before the separator.
@@ -275,7 +270,6 @@ contains
    !> Find a cell of a line.
    pure subroutine find_cell(text, first, separator, number, cell)
       character(*), intent(in) :: text
-      !> Position of the first character of the line.
       integer, intent(in) :: first
       character, intent(in) :: separator
       !> Which cell of the line, from 1; the line has it.

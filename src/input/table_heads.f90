@@ -104,7 +104,6 @@ contains
       character, intent(in) :: separator
       !> Columns that there are at most.
       integer, intent(in) :: n_most
-      !> Receives the heads, without empty ones at the end.
       type(heads_t), intent(out) :: self
       !> False if there is none, if one is a number, or if its quotes are wrong.
       logical, intent(out) :: is_right
@@ -330,8 +329,7 @@ contains
       class(heads_t), intent(in) :: self
       !> The name that is not known.
       character(*), intent(in) :: name
-      character(:), allocatable :: text
-      character(:), allocatable :: known, near
+      character(:), allocatable :: text, known, near
       type(head_t) :: head
       integer :: k
 

@@ -204,7 +204,6 @@ contains
       integer, intent(in) :: start
       !> Is it a comment that is wanted, directly above?
       logical, intent(in) :: in_comments
-      !> Positions of the first and the last character of the line; `first = 0` if there is none.
       integer, intent(out) :: first, last
 
       call find_previous_line(text, start, first, last)
@@ -222,7 +221,6 @@ contains
       !> Positions of the first and the last character of the line, which may be a comment.
       integer, intent(in) :: first, last
       character, intent(in) :: separator
-      !> Columns that have a number, and those that there are at most.
       integer, intent(in) :: n_least, n_most
       type(heads_t), intent(out) :: heads
       !> Are they names or units of all columns?
@@ -239,7 +237,6 @@ contains
       character(*), intent(in) :: text
       type(table_layout_t), intent(inout) :: layout
       character(:), allocatable, intent(out) :: flaw
-      !> Position in the text of what is wrong, from 1; 0 if it is the whole of it.
       integer, intent(out) :: position
       integer :: first, last, n_cells, n_filled
       logical :: is_right
@@ -283,7 +280,6 @@ contains
    !> Say why there are no names above the first line of numbers.
    pure subroutine say_what_is_wrong(text, first, last, flaw)
       character(*), intent(in) :: text
-      !> Positions of the first and the last character of the line of numbers.
       integer, intent(in) :: first, last
       character(:), allocatable, intent(out) :: flaw
       type(cell_t) :: cell

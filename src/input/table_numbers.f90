@@ -63,7 +63,6 @@ contains
 
    !> Does a word look like a number, with any decimal marks between its digits?
    pure logical function is_numeral(word)
-      !> The word without blanks around it.
       character(*), intent(in) :: word
 
       is_numeral = .false.
@@ -97,7 +96,6 @@ contains
 
    !> A number from a cell.
    pure subroutine convert_cell(word, has_decimal_comma, separator, value, flaw)
-      !> Text of the cell without blanks around it.
       character(*), intent(in) :: word
       logical, intent(in) :: has_decimal_comma
       !> What separates the columns.
@@ -137,7 +135,6 @@ contains
       character(*), intent(in) :: text
       !> Position of the first line of the rows.
       integer, intent(in) :: rows_at
-      !> What separates the columns.
       character, intent(in) :: separator
       !> Receives whether the mark is a comma.
       logical, intent(out) :: is_comma
@@ -187,7 +184,6 @@ contains
 
       !> The word at a position.
       pure function word_at(position) result(word)
-         !> Position in the text.
          integer, intent(in) :: position
          character(:), allocatable :: word
 

@@ -68,7 +68,6 @@ contains
 
    !> Find the layout and the rows of a text.
    subroutine new_text_table(self, path, text, error)
-      !> Receives the table; only to be used if there is no error.
       type(text_table_t), intent(out) :: self
       !> Name of the file, for messages.
       character(*), intent(in) :: path
@@ -120,7 +119,6 @@ contains
 
    !> Find where each row begins. All of them have a cell for each name, and nothing behind.
    subroutine find_rows(self, error)
-      !> The table, which receives its rows.
       type(text_table_t), intent(inout) :: self
       !> Allocated if a row has too few or too many cells, or if there is no row.
       type(error_t), allocatable, intent(out) :: error

@@ -216,7 +216,6 @@ contains
 
    !> What a dataset or group may be, in words.
    pure function describe_dataset(variable) result(text)
-      !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
       integer :: k
@@ -259,7 +258,6 @@ contains
 
    !> Words in quotes, with commas between them.
    pure function list_choices(choices) result(text)
-      !> Words that are allowed, separated by a blank.
       character(*), intent(in) :: choices
       character(:), allocatable :: text
 
@@ -270,7 +268,6 @@ contains
    pure function show_value(value, variable) result(text)
       !> The value as it is held, a number in SI units, or NaN.
       real(dp), intent(in) :: value
-      !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
 
@@ -285,7 +282,6 @@ contains
 
    !> Has the variable a unit?
    pure logical function has_unit(variable)
-      !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
 
       has_unit = .false.

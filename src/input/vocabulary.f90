@@ -1,10 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The names that an input may use, and what to say of a name that is not among them.
 module adfric_input_vocabulary
-   use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, show_text
    use adfric_base_words, only: count_words, get_word, has_word
-   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_reading, only: reading_t
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: variable_t, kind_real, kind_integer
@@ -48,7 +47,6 @@ contains
    !> Names that a group of a model may have, separated by a blank.
    pure function list_names_of(model, group) result(names)
       class(model_t), intent(in) :: model
-      !> Name of the group.
       character(*), intent(in) :: group
       character(:), allocatable :: names
 
@@ -87,10 +85,8 @@ contains
       class(model_t), intent(in) :: model
       !> The unknown name, in small letters and without `&`.
       character(*), intent(in) :: group
-      !> Names of the groups that the input may have beside those of the model, separated by a blank.
       character(*), intent(in) :: common
-      character(:), allocatable :: text
-      character(:), allocatable :: known
+      character(:), allocatable :: text, known
 
       known = list_known_groups(model, common)
       if (allocated(model%scene)) then
@@ -111,7 +107,6 @@ contains
    !> Groups in which a scene has the variables that its solver has in a group of its own; empty if it has none such.
    pure function groups_in_scene(model, group) result(groups)
       class(model_t), intent(in) :: model
-      !> Name of the group.
       character(*), intent(in) :: group
       character(:), allocatable :: groups
       integer :: i
@@ -158,8 +153,7 @@ contains
       character(*), intent(in) :: group
       !> The unknown name, in small letters.
       character(*), intent(in) :: name
-      character(:), allocatable :: text
-      character(:), allocatable :: home, near
+      character(:), allocatable :: text, home, near
       integer :: k
 
       text = say_name_of_model(model, group, name)
@@ -184,7 +178,6 @@ contains
    pure function say_unknown_name(known, name) result(text)
       !> Names that the group has, separated by a blank.
       character(*), intent(in) :: known
-      !> The unknown name, in small letters.
       character(*), intent(in) :: name
       character(:), allocatable :: text
 
@@ -192,19 +185,17 @@ contains
    end function say_unknown_name
 
    !> Report the variables of a group that are not among the known ones.
-   subroutine report_unknown_names(file, group, known, problems)
-      type(namelist_file_t), intent(in) :: file
+   subroutine report_unknown_names(r, group, known)
+      type(reading_t), intent(in) :: r
       integer, intent(in) :: group
-      !> Names that the group has, separated by a blank.
       character(*), intent(in) :: known
-      type(problems_t), intent(inout) :: problems
       integer :: i
 
-      do i = 1, size(file%assignments)
-         if (problems%is_enough()) return
-         associate (assignment => file%assignments(i))
+      do i = 1, size(r%file%assignments)
+         if (r%problems%is_enough()) return
+         associate (assignment => r%file%assignments(i))
             if (assignment%group /= group .or. has_word(known, assignment%name)) cycle
-            call file%report(problems, group, trim(assignment%name), say_unknown_name(known, trim(assignment%name)), &
+            call r%file%report(r%problems, group, trim(assignment%name), say_unknown_name(known, trim(assignment%name)), &
                assignment%first)
          end associate
       end do

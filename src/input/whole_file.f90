@@ -126,7 +126,6 @@ contains
    subroutine read_to_end(file, limit, text, number)
       !> Number of the open file.
       integer(c_int), intent(in) :: file
-      !> Size that the file may have [bytes].
       integer, intent(in) :: limit
       !> Space that grows as it is needed; then what has been read.
       character(:), allocatable, intent(inout) :: text

@@ -195,7 +195,6 @@ contains
       real(dp), intent(in) :: q(:)
       !> The largest lengths that the columns have had; 0 at the beginning.
       real(dp), intent(inout) :: scale(:)
-      !> Receives the problem of the step.
       type(squares_step_t), intent(out) :: step
       real(dp) :: gradient, length(size(q))
       integer :: k, n, m
@@ -244,7 +243,6 @@ contains
    pure logical function has_short_step(step, limits, cost)
       type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
-      !> Cost at the position.
       real(dp), intent(in) :: cost
       real(dp) :: s(step%n), variance
 
@@ -260,7 +258,6 @@ contains
    pure logical function is_below_judgement(step, limits, cost)
       type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
-      !> Cost at the position.
       real(dp), intent(in) :: cost
       real(dp) :: variance
 
@@ -274,7 +271,6 @@ contains
    pure logical function is_far_from_level(step, limits, cost)
       type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
-      !> Cost at the position.
       real(dp), intent(in) :: cost
       real(dp) :: variance
 

@@ -191,7 +191,6 @@ contains
    !> Make space for one more key: twice as much as there was, so that it is seldom made.
    pure subroutine make_space(self, length, failure)
       class(found_once_t), intent(inout) :: self
-      !> Length of the key.
       integer, intent(in) :: length
       !> Receives 0, or another number if there is no memory.
       integer, intent(out) :: failure
@@ -286,7 +285,6 @@ contains
    !> Where a key is looked for first: keys that differ in any bit of their sampled numbers are spread over all positions.
    pure integer function first_slot(key, n_slots) result(slot)
       real(dp), intent(in) :: key(:)
-      !> Number of positions.
       integer, intent(in) :: n_slots
       !> The halves of a number are mixed by a multiplication modulo a prime, which does not overflow.
       integer(i8), parameter :: prime = 2147483647_i8, factor = 630360016_i8, half = 4294967295_i8

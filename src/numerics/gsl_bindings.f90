@@ -20,6 +20,45 @@ module adfric_numerics_gsl_bindings
    type(c_ptr), protected, bind(c, name='gsl_qrng_sobol') :: gsl_qrng_sobol
    type(c_ptr), protected, bind(c, name='gsl_rng_mt19937') :: gsl_rng_mt19937
 
+   abstract interface
+      !> A function of a number.
+      pure real(c_double) function of_one_i(x) bind(c)
+         import :: c_double
+         implicit none (type, external)
+         !> The number.
+         real(c_double), intent(in), value :: x
+      end function of_one_i
+
+      !> A function of two numbers.
+      pure real(c_double) function of_two_i(x, y) bind(c)
+         import :: c_double
+         implicit none (type, external)
+         !> The numbers.
+         real(c_double), intent(in), value :: x, y
+      end function of_two_i
+   end interface
+
+   !> The number below which a standard normal variable lies with a probability > 0 and < 1.
+   procedure(of_one_i), bind(c, name='gsl_cdf_ugaussian_Pinv') :: gsl_cdf_ugaussian_pinv
+   !> The modified Bessel function e^(-|x|) I_0(x): x > 0.
+   procedure(of_one_i), bind(c, name='gsl_sf_bessel_I0_scaled') :: gsl_sf_bessel_i0_scaled
+   !> The modified Bessel function e^(-|x|) I_1(x): x > 0.
+   procedure(of_one_i), bind(c, name='gsl_sf_bessel_I1_scaled') :: gsl_sf_bessel_i1_scaled
+   !> The modified Bessel function e^x K_0(x): x > 0.
+   procedure(of_one_i), bind(c, name='gsl_sf_bessel_K0_scaled') :: gsl_sf_bessel_k0_scaled
+   !> The modified Bessel function e^x K_1(x): x > 0.
+   procedure(of_one_i), bind(c, name='gsl_sf_bessel_K1_scaled') :: gsl_sf_bessel_k1_scaled
+   !> The exponential integral e^(-x) Ei(x): x not 0.
+   procedure(of_one_i), bind(c, name='gsl_sf_expint_Ei_scaled') :: gsl_sf_expint_ei_scaled
+   !> Probability that a normal number is above a value.
+   procedure(of_one_i), bind(c, name='gsl_cdf_ugaussian_Q') :: gsl_cdf_ugaussian_q
+   !> Probability that chi squared is above a value >= 0; with its degrees of freedom, > 0.
+   procedure(of_two_i), bind(c, name='gsl_cdf_chisq_Q') :: gsl_cdf_chisq_q
+   !> The value that chi squared is below with a probability between 0 and 1; with its degrees of freedom, > 0.
+   procedure(of_two_i), bind(c, name='gsl_cdf_chisq_Pinv') :: gsl_cdf_chisq_pinv
+   !> The value that Student's t is below with a probability between 0 and 1; with its degrees of freedom, > 0.
+   procedure(of_two_i), bind(c, name='gsl_cdf_tdist_Pinv') :: gsl_cdf_tdist_pinv
+
    interface
       !> Begin a sequence of points of low discrepancy.
       type(c_ptr) function gsl_qrng_alloc(kind, n_dimensions) bind(c, name='gsl_qrng_alloc')
@@ -93,14 +132,6 @@ module adfric_numerics_gsl_bindings
          type(c_ptr), intent(in), value :: generator
       end subroutine gsl_rng_free
 
-      !> The number below which a standard normal variable lies with a probability.
-      pure real(c_double) function gsl_cdf_ugaussian_pinv(probability) bind(c, name='gsl_cdf_ugaussian_Pinv')
-         import :: c_double
-         implicit none (type, external)
-         !> The probability, > 0 and < 1.
-         real(c_double), intent(in), value :: probability
-      end function gsl_cdf_ugaussian_pinv
-
       !> Carlson's elliptic integral R_F(x, y, z).
       pure real(c_double) function gsl_sf_ellint_rf(x, y, z, mode) bind(c, name='gsl_sf_ellint_RF')
          import :: c_double, c_int
@@ -123,66 +154,6 @@ module adfric_numerics_gsl_bindings
          integer(c_int), intent(in), value :: mode
       end function gsl_sf_ellint_rd
 
-      !> The modified Bessel function e^(-|x|) I_0(x).
-      pure real(c_double) function gsl_sf_bessel_i0_scaled(x) bind(c, name='gsl_sf_bessel_I0_scaled')
-         import :: c_double
-         implicit none (type, external)
-         !> Argument of the function, > 0.
-         real(c_double), intent(in), value :: x
-      end function gsl_sf_bessel_i0_scaled
-
-      !> The modified Bessel function e^(-|x|) I_1(x).
-      pure real(c_double) function gsl_sf_bessel_i1_scaled(x) bind(c, name='gsl_sf_bessel_I1_scaled')
-         import :: c_double
-         implicit none (type, external)
-         !> Argument of the function, > 0.
-         real(c_double), intent(in), value :: x
-      end function gsl_sf_bessel_i1_scaled
-
-      !> The modified Bessel function e^x K_0(x).
-      pure real(c_double) function gsl_sf_bessel_k0_scaled(x) bind(c, name='gsl_sf_bessel_K0_scaled')
-         import :: c_double
-         implicit none (type, external)
-         !> Argument of the function, > 0.
-         real(c_double), intent(in), value :: x
-      end function gsl_sf_bessel_k0_scaled
-
-      !> The modified Bessel function e^x K_1(x).
-      pure real(c_double) function gsl_sf_bessel_k1_scaled(x) bind(c, name='gsl_sf_bessel_K1_scaled')
-         import :: c_double
-         implicit none (type, external)
-         !> Argument of the function, > 0.
-         real(c_double), intent(in), value :: x
-      end function gsl_sf_bessel_k1_scaled
-
-      !> The exponential integral e^(-x) Ei(x).
-      pure real(c_double) function gsl_sf_expint_ei_scaled(x) bind(c, name='gsl_sf_expint_Ei_scaled')
-         import :: c_double
-         implicit none (type, external)
-         !> Argument of the function, not 0.
-         real(c_double), intent(in), value :: x
-      end function gsl_sf_expint_ei_scaled
-
-      !> Probability that chi squared is above a value.
-      pure real(c_double) function gsl_cdf_chisq_q(x, nu) bind(c, name='gsl_cdf_chisq_Q')
-         import :: c_double
-         implicit none (type, external)
-         !> The value, >= 0.
-         real(c_double), intent(in), value :: x
-         !> Degrees of freedom, > 0.
-         real(c_double), intent(in), value :: nu
-      end function gsl_cdf_chisq_q
-
-      !> The value that chi squared is below with a probability.
-      pure real(c_double) function gsl_cdf_chisq_pinv(p, nu) bind(c, name='gsl_cdf_chisq_Pinv')
-         import :: c_double
-         implicit none (type, external)
-         !> The probability, between 0 and 1.
-         real(c_double), intent(in), value :: p
-         !> Degrees of freedom, > 0.
-         real(c_double), intent(in), value :: nu
-      end function gsl_cdf_chisq_pinv
-
       !> The value that F is below with a probability.
       pure real(c_double) function gsl_cdf_fdist_pinv(p, nu1, nu2) bind(c, name='gsl_cdf_fdist_Pinv')
          import :: c_double
@@ -192,24 +163,6 @@ module adfric_numerics_gsl_bindings
          !> Degrees of freedom of numerator and denominator, > 0.
          real(c_double), intent(in), value :: nu1, nu2
       end function gsl_cdf_fdist_pinv
-
-      !> The value that Student's t is below with a probability.
-      pure real(c_double) function gsl_cdf_tdist_pinv(p, nu) bind(c, name='gsl_cdf_tdist_Pinv')
-         import :: c_double
-         implicit none (type, external)
-         !> The probability, between 0 and 1.
-         real(c_double), intent(in), value :: p
-         !> Degrees of freedom, > 0.
-         real(c_double), intent(in), value :: nu
-      end function gsl_cdf_tdist_pinv
-
-      !> Probability that a normal number is above a value.
-      pure real(c_double) function gsl_cdf_ugaussian_q(x) bind(c, name='gsl_cdf_ugaussian_Q')
-         import :: c_double
-         implicit none (type, external)
-         !> The value.
-         real(c_double), intent(in), value :: x
-      end function gsl_cdf_ugaussian_q
    end interface
 
 end module adfric_numerics_gsl_bindings

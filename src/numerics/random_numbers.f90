@@ -41,7 +41,6 @@ contains
    !> The next number, evenly spread between 0 and 1, both left out.
    pure subroutine next_uniform(self, number)
       type(random_t), intent(inout) :: self
-      !> Receives the number.
       real(dp), intent(out) :: number
       integer(i8) :: one, two
 

@@ -91,13 +91,8 @@ contains
 
    !> The equation as seen from a pole above the root.
    pure subroutine look_from_above(equation, a, c, near)
-      !> Receives level and positions of the poles.
       type(secular_equation_t), intent(inout) :: equation
-      !> Poles; shape `(n)`.
-      real(dp), intent(in) :: a(:)
-      !> Right-hand side.
-      real(dp), intent(in) :: c
-      !> Number of the near pole.
+      real(dp), intent(in) :: a(:), c
       integer, intent(in) :: near
 
       equation%level = -c
@@ -107,7 +102,6 @@ contains
    !> A bracket of the root, with both ends positive.
    pure subroutine get_bracket(equation, near, low, high)
       type(secular_equation_t), intent(in) :: equation
-      !> Number of the near pole.
       integer, intent(in) :: near
       !> Ends of the bracket.
       real(dp), intent(out) :: low, high

@@ -239,7 +239,6 @@ contains
    pure integer function first_of(part, n_parts, n_lines)
       !> Number of the part, from 1; beyond the last one for the end of that.
       integer, intent(in) :: part
-      !> Number of parts.
       integer, intent(in) :: n_parts
       !> Number of lines, or groups of them, of all parts.
       integer, intent(in) :: n_lines
@@ -327,7 +326,6 @@ contains
 
    !> Multiply a column of modes by complex factors.
    pure subroutine turn(column, factor, imaginary)
-      !> Modes of the column.
       complex(dp), intent(inout), contiguous :: column(:)
       !> Real and imaginary part of their factors.
       real(dp), intent(in), contiguous :: factor(:), imaginary(:)

@@ -110,7 +110,6 @@ contains
    !> another dimension before it has the same.
    function name_of_dimension(run, axis) result(name)
       class(run_t), intent(in) :: run
-      !> Index of the axis, from 1.
       integer, intent(in) :: axis
       character(:), allocatable :: name
       integer :: k, n_same

@@ -69,7 +69,6 @@ contains
    subroutine add(self, block, sum)
       !> The sums so far; that of the block is changed, or is new.
       class(profile_sums_t), intent(inout) :: self
-      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
       !> Checksum of the profiles of a point, see `sum_of_profiles`.
       integer(i8), intent(in) :: sum
@@ -89,7 +88,6 @@ contains
    subroutine take(self, block, sum)
       !> The sums so far; that of the block is removed.
       class(profile_sums_t), intent(inout) :: self
-      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
       !> Checksum of the profiles of the block that have been added; 0 if there are none.
       integer(i8), intent(out) :: sum

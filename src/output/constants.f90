@@ -5,7 +5,7 @@ module adfric_output_constants
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: has_word
    use adfric_describe_model, only: derived_t
-   use adfric_describe_table, only: variable_t, kind_choice, kind_dataset, kind_logical
+   use adfric_describe_table, only: kind_choice, kind_dataset, kind_logical
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private

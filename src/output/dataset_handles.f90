@@ -138,11 +138,9 @@ contains
       type(layout_t), intent(in) :: layout
       !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
-      !> Number of points that remain.
       integer, intent(in) :: n_remaining
       !> Space of as many values as the box has points; the caller closes it.
       integer(hid_t), intent(out) :: memory_space
-      !> Number of points of the box.
       integer, intent(out) :: n
       type(box_t) :: box
 
@@ -159,7 +157,6 @@ contains
       type(layout_t), intent(in) :: layout
       !> Index of the point in the file, from 1.
       integer(i8), intent(in) :: row
-      !> Number of values of a profile.
       integer, intent(in) :: n
       !> Space of as many values, which the caller closes.
       integer(hid_t), intent(out) :: memory_space
@@ -178,9 +175,7 @@ contains
       type(hdf5_calls_t), intent(inout) :: calls
       !> Index of the first block in the file, from 1.
       integer(i8), intent(in) :: index
-      !> Number of blocks.
       integer, intent(in) :: n
-      !> Space of as many values, which the caller closes.
       integer(hid_t), intent(out) :: memory_space
 
       call create_space(calls, [int(n, i8)], memory_space)
@@ -222,7 +217,6 @@ contains
 
    !> Close the datasets of a list.
    subroutine close_list(calls, ids)
-      !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Ids of the datasets; not allocated afterwards. Nothing is done if they are not allocated before.
       integer(hid_t), allocatable, intent(inout) :: ids(:)

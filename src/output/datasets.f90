@@ -71,7 +71,6 @@ contains
       class(datasets_t), intent(in) :: self
       type(hdf5_calls_t), intent(inout) :: calls
       type(layout_t), intent(in) :: layout
-      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> Status of each point, one of `status_...`, as it stands in the file.
       integer(int8), intent(in) :: states(:)
@@ -92,7 +91,6 @@ contains
       class(datasets_t), intent(in) :: self
       type(hdf5_calls_t), intent(inout) :: calls
       type(layout_t), intent(in) :: layout
-      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> Results in the units of the model, shape `(n_points, n_results)`; NaN in the columns that are not in the file.
       real(dp), intent(out) :: results(:, :)
@@ -130,7 +128,6 @@ contains
       class(datasets_t), intent(in) :: self
       type(hdf5_calls_t), intent(inout) :: calls
       type(layout_t), intent(in) :: layout
-      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> Status of each point, one of `status_...`, or `no_state`.
       integer, intent(out) :: status(:)
@@ -145,7 +142,6 @@ contains
       type(layout_t), intent(in) :: layout
       !> Index of the result in `fields`.
       integer, intent(in) :: index
-      !> Index of the first point in the file, from 1.
       integer(i8), intent(in) :: first
       !> State of each point, or `no_state`.
       integer, intent(out) :: states(:)
@@ -190,7 +186,6 @@ contains
       class(datasets_t), intent(in) :: self
       type(hdf5_calls_t), intent(inout) :: calls
       type(layout_t), intent(in) :: layout
-      !> Index of the point in the file, from 1.
       integer(i8), intent(in) :: row
       real(dp), intent(out) :: profiles(:, :, :)
       real(dp), allocatable :: numbers(:)
@@ -231,7 +226,6 @@ contains
    subroutine read_counts(self, calls, index, counts)
       class(datasets_t), intent(in) :: self
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Index of the first block in the file, from 1.
       integer(i8), intent(in) :: index
       real(dp), intent(out) :: counts(:, :)
       real(dp), allocatable :: numbers(:)

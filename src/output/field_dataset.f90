@@ -95,7 +95,6 @@ contains
       type(field_t), intent(in) :: field
       !> Shape of the dataset, and what belongs to its dimensions.
       type(field_form_t), intent(in) :: form
-      !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       !> Files in which the values are; if absent the values are in this file.
       type(virtual_parts_t), intent(in), optional :: parts

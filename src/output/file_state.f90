@@ -21,7 +21,6 @@ contains
       integer, intent(in) :: state
       !> States from which the step goes out.
       integer, intent(in) :: allowed(:)
-      !> Name of the step.
       character(*), intent(in) :: step
       !> Allocated if the step is not allowed.
       type(error_t), allocatable, intent(out) :: error

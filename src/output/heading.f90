@@ -212,7 +212,6 @@ contains
 
    !> Do the datasets of two files have the same names, but not the same values?
    pure logical function has_other_data(other, own)
-      !> Heading of the file, and heading of the run.
       type(heading_t), intent(in) :: other, own
       integer :: i
 

@@ -103,7 +103,6 @@ contains
    !> The variables that are lists of numbers.
    subroutine find_lists(run, lists)
       class(run_t), intent(in) :: run
-      !> Receives each list with its numbers.
       type(scale_t), allocatable, intent(out) :: lists(:)
       integer :: i, n
 

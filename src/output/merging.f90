@@ -135,9 +135,7 @@ contains
       integer(i8), intent(in) :: index
       !> Number of blocks, neighbours in the run.
       integer, intent(in) :: n_blocks
-      !> Does the new file refer to the results of the parts? Then only counts and checksums are copied.
       logical, intent(in) :: refers
-      !> The open file of the whole run.
       type(results_file_t), intent(inout) :: results
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: numbers(:, :), error_estimate(:), counts(:, :), profiles(:, :, :)

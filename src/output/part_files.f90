@@ -84,9 +84,7 @@ contains
    subroutine check_part(part, layout, heading, by_status, by_doubt, error)
       !> File of the part, given with its path; its blocks and its time are added.
       type(part_file_t), intent(inout) :: part
-      !> Receives the layout of the part.
       type(layout_t), intent(out) :: layout
-      !> Receives the heading of the file.
       type(heading_t), intent(out) :: heading
       !> Number of points of each status, to which those of the part are added; shape `(0:n_status - 1)`.
       integer(i8), intent(inout) :: by_status(0:)
@@ -131,10 +129,7 @@ contains
       !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
       type(layout_t), intent(in) :: layout
-      !> Number of points of each status, to which those of the part are added; shape `(0:n_status - 1)`.
-      integer(i8), intent(inout) :: by_status(0:)
-      !> Number of points of each doubt, to which those of the part are added; shape `(0:n_doubts)`.
-      integer(i8), intent(inout) :: by_doubt(0:)
+      integer(i8), intent(inout) :: by_status(0:), by_doubt(0:)
       !> Number of points that have no results yet.
       integer(i8), intent(out) :: n_missing
       type(datasets_t) :: datasets

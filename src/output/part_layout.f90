@@ -45,7 +45,6 @@ contains
    !> Read the layout of a part; one that is `is_whole` if the file is not that of a part.
    subroutine read_part_layout(calls, file, layout)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
       !> Receives the layout; its part is the whole run if the file is not that of a part.
       type(layout_t), intent(out) :: layout
@@ -117,9 +116,7 @@ contains
    !> Read what changes in step with the scales.
    subroutine read_companions(calls, file, companions)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
-      !> Receives the companions with their values.
       type(companion_t), allocatable, intent(out) :: companions(:)
       type(scale_t), allocatable :: scales(:)
       character(:), allocatable :: names, axes
@@ -156,7 +153,6 @@ contains
    !> Read scales with their values.
    subroutine read_scales(calls, file, names, scales)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
       !> Names of the scales, separated by a blank.
       character(*), intent(in) :: names
@@ -184,7 +180,6 @@ contains
    !> Read what describes results, profiles or counts.
    subroutine read_fields(calls, file, folder, names, fields)
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
       !> Group in which the datasets stand, with a slash behind it; empty for the root of the file.
       character(*), intent(in) :: folder

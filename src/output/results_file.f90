@@ -107,7 +107,6 @@ contains
    !> See `sink_t`: create the file of a run that has just begun. If that fails there is none.
    subroutine prepare(self, error)
       class(results_file_t), intent(inout) :: self
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       call check_state(self%state, [is_begun, is_open, is_shared], 'prepare', error)

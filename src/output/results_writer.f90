@@ -175,7 +175,6 @@ contains
    !> Write what the model counted in a row of blocks.
    subroutine put_counts(self, first, counts, error)
       class(results_writer_t), intent(inout) :: self
-      !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
       real(dp), intent(in) :: counts(:, :)
       type(error_t), allocatable, intent(out) :: error
@@ -210,13 +209,8 @@ contains
    subroutine put_sums(self, first, results, error_estimate, status, counts, error)
       !> The open file; the sums of the profiles of these blocks are taken from it.
       class(results_writer_t), intent(inout) :: self
-      !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
-      !> Results in the units of the model, shape `(n_points, n_results)`.
-      real(dp), intent(in) :: results(:, :)
-      !> Estimated relative error of each point [-].
-      real(dp), intent(in) :: error_estimate(:)
-      !> Status of each point, one of `status_...`.
+      real(dp), intent(in) :: results(:, :), error_estimate(:)
       integer, intent(in) :: status(:)
       real(dp), intent(in) :: counts(:, :)
       type(error_t), allocatable, intent(out) :: error
@@ -238,7 +232,6 @@ contains
    !> Write checksums of a row of blocks that are known.
    subroutine put_known_sums(self, first, sums, error)
       class(results_writer_t), intent(inout) :: self
-      !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
       !> Checksum of each block, from the block of that point on.
       integer(i8), intent(in), contiguous :: sums(:)

@@ -81,7 +81,6 @@ contains
       character(*), intent(in) :: path
       !> Where values stand that are written later, see `get_extents` of the datasets.
       integer(i8), intent(in) :: extents(:, :)
-      !> Number of the placeholders, all of which are in the file.
       integer, intent(in) :: n_placeholders
       integer(i8), allocatable :: holes(:, :), words(:)
       integer(i8) :: own(2), index, sum, n_bytes

@@ -33,7 +33,6 @@ contains
    !> Is there space for a row of points?
    pure logical function has_space(self, n)
       class(status_log_t), intent(in) :: self
-      !> Number of points of the row.
       integer, intent(in) :: n
 
       has_space = self%n_points == 0 .or. (self%n_points + n <= max_points .and. self%n_rows < max_rows)

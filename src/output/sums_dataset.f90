@@ -50,7 +50,6 @@ contains
       class(sums_dataset_t), intent(inout) :: self
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: file
-      !> Number of blocks of the file.
       integer(i8), intent(in) :: n_blocks
 
       call create_space(calls, [n_blocks], self%space)
@@ -77,7 +76,6 @@ contains
    subroutine read_sums(self, calls, index, sums)
       class(sums_dataset_t), intent(in) :: self
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Index of the first block in the file, from 1.
       integer(i8), intent(in) :: index
       !> Receives the checksum of each block, from that index on; 0 if a call has failed.
       integer(i8), intent(out), contiguous :: sums(:)
@@ -95,10 +93,7 @@ contains
       !> The open dataset, in whose space the blocks are selected.
       class(sums_dataset_t), intent(in) :: self
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Index of the first block in the file, from 1.
-      integer(i8), intent(in) :: index
-      !> Number of blocks.
-      integer(i8), intent(in) :: n
+      integer(i8), intent(in) :: index, n
       !> Space of as many values as there are blocks; the caller closes it.
       integer(hid_t), intent(out) :: memory_space
 

@@ -104,7 +104,6 @@ contains
       real(dp), intent(in) :: largest
       !> Angle t of the beginning, arctan(s/v_a).
       real(dp), intent(in) :: angle
-      !> The integrals, to which is added.
       real(dp), intent(inout) :: sums(3)
       real(dp) :: next, low, high, closeness
 
@@ -142,7 +141,6 @@ contains
       real(dp), intent(in) :: largest
       !> Ends of the range of the variable.
       real(dp), intent(in) :: low, high
-      !> The integrals, to which is added.
       real(dp), intent(inout) :: sums(3)
       real(dp) :: half, position, v, y, x, slope, angle, part(3), nodes(size(gauss_nodes)), weights(size(gauss_nodes))
       integer :: panel, n_panels, node, n_nodes

@@ -95,7 +95,6 @@ contains
    pure real(dp) function profile_integral(shape, contact, depth, is_simple) result(total)
       class(shape_t), intent(in) :: shape
       type(contact_t), intent(in) :: contact
-      !> z.
       real(dp), intent(in) :: depth
       !> Which of the two functions.
       logical, intent(in) :: is_simple
@@ -132,9 +131,7 @@ contains
    !> The integral over the tension.
    pure real(dp) function zone_integral(contact, depth, is_simple) result(total)
       type(contact_t), intent(in) :: contact
-      !> z.
       real(dp), intent(in) :: depth
-      !> Which of the two functions.
       logical, intent(in) :: is_simple
       type(axis_zone_integrand_t) :: integrand
 

@@ -117,7 +117,6 @@ contains
    !> k dg/du, > 0 where T^2 grows as a falls.
    pure real(dp) function reserve_of(self, u, is_beyond) result(reserve)
       type(brittle_t), intent(in) :: self
-      !> The unknown.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
       type(spot_t) :: spot
@@ -129,7 +128,6 @@ contains
    !> What has the sign of dk/da: (2 a g'^3 - 3 t^2 (g' - a g'')) (da/du)^3.
    pure real(dp) function rise_of(self, u, is_beyond) result(rise)
       type(brittle_t), intent(in) :: self
-      !> The unknown.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
       type(spot_t) :: spot
@@ -224,9 +222,7 @@ contains
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
       class(peeled_equation_t), intent(in) :: self
-      !> The unknown u.
       real(dp), intent(in) :: x
-      !> N less the root.
       real(dp), intent(out) :: value
       !> Its derivative by u.
       real(dp), intent(out) :: slope

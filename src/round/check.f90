@@ -5,7 +5,7 @@ module adfric_round_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
-   use adfric_round_case, only: has_plain_base, has_plain_spring, indenter_case_t, resolve_case, is_possible, theory_of
+   use adfric_round_case, only: has_plain_base, has_plain_spring, indenter_case_t, resolve_case, is_possible
    use adfric_round_contact, only: branch_stable
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_friction_check, only: check_friction, is_moved
@@ -15,11 +15,11 @@ module adfric_round_check
    use adfric_solid_contact_modulus, only: check_contact_modulus
    use adfric_interface_shear_strength_rows, only: check_shear
    use adfric_round_work_check, only: require_work
-   use adfric_describe_check, only: require, require_one, refuse_size, refuse_swept
+   use adfric_describe_check, only: checks_t, new_checks, refuse_size, refuse_swept
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
-   public :: check_indenter_values, check_body
+   public :: check_indenter_values, check_history_body
 
    !> With adhesion, smaller exponents make contacts beyond all numbers; at 1/2 and below no state is stable.
    real(dp), parameter :: least_exponent = 0.51_dp
@@ -28,50 +28,59 @@ contains
 
    !> Add to `problems` what is wrong with the values together.
    subroutine check_indenter_values(variables, values, is_swept, problems)
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
+      type(variable_t), intent(in), target :: variables(:)
+      real(dp), intent(in), target :: values(:)
       logical, intent(in) :: is_swept(:)
-      type(problems_t), intent(inout) :: problems
+      type(problems_t), intent(inout), target :: problems
+      type(checks_t) :: c
       integer :: before
 
       before = problems%count()
-      call check_body(variables, values, is_moved(values) .or. is_set(values(in%position_z)), problems)
-      call check_friction(variables, values, problems)
-      call check_adhesion(variables, values, problems)
-      call check_operation(variables, values, problems)
-      if (is_set(values(in%position_z)) .and. .not. is_set(values(in%poisson_ratio))) &
-         & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the stresses at position_z need it')
+      call new_checks(c, variables, values, problems)
+      call check_body(c, is_moved(values) .or. c%has(in%position_z))
+      call check_friction(c)
+      call check_adhesion(c)
+      call check_operation(c)
+      call c%add(in%poisson_ratio, 'is missing [-]; the stresses at position_z need it', &
+         & c%has(in%position_z) .and. .not. c%has(in%poisson_ratio))
       if (values(in%profiles) > 0) then
-         call require(variables, values, [in%r_max], problems)
+         call c%need([in%r_max])
          call refuse_swept(variables, is_swept, [in%r_max, in%n_r], problems)
       end if
-      if (problems%count() == before) call check_sizes(variables, values, problems)
+      if (problems%count() == before) call check_sizes(c)
    end subroutine check_indenter_values
 
-   !> Shape and solids.
-   subroutine check_body(variables, values, has_own_poisson_ratio, problems)
+   !> Shape and solids of an indenter that goes through a path.
+   subroutine check_history_body(variables, values, problems)
       !> Table whose rows up to the moduli are those of this model.
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
+      type(variable_t), intent(in), target :: variables(:)
+      real(dp), intent(in), target :: values(:)
+      type(problems_t), intent(inout), target :: problems
+      type(checks_t) :: c
+
+      call new_checks(c, variables, values, problems)
+      call check_body(c, .true.)
+   end subroutine check_history_body
+
+   !> Shape and solids.
+   subroutine check_body(c, has_own_poisson_ratio)
+      type(checks_t), intent(in) :: c
       !> Has Poisson's ratio of the first body a use of its own beside the contact modulus?
       logical, intent(in) :: has_own_poisson_ratio
-      type(problems_t), intent(inout) :: problems
 
-      call require(variables, values, [in%kind], problems)
-      if (is_set(values(in%kind))) call check_shape(variables, values, problems)
-      call check_contact_modulus(variables(in%contact_modulus:in%second_poisson_ratio), &
-         & values(in%contact_modulus:in%second_poisson_ratio), problems, has_own_poisson_ratio)
+      call c%need([in%kind])
+      if (c%has(in%kind)) call check_shape(c)
+      call check_contact_modulus(c%variables(in%contact_modulus:in%second_poisson_ratio), &
+         & c%values(in%contact_modulus:in%second_poisson_ratio), c%problems, has_own_poisson_ratio)
    end subroutine check_body
 
    !> What each kind of shape needs, and what it has no place for.
-   subroutine check_shape(variables, values, problems)
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
+   subroutine check_shape(c)
+      type(checks_t), intent(in) :: c
       logical :: is_used(in%coefficient_8)
       integer :: kind, k
 
-      kind = nint(values(in%kind))
+      kind = nint(c%values(in%kind))
       is_used = .false.
       is_used(in%kind) = .true.
       is_used(in%radius) = any(kind == [kind_paraboloid, kind_sphere, kind_flat_paraboloid, kind_rounded_punch, kind_rounded_cone])
@@ -81,131 +90,116 @@ contains
       is_used(in%coefficient_1:in%coefficient_8) = kind == kind_polynomial
       do k = in%radius, in%coefficient_8
          if (is_used(k)) then
-            if (any(k == [in%slope, in%half_angle]) .or. k >= in%coefficient_1) cycle
-            call require(variables, values, [k], problems)
-         else if (is_set(values(k)) .and. (k < in%coefficient_1 .or. values(k) > 0)) then
-            call problems%add(variables(k)%group, variables(k)%name, 'has no meaning for kind = ''' &
-               & //get_word(variables(in%kind)%choices, kind)//'''')
+            call c%need([k], .not. any(k == [in%slope, in%half_angle]) .and. k < in%coefficient_1)
+         else
+            call c%add(k, 'has no meaning for kind = '''//get_word(c%variables(in%kind)%choices, kind)//'''', &
+               & c%has(k) .and. (k < in%coefficient_1 .or. c%values(k) > 0))
          end if
       end do
-      if (is_used(in%slope)) call require_one(variables, values, [in%slope, in%half_angle], .true., problems)
-      if (kind == kind_polynomial .and. .not. maxval(values(in%coefficient_1:in%coefficient_8)) > 0) then
-         call problems%add('shape', 'coefficient_1', 'is 0 like all coefficients; give one of them, or kind = ''flat''')
-      end if
+      if (is_used(in%slope)) call c%need_one([in%slope, in%half_angle], .true.)
+      call c%add(in%coefficient_1, 'is 0 like all coefficients; give one of them, or kind = ''flat''', &
+         & kind == kind_polynomial .and. .not. maxval(c%values(in%coefficient_1:in%coefficient_8)) > 0)
    end subroutine check_shape
 
    !> Theory and work of adhesion.
-   subroutine check_adhesion(variables, values, problems)
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
-      logical :: has_adhesion
+   subroutine check_adhesion(c)
+      type(checks_t), intent(in) :: c
+      logical :: has_adhesion, has_range
+      integer :: theory
 
-      has_adhesion = .false.
-      if (is_set(values(in%work_of_adhesion))) has_adhesion = values(in%work_of_adhesion) > 0
-      call require_one(variables, values, [in%adhesion_stress, in%adhesion_range, in%lambda], &
-         & nint(values(in%theory)) == choose_maugis_dugdale, problems)
-      if (nint(values(in%theory)) >= choose_jkr .or. any(is_set(values(in%adhesion_stress:in%lambda)))) then
-         call require_work(variables, values, in%work_of_adhesion, [in%adhesion_stress, in%adhesion_range], problems)
-         if (is_set(values(in%work_of_adhesion)) .and. nint(values(in%theory)) > choose_jkr .and. .not. has_adhesion) &
-            & call problems%add('adhesion', 'work_of_adhesion', 'is 0, and this theory needs adhesion')
-      else if (nint(values(in%theory)) == choose_none .and. has_adhesion) then
-         call problems%add('adhesion', 'work_of_adhesion', 'has no meaning for theory = ''none''')
+      theory = nint(c%values(in%theory))
+      has_adhesion = c%is_above_zero(in%work_of_adhesion)
+      has_range = c%has_any([in%adhesion_stress, in%adhesion_range, in%lambda])
+      call c%need_one([in%adhesion_stress, in%adhesion_range, in%lambda], theory == choose_maugis_dugdale)
+      if (theory >= choose_jkr .or. has_range) then
+         call require_work(c, in%work_of_adhesion, [in%adhesion_stress, in%adhesion_range])
+         call c%add(in%work_of_adhesion, 'is 0, and this theory needs adhesion', &
+            & c%has(in%work_of_adhesion) .and. theory > choose_jkr .and. .not. has_adhesion)
+      else
+         call c%add(in%work_of_adhesion, 'has no meaning for theory = ''none''', theory == choose_none .and. has_adhesion)
       end if
-      if (is_set(values(in%kind))) call check_theory(values, problems)
-      if (.not. (has_adhesion .and. is_set(values(in%kind)) .and. is_set(values(in%exponent)))) return
-      if (nint(values(in%kind)) == kind_power .and. values(in%exponent) < least_exponent) call problems%add('shape', 'exponent', &
-         & 'is too small for adhesion: at 1/2 and below no state is stable; allowed with adhesion: a number >= 0.51 [-]')
+      if (.not. c%has(in%kind)) return
+      call check_theory(c, theory, theory == choose_maugis_dugdale .or. (theory == choose_auto .and. has_range))
+      call c%add(in%exponent, &
+         & 'is too small for adhesion: at 1/2 and below no state is stable; allowed with adhesion: a number >= 0.51 [-]', &
+         & has_adhesion .and. c%is_choice(in%kind, kind_power) .and. c%values(in%exponent) < least_exponent)
    end subroutine check_adhesion
 
    !> What belongs to some kinds alone: DMT and lambda.
-   subroutine check_theory(values, problems)
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
-      logical :: is_square, has_range
+   subroutine check_theory(c, theory, has_range)
+      type(checks_t), intent(in) :: c
+      !> One of `choose_...`.
+      integer, intent(in) :: theory
+      !> Does adhesion reach beyond the contact?
+      logical, intent(in) :: has_range
       integer :: kind
 
-      kind = nint(values(in%kind))
-      is_square = kind == kind_paraboloid
-      if (kind == kind_power .and. is_set(values(in%exponent))) is_square = .not. abs(values(in%exponent) - 2) > 0
-      if (nint(values(in%theory)) == choose_dmt .and. .not. is_square) call problems%add('model', 'theory', &
-         & 'is ''dmt'', which only r^2 has: the pull of a long range on other profiles depends on its stress')
-      if (is_set(values(in%lambda)) .and. .not. any(kind == [kind_cone, kind_paraboloid, kind_power])) &
-         & call problems%add('adhesion', 'lambda', 'has a meaning only for a cone, a paraboloid and a power; give adhesion_stress')
-      has_range = nint(values(in%theory)) == choose_maugis_dugdale .or. (nint(values(in%theory)) == choose_auto &
-         & .and. any(is_set(values(in%adhesion_stress:in%lambda))))
-      if (kind == kind_power .and. has_range .and. values(in%exponent) < 1) call problems%add('shape', 'exponent', &
-         & 'is too small for adhesion of a range; allowed with it: a number >= 1 [-]')
+      kind = nint(c%values(in%kind))
+      call c%add(in%theory, 'is ''dmt'', which only r^2 has: the pull of a long range on other profiles depends on its stress', &
+         & theory == choose_dmt .and. kind /= kind_paraboloid &
+         & .and. .not. (kind == kind_power .and. .not. abs(c%values(in%exponent) - 2) > 0))
+      call c%add(in%lambda, 'has a meaning only for a cone, a paraboloid and a power; give adhesion_stress', &
+         & c%has(in%lambda) .and. .not. any(kind == [kind_cone, kind_paraboloid, kind_power]))
+      call c%add(in%exponent, 'is too small for adhesion of a range; allowed with it: a number >= 1 [-]', &
+         & kind == kind_power .and. has_range .and. c%values(in%exponent) < 1)
    end subroutine check_theory
 
    !> What is prescribed.
-   subroutine check_operation(variables, values, problems)
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
+   subroutine check_operation(c)
+      type(checks_t), intent(in) :: c
       integer, parameter :: with_face(*) = [kind_flat_cone, kind_flat_paraboloid, kind_rounded_punch]
-      integer :: kind, k
+      integer :: k
 
-      call require_one(variables, values, [in%load, in%approach, in%contact_radius, in%face_angle, in%base_approach], .true., &
-         & problems)
-      if (is_set(values(in%base_approach))) call require(variables, values, [in%machine_stiffness], problems)
-      if (is_set(values(in%machine_stiffness)) .and. .not. is_set(values(in%base_approach))) call problems%add('operating', &
-         & 'machine_stiffness', 'has no meaning without base_approach, the approach of what holds the spring')
-      if (values(in%events) > 0 .and. .not. any(is_set(values([in%approach, in%base_approach]))) .and. .not. &
-         & (is_set(values(in%load)) .and. (is_set(values(in%shear_strength)) .or. nint(values(in%law)) == law_peeling))) &
-         & call problems%add('output', 'events', 'has no meaning at a given load or radius, which makes no cycle; give approach ' &
-         & //'or base_approach, or at a given load shear_strength')
+      call c%need_one([in%load, in%approach, in%contact_radius, in%face_angle, in%base_approach], .true.)
+      call c%need([in%machine_stiffness], c%has(in%base_approach))
+      call c%add(in%machine_stiffness, 'has no meaning without base_approach, the approach of what holds the spring', &
+         & c%has(in%machine_stiffness) .and. .not. c%has(in%base_approach))
+      call c%add(in%events, 'has no meaning at a given load or radius, which makes no cycle; give approach ' &
+         & //'or base_approach, or at a given load shear_strength', c%values(in%events) > 0 &
+         & .and. .not. c%has_any([in%approach, in%base_approach]) .and. .not. &
+         & (c%has(in%load) .and. (c%has(in%shear_strength) .or. c%is_choice(in%law, law_peeling))))
       do k = in%contact_radius, in%face_angle
-         if (is_set(values(k)) .and. nint(values(in%branch)) /= branch_stable) call problems%add('operating', 'branch', &
-            & 'has no meaning with '//variables(k)%name//', which belongs to one state')
+         call c%add(in%branch, 'has no meaning with '//c%variables(k)%name//', which belongs to one state', &
+            & c%has(k) .and. .not. c%is_choice(in%branch, branch_stable))
       end do
-      if (.not. is_set(values(in%kind))) return
-      kind = nint(values(in%kind))
-      if (kind == kind_flat .and. is_set(values(in%contact_radius))) call problems%add('operating', 'contact_radius', &
-         & 'has no meaning for kind = ''flat'', whose whole face is in contact')
-      if (is_set(values(in%face_angle)) .and. .not. any(kind == with_face)) call problems%add('operating', 'face_angle', &
-         & 'has a meaning only for flat_cone, flat_paraboloid and rounded_punch')
+      if (.not. c%has(in%kind)) return
+      call c%add(in%contact_radius, 'has no meaning for kind = ''flat'', whose whole face is in contact', &
+         & c%is_choice(in%kind, kind_flat) .and. c%has(in%contact_radius))
+      call c%add(in%face_angle, 'has a meaning only for flat_cone, flat_paraboloid and rounded_punch', &
+         & c%has(in%face_angle) .and. .not. any(nint(c%values(in%kind)) == with_face))
    end subroutine check_operation
 
    !> Values that are possible one by one, and not together.
-   subroutine check_sizes(variables, values, problems)
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
+   subroutine check_sizes(c)
+      type(checks_t), intent(in) :: c
       type(indenter_case_t) :: case
       integer :: prescribed
 
-      call resolve_case(values, case)
-      if (is_set(values(in%lateral_stiffness)) .and. case%height_unit > 0 .and. .not. has_plain_spring(case)) then
-         call refuse_size(variables(in%lateral_stiffness), values(in%lateral_stiffness), problems)
-         return
-      end if
-      if (case%height_unit > 0 .and. .not. has_plain_base(case)) then
-         call refuse_size(variables(in%base_displacement), values(in%base_displacement), problems)
-         return
-      end if
-      if (is_possible(values, case)) then
+      call resolve_case(c%values, case)
+      prescribed = in%base_approach
+      if (.not. c%has(prescribed)) prescribed = in%load - 1 + findloc(is_set(c%values(in%load:in%face_angle)), .true., 1)
+      if (c%has(in%lateral_stiffness) .and. case%height_unit > 0 .and. .not. has_plain_spring(case)) then
+         prescribed = in%lateral_stiffness
+      else if (case%height_unit > 0 .and. .not. has_plain_base(case)) then
+         prescribed = in%base_displacement
+      else if (is_possible(c%values, case)) then
          select type (curve => case%curve)
          type is (dugdale_curve_t)
-            call check_shear(variables(in%shear_strength:in%pressure_factor), values(in%shear_strength:in%pressure_factor), &
-               & curve%stress*case%modulus*(case%height_unit/case%length_unit), problems)
+            call check_shear(c%variables(in%shear_strength:in%pressure_factor), c%values(in%shear_strength:in%pressure_factor), &
+               & curve%stress*case%modulus*(case%height_unit/case%length_unit), c%problems)
          end select
          return
-      end if
-      if (nint(values(in%kind)) == kind_sphere .and. case%theory == theory_maugis_dugdale) then
-         call problems%add('shape', 'radius', 'is so small that adhesion would reach beyond the sphere')
+      else if (c%is_choice(in%kind, kind_sphere) .and. case%theory == theory_maugis_dugdale) then
+         call c%add(in%radius, 'is so small that adhesion would reach beyond the sphere')
+         return
+      else if (prescribed == in%contact_radius .and. c%is_choice(in%kind, kind_sphere)) then
+         call c%add(in%contact_radius, 'is not smaller than the radius of the sphere')
+         return
+      else if (prescribed == in%contact_radius .and. case%curve%shape%has_face) then
+         call c%add(in%contact_radius, 'is smaller than face_radius, and without adhesion the whole face is in contact')
          return
       end if
-      prescribed = in%base_approach
-      if (.not. is_set(values(prescribed))) prescribed = in%load - 1 + findloc(is_set(values(in%load:in%face_angle)), .true., 1)
-      if (prescribed == in%contact_radius .and. nint(values(in%kind)) == kind_sphere) then
-         call problems%add('operating', 'contact_radius', 'is not smaller than the radius of the sphere')
-      else if (prescribed == in%contact_radius .and. case%curve%shape%has_face) then
-         call problems%add('operating', 'contact_radius', &
-            & 'is smaller than face_radius, and without adhesion the whole face is in contact')
-      else
-         call refuse_size(variables(prescribed), values(prescribed), problems)
-      end if
+      call refuse_size(c%variables(prescribed), c%values(prescribed), c%problems)
    end subroutine check_sizes
 
 end module adfric_round_check

@@ -157,9 +157,7 @@ contains
 
    !> J and I of a paraboloid that begins at a corner of radius 1, see `get_cone_annulus`.
    pure subroutine get_paraboloid_annulus(v, s, opening, intensity)
-      !> v, and s > 0; for a contact on the face 0 and V.
       real(dp), intent(in) :: v, s
-      !> Receive J and I, without the part of J that g(a) has.
       real(dp), intent(out) :: opening, intensity
 
       opening = bulge(s, v)/2
@@ -168,9 +166,7 @@ contains
 
    !> J and I of a punch with a rounded edge, see `get_cone_annulus`; for small V J loses digits.
    pure subroutine get_punch_annulus(v, s, opening, intensity)
-      !> v, and s > 0; for a contact on the face 0 and V.
       real(dp), intent(in) :: v, s
-      !> Receive J and I, without the part of J that g(a) has.
       real(dp), intent(out) :: opening, intensity
       real(dp) :: largest, c, less
 
@@ -191,7 +187,6 @@ contains
    pure subroutine get_rounded_cone_annulus(a, v, s, opening, intensity)
       !> Radius a of contact, v, and s > 0.
       real(dp), intent(in) :: a, v, s
-      !> Receive J and I, without the part of J that g(a) has.
       real(dp), intent(out) :: opening, intensity
 
       real(dp) :: edge, turn
@@ -211,7 +206,6 @@ contains
    !> Half of `bulge(s, v)` less half of `bulge(s, a)` for s below v, as a series: s^3 sum of (-s^2)^m/((2 m + 1) (2 m + 3)) times the
    !> difference of v^-(2 m + 1) and a^-(2 m + 1).
    pure real(dp) function narrow_difference(a, v, s) result(total)
-      !> Radius a of contact, v, and s > 0.
       real(dp), intent(in) :: a, v, s
       real(dp) :: power, ratio, difference
       integer :: m

@@ -128,7 +128,6 @@ contains
       class(curve_t), intent(in) :: curve
       !> Approach of the base.
       real(dp), intent(in) :: given
-      !> The contact, whose load or approach may be replaced.
       type(contact_t), intent(inout) :: contact
       real(dp) :: terms(2)
 
@@ -164,7 +163,6 @@ contains
       integer, intent(in) :: control
       real(dp), intent(in) :: given
       type(disc_range_t), intent(in) :: range
-      !> Receives the state, with `is_found`.
       type(contact_t), intent(inout) :: contact
       type(disc_equation_t) :: equation
       type(state_t) :: first, last

@@ -54,9 +54,7 @@ contains
 
    !> The energy as an integral over v where the contact is small, else over t, v = sinh(t); within the corner it is a polynomial.
    pure real(dp) function integrated_energy(kind, v) result(energy)
-      !> One of the kinds of `adfric_round_corner_kinds`.
       integer, intent(in) :: kind
-      !> v, >= 0.
       real(dp), intent(in) :: v
       type(corner_energy_integrand_t) :: integrand
 
@@ -114,7 +112,6 @@ contains
 
    !> That of a paraboloid.
    pure real(dp) function paraboloid_energy(v) result(energy)
-      !> v, >= 0.
       real(dp), intent(in) :: v
       real(dp) :: a, depth
 
@@ -125,7 +122,6 @@ contains
 
    !> That of a punch with a rounded edge.
    pure real(dp) function punch_energy(v) result(energy)
-      !> v, >= `least_closed`.
       real(dp), intent(in) :: v
       real(dp) :: a, phi, t, q, depth, less, mixed
 

@@ -111,7 +111,6 @@ contains
 
    !> g, its derivatives by v, and P1 beyond the corner.
    pure subroutine evaluate_beyond(kind, v, a, spot)
-      !> One of the kinds of this file.
       integer, intent(in) :: kind
       !> v = sqrt(a^2 - 1), >= 0.
       real(dp), intent(in) :: v

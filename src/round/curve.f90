@@ -141,7 +141,6 @@ contains
    pure subroutine get_prescribed(self, control, u, is_beyond, prescribed, slope)
       class(curve_t), intent(in) :: self
       integer, intent(in) :: control
-      !> The unknown, >= 0.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
       !> Load, approach, or approach of the base of the spring, reduced.
@@ -163,7 +162,6 @@ contains
    !> Load and approach at an unknown, and their derivatives by u, which take less time than a state.
    pure subroutine get_sums(self, u, is_beyond, load, load_slope, approach, approach_slope)
       class(curve_t), intent(in) :: self
-      !> The unknown, >= 0.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
       !> Receive the load and its derivative.
@@ -180,10 +178,7 @@ contains
    pure subroutine sum_terms(curve, spot, load, load_slope, approach, approach_slope)
       class(curve_t), intent(in) :: curve
       type(spot_t), intent(in) :: spot
-      !> Receive the load and its derivative.
-      real(dp), intent(out) :: load, load_slope
-      !> Receive the approach and its derivative.
-      real(dp), intent(out) :: approach, approach_slope
+      real(dp), intent(out) :: load, load_slope, approach, approach_slope
       real(dp) :: root
 
       root = sqrt(spot%radius)
@@ -298,7 +293,6 @@ contains
       type(piece_t), intent(in) :: piece
       !> The intervals; those of the piece are added.
       type(curve_interval_t), intent(inout) :: intervals(:)
-      !> Number of intervals.
       integer, intent(inout) :: n
       !> Becomes false if a fold is not found to round-off.
       logical, intent(inout) :: is_converged

@@ -72,7 +72,6 @@ contains
    !> short way as for a long one, and each jump before adds what its own period is off.
    pure real(dp) function driven_error(jump, stiffness, base, force) result(error)
       type(stick_slip_t), intent(in) :: jump
-      !> Stiffness of the spring, > 0, and displacement of its base, >= 0.
       real(dp), intent(in) :: stiffness, base
       !> The force, >= 0.
       real(dp), intent(in) :: force
@@ -97,9 +96,7 @@ contains
       !> Stiffness of the spring, and h.
       real(dp), intent(in) :: stiffness, extension
       type(pulled_spot_t), intent(in) :: spot
-      !> Receives the piece.
       integer, intent(out) :: piece
-      !> Receives the position in it.
       real(dp), intent(out) :: position
       type(driven_position_t) :: equation
       real(dp) :: x, ends(2)

@@ -88,8 +88,7 @@ contains
       class(dugdale_curve_t), intent(in) :: self
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
-      real(dp), intent(out) :: load, load_slope
-      real(dp), intent(out) :: approach, approach_slope
+      real(dp), intent(out) :: load, load_slope, approach, approach_slope
       type(state_t) :: state
 
       call self%get_state(u, is_beyond, state)
@@ -174,7 +173,6 @@ contains
    pure subroutine get_range(self, spot, is_beyond, s, value, slope, opening, intensity)
       class(dugdale_curve_t), intent(in) :: self
       type(spot_t), intent(in) :: spot
-      !> Does the contact reach beyond the corner?
       logical, intent(in) :: is_beyond
       !> s = sqrt(c^2 - a^2), > 0.
       real(dp), intent(in) :: s
@@ -270,7 +268,6 @@ contains
    !> See `margins_t`.
    pure subroutine get_margin(self, u, is_beyond, margin, is_converged)
       class(dugdale_margins_t), intent(in) :: self
-      !> The unknown, >= 0.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
       !> F_P, F_d or F_d + 2 s F_P over the sum of its terms, between -1 and 1.

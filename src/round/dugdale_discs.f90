@@ -78,7 +78,6 @@ contains
       real(dp), intent(in) :: low, high
       !> The ranges; one that goes on from the last is joined to it.
       type(disc_range_t), intent(inout) :: discs(:)
-      !> Their number.
       integer, intent(inout) :: n
       real(dp) :: turn
       logical :: begins, ends
@@ -104,9 +103,7 @@ contains
 
    !> Add a range.
    pure subroutine add_range(discs, n, first, last)
-      !> The ranges; one that goes on from the last is joined to it.
       type(disc_range_t), intent(inout) :: discs(:)
-      !> Their number.
       integer, intent(inout) :: n
       !> Ends of the range; nothing is added if it is empty.
       real(dp), intent(in) :: first, last

@@ -90,7 +90,6 @@ contains
    pure subroutine lay_outer(margins, shape, stress, range, outer, is_converged)
       class(margins_t), intent(in) :: margins
       class(shape_t), intent(in) :: shape
-      !> Stress and range of adhesion, reduced.
       real(dp), intent(in) :: stress, range
       type(stretch_t), intent(out) :: outer
       logical, intent(out) :: is_converged
@@ -177,7 +176,6 @@ contains
    !> The contact of a flat face whose zone ends at the corner, a little larger, for c to be beyond; 0 if all zones end beyond.
    !> Its u, a/sqrt(b^2 - a^2), is the cotangent of the angle of a flat punch.
    pure real(dp) function contact_at_edge(stress, range) result(u)
-      !> Stress and range of adhesion, reduced.
       real(dp), intent(in) :: stress, range
       real(dp), parameter :: beyond_round_off = 64*epsilon(1.0_dp)
       real(dp) :: angle
@@ -191,7 +189,6 @@ contains
    pure subroutine find_edge_angle(value, angle)
       !> The value, > 0.
       real(dp), intent(in) :: value
-      !> Receives the angle.
       real(dp), intent(out) :: angle
       ! a step after this one is round-off
       real(dp), parameter :: close_enough = 1.0e-9_dp

@@ -39,7 +39,6 @@ contains
 
    !> What a disc of adhesion takes from the gap.
    pure real(dp) function disc_gap(stress, c, r) result(gap)
-      !> Stress S, reduced, > 0.
       real(dp), intent(in) :: stress
       !> Radius of the disc, > 0.
       real(dp), intent(in) :: c
@@ -86,7 +85,6 @@ contains
    pure real(dp) function opening_near_contact(rho, beta) result(opening)
       !> Share e^2/s0^2 [-], >= 0, up to `near_contact`.
       real(dp), intent(in) :: rho
-      !> Angle with cos beta = a/r [rad], > 0, up to pi/2.
       real(dp), intent(in) :: beta
       real(dp) :: psi(size(gauss_nodes)), y(size(gauss_nodes))
 

@@ -58,7 +58,6 @@ contains
    !> ln(R/2 S) at a position.
    pure subroutine get_logarithm(margins, u, is_beyond, logarithm, is_converged)
       class(margins_t), intent(in) :: margins
-      !> The unknown, >= 0.
       real(dp), intent(in) :: u
       logical, intent(in) :: is_beyond
       !> Receives the logarithm, cut off where R and 2 S are alike in no digit.
@@ -78,7 +77,6 @@ contains
       real(dp), intent(in) :: corner
       !> The intervals; those of the stretch are added.
       type(curve_interval_t), intent(inout) :: intervals(:)
-      !> Their number.
       integer, intent(inout) :: n
       !> Becomes false if a state is not found.
       logical, intent(inout) :: is_converged
@@ -102,15 +100,12 @@ contains
    !> fold has been passed.
    pure subroutine find_turn(margins, stretch, corner, turn, at_turn, is_converged)
       class(margins_t), intent(in) :: margins
-      !> The stretch, one end of which is the corner.
       type(stretch_t), intent(in) :: stretch
-      !> Radius of the corner.
       real(dp), intent(in) :: corner
       !> Receives the position.
       real(dp), intent(out) :: turn
       !> Receives ln(R/2 S) there.
       real(dp), intent(out) :: at_turn
-      !> Becomes false if a state is not found.
       logical, intent(inout) :: is_converged
       real(dp), parameter :: close_enough = 1.0e-7_dp
       integer, parameter :: most_steps = 100
@@ -189,7 +184,6 @@ contains
    !> The unknown of a distance from the corner.
    pure real(dp) function position_of(stretch, corner, logarithm) result(u)
       type(stretch_t), intent(in) :: stretch
-      !> Radius of the corner.
       real(dp), intent(in) :: corner
       !> Logarithm of the distance.
       real(dp), intent(in) :: logarithm
@@ -202,10 +196,7 @@ contains
    pure subroutine get_value(margins, stretch, corner, logarithm, value, is_converged)
       class(margins_t), intent(in) :: margins
       type(stretch_t), intent(in) :: stretch
-      !> Radius of the corner.
-      real(dp), intent(in) :: corner
-      !> Logarithm of the distance.
-      real(dp), intent(in) :: logarithm
+      real(dp), intent(in) :: corner, logarithm
       !> Receives the value.
       real(dp), intent(out) :: value
       !> Becomes false if the state is not found.
@@ -221,7 +212,6 @@ contains
    pure subroutine add_fold(margins, stretch, positions, values, guess, intervals, n, is_converged)
       class(margins_t), intent(in) :: margins
       type(stretch_t), intent(in) :: stretch
-      !> The two positions, with one fold between them.
       real(dp), intent(in) :: positions(2)
       !> ln(R/2 S) there.
       real(dp), intent(in) :: values(2)
@@ -231,7 +221,6 @@ contains
       type(curve_interval_t), intent(inout) :: intervals(:)
       !> Their number, which grows by 1.
       integer, intent(inout) :: n
-      !> Becomes false if a state is not found.
       logical, intent(inout) :: is_converged
       real(dp) :: ends(2), at_ends(2), fold
 
@@ -255,7 +244,6 @@ contains
       real(dp), intent(inout) :: ends(2)
       !> ln(R/2 S) there.
       real(dp), intent(inout) :: values(2)
-      !> Becomes false if a state is not found.
       logical, intent(inout) :: is_converged
       real(dp), parameter :: decade = 10.0_dp
       integer, parameter :: most_decades = 320
@@ -287,9 +275,7 @@ contains
       real(dp), intent(in) :: ends(2)
       !> ln(R/2 S) there, of different signs.
       real(dp), intent(in) :: at_ends(2)
-      !> Receives the fold.
       real(dp), intent(out) :: fold
-      !> Becomes false if a state is not found.
       logical, intent(inout) :: is_converged
       real(dp), parameter :: close_enough = 4*epsilon(1.0_dp)
       integer, parameter :: most_steps = 100
@@ -317,9 +303,7 @@ contains
 
    !> A position between two, at a share of the path, evenly in the logarithm of the distance from an origin.
    pure real(dp) function between(ends, origin, share)
-      !> The two positions.
-      real(dp), intent(in) :: ends(2)
-      real(dp), intent(in) :: origin
+      real(dp), intent(in) :: ends(2), origin
       !> The share, between 0 and 1.
       real(dp), intent(in) :: share
 

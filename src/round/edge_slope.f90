@@ -67,7 +67,6 @@ contains
    pure real(dp) function slope_of_polynomial(coefficients, radius) result(slope)
       !> Coefficients >= 0.
       real(dp), intent(in) :: coefficients(:)
-      !> Radius [m], > 0.
       real(dp), intent(in) :: radius
       integer :: k
 

@@ -74,7 +74,6 @@ contains
       type(shear_slip_t), intent(out) :: slip
       !> In: results of the contact. Out: with those of friction, or all NaN; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      !> In: solved. Out: one of `status_...`.
       integer, intent(inout) :: status
       real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
       real(dp) :: radius, force, ratio, unit

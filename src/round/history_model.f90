@@ -6,7 +6,7 @@ module adfric_round_history_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
    use adfric_round_case, only: indenter_case_t, resolve_case, tangential_compliance, is_possible_case => is_possible
-   use adfric_round_check, only: check_body
+   use adfric_round_check, only: check_history_body
    use adfric_round_contact, only: branch_stable, find_contact
    use adfric_round_contact_state, only: contact_t
    use adfric_round_edge_slope, only: measure_edge
@@ -71,24 +71,18 @@ contains
    !> See `history_model_t`.
    subroutine check_bodies(self, values, problems)
       class(indenter_history_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call check_body(self%variables, values, .true., problems)
+      call check_history_body(self%variables, values, problems)
    end subroutine check_bodies
 
    !> See `history_model_t`.
    subroutine find_contacts(self, values, contacts, units, is_possible)
       class(indenter_history_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives the contacts, reduced; not allocated where they are not possible.
       class(normal_contact_t), allocatable, intent(out) :: contacts
-      !> Receives their units.
       type(history_units_t), intent(out) :: units
-      !> Are the largest contact of the path and its units within the numbers?
       logical, intent(out) :: is_possible
       type(indenter_states_t), allocatable :: states
       type(spot_t) :: corner
@@ -113,11 +107,9 @@ contains
    !> See `model_t`: the largest contact of the path.
    subroutine measure(self, values, results, measures)
       class(indenter_history_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point, none of which is needed; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
-      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
       type(indenter_case_t) :: case
       type(survey_t) :: survey
@@ -194,9 +186,7 @@ contains
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
    function unit_of(self, values, index) result(unit)
       class(indenter_history_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Index of the variable in `variables`.
       integer, intent(in) :: index
       character(:), allocatable :: unit
 

@@ -144,7 +144,6 @@ contains
    !> The contact that remains at an X where that of the path has been lost; there may be none.
    pure subroutine find_remaining(self, ratio, contact)
       class(interaction_path_t), intent(in) :: self
-      !> X.
       real(dp), intent(in) :: ratio
       type(contact_t), intent(out) :: contact
 
@@ -196,7 +195,6 @@ contains
       class(interaction_path_t), intent(in) :: self
       !> g, from 0 to the largest one that has been looked at.
       real(dp), intent(in) :: slip_energy
-      !> Receives the state; not found where the contact has been lost.
       type(waypoint_t), intent(out) :: waypoint
 
       waypoint = self%start
@@ -250,7 +248,6 @@ contains
    !> Slip at the edge in a direction t from that of the force: it varies by (4/3 pi) (m - 1) tau b (1 - (e/b)^3) cos 2t.
    elemental real(dp) function slip_at(law, radius, angle, direction) result(slip)
       type(friction_law_t), intent(in) :: law
-      !> b and th.
       real(dp), intent(in) :: radius, angle
       !> t [rad].
       real(dp), intent(in) :: direction
@@ -264,7 +261,6 @@ contains
    !> The largest slip at the edge, across the force where m > 1.
    elemental real(dp) function largest_slip_of(law, radius, angle) result(slip)
       type(friction_law_t), intent(in) :: law
-      !> b and th.
       real(dp), intent(in) :: radius, angle
 
       slip = slip_at(law, radius, angle, merge(half_pi, 0.0_dp, law%compliance > 1))

@@ -73,7 +73,6 @@ contains
    !> `find_state` on the whole path, whose end is known.
    pure subroutine find_before_end(path, quantity, value, waypoint, is_converged)
       class(interaction_path_t), intent(inout) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
       !> Its value, > 0.
       real(dp), intent(in) :: value
@@ -269,7 +268,6 @@ contains
    !> The largest value of a quantity before the end of the path; not found if it still rises there.
    pure subroutine find_turn(path, quantity, waypoint, is_converged)
       class(interaction_path_t), intent(inout) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
       type(waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
@@ -291,7 +289,6 @@ contains
    !> The state with a value of a quantity, 0 < value <= that of a state which lies after it.
    pure subroutine find_crossing(path, quantity, value, last, waypoint, is_converged)
       class(interaction_path_t), intent(inout) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
       !> Value of the quantity, > 0, at most that of the state `last`.
       real(dp), intent(in) :: value
@@ -314,12 +311,8 @@ contains
    !> See `equation_t`. Beyond the last contact value and rate are as if the root had been passed.
    pure subroutine evaluate(self, x, value, slope)
       class(path_equation_t), intent(in) :: self
-      !> z > 0.
       real(dp), intent(in) :: x
-      !> Quantity less its given value, or the rate of the quantity.
-      real(dp), intent(out) :: value
-      !> Derivative of the value by z.
-      real(dp), intent(out) :: slope
+      real(dp), intent(out) :: value, slope
       type(waypoint_t) :: waypoint, near
       real(dp) :: quantity
 
@@ -341,7 +334,6 @@ contains
    !> Force, displacement, or root of the slip core.
    pure real(dp) function quantity_of(path, quantity, waypoint) result(value)
       class(interaction_path_t), intent(in) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
       type(waypoint_t), intent(in) :: waypoint
 
@@ -353,7 +345,6 @@ contains
    !> d ln(quantity)/d ln g.
    pure real(dp) function rate_of(path, quantity, waypoint) result(rate)
       class(interaction_path_t), intent(in) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
       type(waypoint_t), intent(in) :: waypoint
       real(dp) :: rates(3)

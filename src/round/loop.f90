@@ -180,7 +180,6 @@ contains
    pure subroutine retract(curve, path, loop)
       class(curve_t), intent(in) :: curve
       type(loop_path_t), intent(in) :: path
-      !> Receives the energy of the jumps.
       type(loop_t), intent(inout) :: loop
       type(contact_t) :: before, after
       integer :: k, first

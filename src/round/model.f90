@@ -89,11 +89,8 @@ contains
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       real(dp) :: constant(n_indenter_variables), slope
@@ -110,7 +107,6 @@ contains
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = values(in%profiles) > 0
@@ -121,9 +117,7 @@ contains
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives the axis r.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
       axes = radius_axis(values(in%r_max), values(in%n_r), 'm')
@@ -134,11 +128,7 @@ contains
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Results of the point, NaN where they are not known; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(inout) :: measures(:)
 
       if (is_set(values(in%contact_radius))) then
@@ -153,7 +143,6 @@ contains
    !> See `pointwise_model_t`: a law of the velocity is a shear strength at each point.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the contact, for the profiles.
       class(point_state_t), allocatable, intent(inout) :: state
@@ -189,11 +178,9 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives the contact, for the profiles; nothing is taken from the point before.
       class(point_state_t), allocatable, intent(inout) :: state
-      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Relative error of radius, load and approach, the largest of them, estimated.
       real(dp), intent(out) :: error_estimate
-      !> One of `status_...`.
       integer, intent(out) :: status
       type(indenter_state_t), allocatable :: found
       type(ends_t) :: ends
@@ -285,7 +272,6 @@ contains
    !> is prescribed, and a survey takes no time.
    subroutine take_survey(state, found)
       class(point_state_t), allocatable, intent(in) :: state
-      !> The point, which receives the survey.
       type(indenter_state_t), intent(inout) :: found
 
       if (.not. allocated(state) .or. found%case%theory /= theory_maugis_dugdale) return
@@ -304,7 +290,6 @@ contains
    pure subroutine take_events(state, values, found)
       class(point_state_t), allocatable, intent(in) :: state
       real(dp), intent(in) :: values(:)
-      !> The point, which receives the events.
       type(indenter_state_t), intent(inout) :: found
 
       found%point = values
@@ -324,7 +309,6 @@ contains
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       count_profiles = merge(p_shear_stress, p_gap, is_set(values(in%friction_coefficient)) .or. is_set(values(in%shear_strength)) &
@@ -336,7 +320,6 @@ contains
    !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point, of which none is needed; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
@@ -344,7 +327,6 @@ contains
       class(point_state_t), allocatable, intent(in) :: state
       !> The axis r.
       type(profile_axis_t), intent(in) :: axes(:)
-      !> In: all NaN. Out: the profiles; shape `(n_r, 1, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       real(dp) :: r, constant(n_indenter_variables), slope
       logical :: is_valid
@@ -374,7 +356,6 @@ contains
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
 
@@ -386,9 +367,7 @@ contains
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
    function unit_of(self, values, index) result(unit)
       class(indenter_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Index of the variable in `variables`.
       integer, intent(in) :: index
       character(:), allocatable :: unit
 

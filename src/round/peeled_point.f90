@@ -114,7 +114,6 @@ contains
       type(indenter_case_t), intent(in) :: case
       type(indenter_path_t), intent(inout) :: path
       type(peeled_t), intent(inout) :: peeled
-      !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
       if (.not. peeled%has_events) call find_peeling_events(path, case%lateral_stiffness, peeled%events)
@@ -127,14 +126,12 @@ contains
    !> The contact under a tangential force that takes from adhesion, and the events of its path.
    pure subroutine peel_contact(values, case, contact, peeled, ends, results)
       real(dp), intent(in) :: values(:)
-      !> In: the point. Out: with the adhesion that remains.
       type(indenter_case_t), intent(inout) :: case
       !> In: the contact at rest. Out: that under the force; not found if there is none.
       type(contact_t), intent(inout) :: contact
       type(peeled_t), intent(inout) :: peeled
       !> In: where contacts end at rest. Out: with the adhesion that remains.
       type(ends_t), intent(inout) :: ends
-      !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       type(indenter_path_t) :: path
       type(waypoint_t) :: waypoint
@@ -211,7 +208,6 @@ contains
       type(indenter_case_t), intent(in) :: case
       !> T, reduced, >= 0.
       real(dp), intent(in) :: force
-      !> In: the contact at rest. Out: that under the force; not found if there is none.
       type(contact_t), intent(inout) :: contact
       type(peeled_t), intent(inout) :: peeled
       !> Receives the event; shape `(n_results)`.

@@ -80,7 +80,6 @@ contains
       type(indenter_case_t), intent(in) :: case
       type(contact_t), intent(in) :: contact
       real(dp), intent(in) :: values(:)
-      !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       real(dp) :: s_zz, s_rr, unit
 

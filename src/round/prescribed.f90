@@ -48,7 +48,6 @@ contains
       integer, intent(in) :: control
       type(curve_interval_t), intent(in) :: interval
       real(dp), intent(in) :: given
-      !> Receives the unknown of the state.
       real(dp), intent(out) :: u
       !> Is there such a state in the interval?
       logical, intent(out) :: is_found
@@ -79,7 +78,6 @@ contains
    !> that of u - low, and Newton's method comes to the root from anywhere.
    pure subroutine find_rising(equation, u, is_converged)
       type(prescribed_equation_t), intent(in) :: equation
-      !> Receives the unknown of the state.
       real(dp), intent(out) :: u
       logical, intent(out) :: is_converged
       real(dp), parameter :: largest_step = 3.0_dp, margin = 0.05_dp
@@ -116,7 +114,6 @@ contains
    pure subroutine find_falling(equation, u, is_converged)
       !> The equation, for an unstable interval.
       type(prescribed_equation_t), intent(inout) :: equation
-      !> Receives the unknown of the state.
       real(dp), intent(out) :: u
       logical, intent(out) :: is_converged
       ! logarithm of the smallest part of the interval where a state is sought

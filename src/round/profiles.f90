@@ -142,7 +142,6 @@ contains
    pure real(dp) function gap_at(shape, contact, r) result(gap)
       class(shape_t), intent(in) :: shape
       type(contact_t), intent(in) :: contact
-      !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r
       real(dp) :: height, slope
       logical :: is_apart
@@ -196,7 +195,6 @@ contains
    pure real(dp) function outer_opening(shape, contact, r) result(opening)
       class(shape_t), intent(in) :: shape
       type(contact_t), intent(in) :: contact
-      !> Distance from the axis, reduced, > a.
       real(dp), intent(in) :: r
       type(gap_integrand_t) :: integrand
       real(dp) :: first

@@ -43,7 +43,6 @@ module adfric_round_pulled_contact
       pure subroutine get_state_i(self, piece, position, displacement, force)
          import :: pulled_contact_t, dp
          implicit none (type, external)
-         !> The contact.
          class(pulled_contact_t), intent(in) :: self
          !> Number of the piece.
          integer, intent(in) :: piece
@@ -175,7 +174,6 @@ contains
       integer, intent(in) :: piece
       !> Ends of the range.
       real(dp), intent(in) :: low, high
-      !> The largest D and T.
       real(dp), intent(in) :: largest(2)
       type(force_panel_t), intent(out) :: panel
       !> Receives the last two coefficients of D and T over the largest values, if they are not round-off; huge where there is no state.
@@ -200,9 +198,7 @@ contains
    !> The largest of some coefficients of D and T, over the largest values.
    pure real(dp) function size_of(panel, first, last, largest)
       type(force_panel_t), intent(in) :: panel
-      !> The first and the last coefficient.
       integer, intent(in) :: first, last
-      !> The largest D and T.
       real(dp), intent(in) :: largest(2)
 
       size_of = max(maxval(abs(panel%displacement(first:last)))/largest(1), maxval(abs(panel%force(first:last)))/largest(2))
@@ -262,7 +258,6 @@ contains
    !> Where p D + q T begins to fall, at or after a position; the end of the path if it never does.
    pure subroutine first_fall(curve, p, q, from, spot, falls)
       type(pulled_curve_t), intent(in) :: curve
-      !> Weights.
       real(dp), intent(in) :: p, q
       type(pulled_spot_t), intent(in) :: from
       type(pulled_spot_t), intent(out) :: spot

@@ -45,7 +45,6 @@ contains
       !> Force of sliding; below 0 where contact is lost.
       real(dp), intent(in) :: sliding_force
       type(pulled_curve_t), intent(out) :: curve
-      !> Receives the contact that is pulled.
       type(pulled_indenter_t), intent(out) :: contact
 
       allocate (contact%path, source=path)
@@ -145,7 +144,6 @@ contains
    !> The state at a position of the part where the contact changes.
    pure subroutine get_waypoint_at(self, z, waypoint)
       class(pulled_indenter_t), intent(in) :: self
-      !> The position, 0 to 1.
       real(dp), intent(in) :: z
       type(waypoint_t), intent(out) :: waypoint
 

@@ -105,7 +105,6 @@ module adfric_round_shape
       pure real(dp) function get_end_i(self, target)
          import :: shape_t, dp
          implicit none (type, external)
-         !> The shape that is asked.
          class(shape_t), intent(in) :: self
          !> The number, > 0.
          real(dp), intent(in) :: target
@@ -115,7 +114,6 @@ module adfric_round_shape
       elemental real(dp) function rise_i(self, v)
          import :: shape_t, dp
          implicit none (type, external)
-         !> The shape that is evaluated.
          class(shape_t), intent(in) :: self
          !> v = sqrt(x^2 - b^2), > 0.
          real(dp), intent(in) :: v
@@ -125,7 +123,6 @@ module adfric_round_shape
       pure real(dp) function inner_rise_i(self)
          import :: shape_t, dp
          implicit none (type, external)
-         !> The shape that is evaluated.
          class(shape_t), intent(in) :: self
       end function inner_rise_i
 
@@ -133,7 +130,6 @@ module adfric_round_shape
       pure subroutine get_profile_i(self, r, height, slope)
          import :: shape_t, dp
          implicit none (type, external)
-         !> The shape that is evaluated.
          class(shape_t), intent(in) :: self
          !> Distance from the axis, >= 0.
          real(dp), intent(in) :: r
@@ -145,7 +141,6 @@ module adfric_round_shape
       pure real(dp) function radius_of_height_i(self, height)
          import :: shape_t, dp
          implicit none (type, external)
-         !> The shape that is asked.
          class(shape_t), intent(in) :: self
          !> The height, > 0.
          real(dp), intent(in) :: height
@@ -155,7 +150,6 @@ module adfric_round_shape
       pure subroutine get_closed_annulus_i(self, spot, is_beyond, s, opening, intensity, is_closed)
          import :: shape_t, spot_t, dp
          implicit none (type, external)
-         !> The shape that is evaluated.
          class(shape_t), intent(in) :: self
          !> What the shape is at the contact.
          type(spot_t), intent(in) :: spot
@@ -173,11 +167,9 @@ module adfric_round_shape
       pure real(dp) function energy_i(self, u, is_beyond)
          import :: shape_t, dp
          implicit none (type, external)
-         !> The shape that is evaluated.
          class(shape_t), intent(in) :: self
          !> The unknown of the contact, >= 0.
          real(dp), intent(in) :: u
-         !> Is u one of those beyond the corner?
          logical, intent(in) :: is_beyond
       end function energy_i
 

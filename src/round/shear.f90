@@ -178,7 +178,6 @@ contains
       integer, intent(in) :: number
       !> T or v.
       real(dp), intent(in) :: value
-      !> Is it T?
       logical, intent(in) :: is_of_force
       !> T or v of sliding.
       real(dp), intent(in) :: total
@@ -225,7 +224,6 @@ contains
       real(dp), intent(in) :: x
       !> Difference of the logarithms.
       real(dp), intent(out) :: value
-      !> Derivative of the value by x.
       real(dp), intent(out) :: slope
       type(sheared_position_t) :: position
       real(dp) :: length, size

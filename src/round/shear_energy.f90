@@ -60,7 +60,6 @@ contains
       integer, intent(in) :: number
       !> Ways to the ends of the stretch.
       real(dp), intent(in) :: first, last
-      !> v(e).
       real(dp), intent(in) :: total
       integer :: node
 
@@ -78,7 +77,6 @@ contains
       integer, intent(in) :: number
       !> The way to the end of the stretch.
       real(dp), intent(in) :: change
-      !> v(e).
       real(dp), intent(in) :: total
       real(dp) :: start, rate, last, w
       integer :: panel, n_panels, node
@@ -116,10 +114,7 @@ contains
    pure real(dp) function inner_energy(self, number, length, total) result(energy)
       type(sheared_t), intent(in) :: self
       integer, intent(in) :: number
-      !> How much of the range slips.
-      real(dp), intent(in) :: length
-      !> v(e).
-      real(dp), intent(in) :: total
+      real(dp), intent(in) :: length, total
       real(dp) :: low, reach, decades, u
       integer :: panel, n_panels, node
 
@@ -150,7 +145,6 @@ contains
       integer, intent(in) :: number
       !> The path to the position.
       real(dp), intent(in) :: x
-      !> v(e).
       real(dp), intent(in) :: total
       type(sheared_position_t) :: position
 

@@ -82,7 +82,6 @@ contains
    !> What T lacks to sliding at a position e <= a.
    pure real(dp) function sum_rest(self, e, square, load) result(rest)
       class(shear_sums_t), intent(in) :: self
-      !> The radius e that sticks, and a^2 - e^2.
       real(dp), intent(in) :: e, square
       !> P1(e).
       real(dp), intent(in) :: load
@@ -126,7 +125,6 @@ contains
    !> What the force of the uniform stress lacks to sliding.
    pure real(dp) function uniform_rest(self, e, t) result(rest)
       class(shear_sums_t), intent(in) :: self
-      !> The radius e that sticks, and sqrt(b^2 - e^2).
       real(dp), intent(in) :: e, t
 
       rest = 2*self%uniform*core(self%b, e, t)
@@ -139,7 +137,6 @@ contains
       real(dp), intent(in) :: e
       !> sqrt(c^2 - e^2).
       real(dp), intent(in) :: s
-      !> a^2 - e^2.
       real(dp), intent(in) :: square
       real(dp) :: edge, width, cosine, first, unit
 

@@ -170,7 +170,6 @@ contains
    !> What v still lacks to sliding.
    pure real(dp) function displacement_rest(self, position) result(rest)
       type(sheared_t), intent(in) :: self
-      !> A position in contact.
       type(sheared_position_t), intent(in) :: position
 
       associate (e => position%e)
@@ -185,7 +184,6 @@ contains
       type(sheared_range_t), intent(in) :: range
       !> How much the unknown has fallen.
       real(dp), intent(in) :: x
-      !> Receives what the profile is there.
       type(spot_t), intent(out) :: spot
       !> Receives a^2 - e^2.
       real(dp), intent(out) :: square

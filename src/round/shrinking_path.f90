@@ -138,7 +138,6 @@ contains
    !> ln of the demand over g at a g.
    pure subroutine get_demand(path, quantity, value, slip_energy, excess, state)
       class(shrinking_path_t), intent(inout) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
       !> T or u, > 0.
       real(dp), intent(in) :: value
@@ -173,9 +172,7 @@ contains
    !> The first state with a force or a displacement; not found if that is not reached before sliding.
    pure subroutine find_first(path, quantity, value, start, state, is_converged)
       class(shrinking_path_t), intent(inout) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
-      !> T or u, > 0.
       real(dp), intent(in) :: value
       type(slip_state_t), intent(in) :: start
       type(slip_state_t), intent(out) :: state
@@ -250,9 +247,7 @@ contains
    !> Between two g of which the first has a larger demand and the second a smaller one: the state, by the method of Illinois.
    pure subroutine find_between(path, quantity, value, first, last, state, is_converged)
       class(shrinking_path_t), intent(inout) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
-      !> T or u, > 0.
       real(dp), intent(in) :: value
       !> The two g, > 0.
       real(dp), intent(in) :: first, last
@@ -294,9 +289,7 @@ contains
    !> Where the demand over g is least between two g, by the golden section; the search ends where the demand is less than g.
    pure subroutine find_turn(path, quantity, value, first, last, position, is_found)
       class(shrinking_path_t), intent(inout) :: path
-      !> One of `first_...`.
       integer, intent(in) :: quantity
-      !> T or u, > 0.
       real(dp), intent(in) :: value
       !> The two g.
       real(dp), intent(in) :: first, last

@@ -229,7 +229,6 @@ contains
       class(shape_t), intent(in) :: shape
       !> In: where the stretch begins. Out: with its length, its end and the fall of g.
       type(slip_stretch_t), intent(inout) :: stretch
-      !> By how much the load falls, > 0.
       real(dp), intent(in) :: part
       logical, intent(out) :: is_converged
       ! what this step leaves, its third power, is round-off
@@ -293,7 +292,6 @@ contains
    pure logical function is_short(shape, stretch, length)
       class(shape_t), intent(in) :: shape
       type(slip_stretch_t), intent(in) :: stretch
-      !> Length of the beginning in u.
       real(dp), intent(in) :: length
 
       is_short = length < short*hypot(stretch%high, merge(shape%corner, 0.0_dp, stretch%is_beyond))

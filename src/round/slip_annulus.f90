@@ -44,7 +44,6 @@ contains
 
    !> T/T_s of gamma (J 3.4).
    elemental real(dp) function force_ratio(gamma)
-      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
 
       force_ratio = 2*(angle_of_gamma(gamma) + gamma*displacement_core(gamma))/pi
@@ -52,7 +51,6 @@ contains
 
    !> sqrt(1 - gamma^2) (J 3.5).
    elemental real(dp) function displacement_core(gamma)
-      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
 
       displacement_core = sqrt((1 - gamma)*(1 + gamma))
@@ -60,7 +58,6 @@ contains
 
    !> sqrt(1 - gamma^2) arccos gamma + gamma - 1 (J 3.7 corrected).
    elemental real(dp) function slip_core(gamma)
-      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
       real(dp) :: sine
 
@@ -71,7 +68,6 @@ contains
 
    !> (1 - gamma^3)/3, the part of the slip that goes around with cos 2t (J 3.6 corrected).
    elemental real(dp) function angular_core(gamma)
-      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
 
       angular_core = (1 - gamma)*(1 + gamma*(1 + gamma))/3
@@ -87,7 +83,6 @@ contains
 
    !> The slip core of the angle (J 3.7 corrected).
    elemental real(dp) function slip_of_angle(angle)
-      !> Angle arccos gamma [rad], 0 to pi/2.
       real(dp), intent(in) :: angle
 
       slip_of_angle = sin(angle)*(angle - tan(angle/2))
@@ -115,7 +110,6 @@ contains
 
    !> The angle of T/T_s, 0 to 1: x + sin x = pi T/T_s, x = 2 th, which is nearly straight.
    elemental real(dp) function angle_of_force(ratio) result(angle)
-      !> Force over that of sliding, T/T_s [-], 0 to 1.
       real(dp), intent(in) :: ratio
       real(dp) :: x, step
       integer :: k
@@ -135,7 +129,6 @@ contains
 
    !> pi/2 less the angle: y - sin y = pi (1 - T/T_s), of whose left-hand side the cube root is nearly straight.
    elemental real(dp) function complement_of_force(ratio) result(complement)
-      !> Force over that of sliding, T/T_s [-], 0 to 1.
       real(dp), intent(in) :: ratio
       real(dp) :: target, y, root, step
       integer :: k
@@ -180,7 +173,6 @@ contains
    !> pi/2 less the angle, ph: (pi/2)(1 - cos ph) - (sin ph - ph cos ph) is what the core lacks; its root is nearly
    !> straight.
    elemental real(dp) function complement_of_slip(core) result(complement)
-      !> Slip core [-], >= 0.
       real(dp), intent(in) :: core
       real(dp) :: target, root, step
       integer :: k
@@ -202,7 +194,6 @@ contains
       real(dp), intent(in) :: radius
       !> Radius b of the circle that bears friction, reduced, >= 0; a point has no shear stress.
       real(dp), intent(in) :: friction_radius
-      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
       real(dp) :: r
 

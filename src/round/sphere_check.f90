@@ -6,7 +6,7 @@ module adfric_round_sphere_check
    use adfric_base_unset, only: is_set
    use adfric_solid_contact_modulus, only: check_contact_modulus
    use adfric_interface_shear_strength_rows, only: check_shear
-   use adfric_describe_check, only: require, require_one
+   use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t, kind_real
    use adfric_round_sphere_case, only: sphere_case_t, resolve_case, has_ratio_of_body, theory_auto
    use adfric_round_sphere_contact, only: theory_hertz, theory_jkr, theory_maugis_dugdale, control_radius, branch_stable
@@ -24,68 +24,55 @@ contains
 
    !> Add to `problems` what is wrong with the values together.
    subroutine check_sphere_values(variables, values, problems)
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
-      type(problems_t), intent(inout) :: problems
+      type(variable_t), intent(in), target :: variables(:)
+      real(dp), intent(in), target :: values(:)
+      type(problems_t), intent(inout), target :: problems
+      type(checks_t) :: c
       integer :: before
 
       before = problems%count()
+      call new_checks(c, variables, values, problems)
       call check_sphere()
       call check_operation()
       call check_friction()
-      if (values(in%profiles) > 0) call require(variables, values, [in%r_max], problems)
+      if (values(in%profiles) > 0) call c%need([in%r_max])
       if (problems%count() == before) call check_reduced()
 
    contains
-
-      !> Add a problem of one variable to the list.
-      subroutine add(v, text)
-         !> Index of the variable, one of `v_...`.
-         integer, intent(in) :: v
-         character(*), intent(in) :: text
-
-         call problems%add(variables(v)%group, variables(v)%name, text)
-      end subroutine add
 
       !> Radius, moduli and adhesion: what each theory and the reduced units need, and what they have no place for.
       subroutine check_sphere()
          integer, parameter :: si_only(*) = [in%radius, in%contact_modulus, in%young_modulus, in%body_poisson_ratio, &
             & in%second_young_modulus, in%second_poisson_ratio, in%work_of_adhesion, in%adhesion_stress, in%adhesion_range, &
             & in%critical_slip]
-         integer :: theory, k
+         integer :: theory
          logical :: has_adhesion, is_asked_for
 
          theory = nint(values(in%theory)) - 2
          if (nint(values(in%units)) == units_reduced) then
-            do k = 1, size(si_only)
-               if (is_set(values(si_only(k)))) call add(si_only(k), 'has no place in reduced units')
-            end do
-            if (theory == theory_auto .or. theory == theory_maugis_dugdale) call require(variables, values, [in%lambda], problems)
+            call c%refuse(si_only, 'has no place in reduced units')
+            if (theory == theory_auto .or. theory == theory_maugis_dugdale) call c%need([in%lambda])
          else
-            call require(variables, values, [in%radius], problems)
+            call c%need([in%radius])
             associate (first => in%contact_modulus, last => in%second_poisson_ratio)
                call check_contact_modulus(variables(first:last), values(first:last), problems, .false.)
             end associate
-            if (theory /= theory_hertz) call require_work(variables, values, in%work_of_adhesion, &
-               & [in%adhesion_stress, in%adhesion_range], problems)
-            has_adhesion = .false.
-            if (is_set(values(in%work_of_adhesion))) has_adhesion = values(in%work_of_adhesion) > 0
-            call require_one(variables, values, [in%adhesion_stress, in%adhesion_range, in%lambda], &
-               & has_adhesion .and. (theory == theory_auto .or. theory == theory_maugis_dugdale), problems)
+            if (theory /= theory_hertz) call require_work(c, in%work_of_adhesion, [in%adhesion_stress, in%adhesion_range])
+            has_adhesion = c%is_above_zero(in%work_of_adhesion)
+            call c%need_one([in%adhesion_stress, in%adhesion_range, in%lambda], &
+               & has_adhesion .and. (theory == theory_auto .or. theory == theory_maugis_dugdale))
             ! a theory that nobody asked for is that of Hertz without adhesion
             is_asked_for = abs(values(in%theory) - variables(in%theory)%default) > 0
-            if (theory > theory_hertz .and. is_asked_for .and. is_set(values(in%work_of_adhesion)) .and. .not. has_adhesion) then
-               call add(in%work_of_adhesion, 'is 0, given 0 J/m^2, allowed with this theory: a number > 0 [J/m^2]')
-            end if
+            call c%add(in%work_of_adhesion, 'is 0, given 0 J/m^2, allowed with this theory: a number > 0 [J/m^2]', &
+               & theory > theory_hertz .and. is_asked_for .and. c%has(in%work_of_adhesion) .and. .not. has_adhesion)
          end if
       end subroutine check_sphere
 
       !> What is prescribed: one of load, approach and radius.
       subroutine check_operation()
-         call require_one(variables, values, [in%load, in%approach, in%contact_radius], .true., problems)
-         if (is_set(values(in%contact_radius)) .and. nint(values(in%branch)) /= branch_stable) then
-            call add(in%branch, 'has no meaning with contact_radius: a radius belongs to one state')
-         end if
+         call c%need_one([in%load, in%approach, in%contact_radius], .true.)
+         call c%add(in%branch, 'has no meaning with contact_radius: a radius belongs to one state', &
+            & c%has(in%contact_radius) .and. .not. c%is_choice(in%branch, branch_stable))
       end subroutine check_operation
 
       !> Friction: the variables that need a shear strength, and those that exclude each other.
@@ -97,36 +84,34 @@ contains
          integer :: k
 
          is_static = nint(values(in%state)) == state_static
-         is_moved = any(is_set(values(moves)))
-         call require_one(variables, values, moves, .false., problems)
-         call require_one(variables, values, [in%critical_slip, in%slip_energy_ratio], .false., problems)
-         if (.not. is_set(values(in%shear_strength))) then
+         is_moved = c%has_any(moves)
+         call c%need_one(moves, .false.)
+         call c%need_one([in%critical_slip, in%slip_energy_ratio], .false.)
+         if (.not. c%has(in%shear_strength)) then
             do k = 1, size(with_strength)
-               if (is_set(values(with_strength(k)))) call add(in%shear_strength, &
-                  & 'is missing [Pa]; '//variables(with_strength(k))%name//' needs it')
+               call c%add(in%shear_strength, 'is missing [Pa]; '//variables(with_strength(k))%name//' needs it', &
+                  & c%has(with_strength(k)))
             end do
-            if (values(in%interaction) > 0) call add(in%shear_strength, 'is missing [Pa]; interaction needs it')
-            if (.not. is_static) call add(in%shear_strength, 'is missing [Pa]; sliding needs it')
-            if (values(in%events) > 0) call add(in%shear_strength, 'is missing [Pa]; events need it')
+            call c%add(in%shear_strength, 'is missing [Pa]; interaction needs it', values(in%interaction) > 0)
+            call c%add(in%shear_strength, 'is missing [Pa]; sliding needs it', .not. is_static)
+            call c%add(in%shear_strength, 'is missing [Pa]; events need it', values(in%events) > 0)
             return
          end if
-         if (is_set(values(in%base_displacement))) call require(variables, values, [in%lateral_stiffness], problems)
-         if (is_set(values(in%lateral_stiffness)) .and. .not. (values(in%events) > 0 .or. is_set(values(in%base_displacement)))) &
-            & call add(in%lateral_stiffness, 'has no meaning without events or base_displacement')
-         if (is_moved .and. .not. is_static) call add(in%state, 'is sliding beside a tangential force or displacement')
+         if (c%has(in%base_displacement)) call c%need([in%lateral_stiffness])
+         if (c%has(in%lateral_stiffness) .and. .not. (values(in%events) > 0 .or. c%has(in%base_displacement))) &
+            & call c%add(in%lateral_stiffness, 'has no meaning without events or base_displacement')
+         if (is_moved .and. .not. is_static) call c%add(in%state, 'is sliding beside a tangential force or displacement')
          if ((is_moved .or. values(in%events) > 0) .and. .not. has_ratio_of_body(values)) &
-            & call require(variables, values, [in%poisson_ratio], problems)
+            & call c%need([in%poisson_ratio])
          if (values(in%interaction) > 0) then
-            if (.not. is_static .or. values(in%events) > 0 .or. is_set(values(in%base_displacement))) then
-               call require_one(variables, values, [in%slip_energy_ratio, in%critical_slip], .true., problems)
-            end if
+            if (.not. is_static .or. values(in%events) > 0 .or. c%has(in%base_displacement)) &
+               & call c%need_one([in%slip_energy_ratio, in%critical_slip], .true.)
             ! where work_of_adhesion itself is missing that has been said
-            if (nint(values(in%units)) == units_si .and. (.not. values(in%work_of_adhesion) > 0 .or. &
-               & .not. is_set(values(in%work_of_adhesion)) .and. nint(values(in%theory)) - 2 == theory_hertz)) then
-               call add(in%interaction, 'needs adhesion to act on')
-            end if
+            call c%add(in%interaction, 'needs adhesion to act on', nint(values(in%units)) == units_si &
+               & .and. (.not. values(in%work_of_adhesion) > 0 .or. &
+               & .not. c%has(in%work_of_adhesion) .and. nint(values(in%theory)) - 2 == theory_hertz))
          end if
-         if (is_set(values(in%pressure_factor))) call check_pressure_factor(is_static .and. (is_moved .or. values(in%events) > 0))
+         if (c%has(in%pressure_factor)) call check_pressure_factor(is_static .and. (is_moved .or. values(in%events) > 0))
       end subroutine check_friction
 
       !> A strength that grows with pressure: what has no meaning beside it.
@@ -134,15 +119,15 @@ contains
          logical, intent(in) :: slips
 
          if (.not. values(in%pressure_factor) > 0) return
-         if (is_set(values(in%base_displacement))) call add(in%base_displacement, &
+         if (c%has(in%base_displacement)) call c%add(in%base_displacement, &
             & 'stands beside pressure_factor > 0, with which nothing jumps; give tangential_displacement')
-         if (slips .and. nint(values(in%theory)) - 2 == theory_jkr) call add(in%pressure_factor, &
+         if (slips .and. nint(values(in%theory)) - 2 == theory_jkr) call c%add(in%pressure_factor, &
             & 'has no partial slip in JKR, whose tension at the edge is infinite; give adhesion a range')
          if (.not. values(in%interaction) > 0) return
-         if (slips) call add(in%pressure_factor, &
+         if (slips) call c%add(in%pressure_factor, &
             & 'stands beside interaction > 0: what slip takes from adhesion on the way to sliding is known of a constant ' &
             & //'strength alone; allowed with it: 0 [-], or state = ''sliding'' without events')
-         if (is_set(values(in%critical_slip))) call add(in%critical_slip, &
+         if (c%has(in%critical_slip)) call c%add(in%critical_slip, &
             & 'has no meaning with pressure_factor > 0, where the stress at the edge is not tau0; give slip_energy_ratio')
       end subroutine check_pressure_factor
 
@@ -157,31 +142,31 @@ contains
          do k = 1, size(values)
             if (variables(k)%kind /= kind_real .or. .not. is_set(values(k))) cycle
             if (any(of_units == k) .and. abs(values(k)) > 0) then
-               if (.not. is_plain(values(k))) call add(k, 'is beyond all spheres')
+               if (.not. is_plain(values(k))) call c%add(k, 'is beyond all spheres')
             else if (.not. abs(values(k)) < largest**3) then
-               call add(k, 'is beyond all spheres')
+               call c%add(k, 'is beyond all spheres')
             end if
          end do
          if (problems%count() > before) return
          call resolve_case(values, resolved)
-         if (.not. is_plain(resolved%lambda)) call add(in%lambda, 'is beyond all spheres, given the stress or the range')
+         if (.not. is_plain(resolved%lambda)) call c%add(in%lambda, 'is beyond all spheres, given the stress or the range')
          if (resolved%control == control_radius .and. .not. is_plain(resolved%value)) then
-            call add(in%contact_radius, 'is beyond all spheres')
+            call c%add(in%contact_radius, 'is beyond all spheres')
          else if (.not. abs(resolved%value) < largest) then
-            call add(prescribed(resolved%control), 'is too large for this sphere')
+            call c%add(prescribed(resolved%control), 'is too large for this sphere')
          end if
-         if (resolved%has_friction .and. .not. is_plain(resolved%strength)) call add(in%shear_strength, 'is beyond all spheres')
-         if (is_set(values(in%lateral_stiffness)) .and. .not. is_plain(resolved%stiffness)) call add(in%lateral_stiffness, &
+         if (resolved%has_friction .and. .not. is_plain(resolved%strength)) call c%add(in%shear_strength, 'is beyond all spheres')
+         if (c%has(in%lateral_stiffness) .and. .not. is_plain(resolved%stiffness)) call c%add(in%lateral_stiffness, &
             & 'is beyond all spheres')
          if (resolved%pressure_factor > 0 .and. (resolved%theory == theory_auto .or. resolved%theory == theory_maugis_dugdale)) then
             call check_shear(variables(in%shear_strength:in%pressure_factor), [resolved%strength, resolved%pressure_factor], &
                & resolved%lambda, problems)
          end if
-         if (.not. abs(resolved%tangential) < largest) call add(in%tangential_force - 1 + findloc([resolved%is_force_given, &
+         if (.not. abs(resolved%tangential) < largest) call c%add(in%tangential_force - 1 + findloc([resolved%is_force_given, &
             & resolved%is_displacement_given, resolved%is_base_given], .true., 1), 'is too large for this sphere')
          if (resolved%interaction > 0 .and. resolved%slip_energy_ratio < huge(1.0_dp)) then
-            if (.not. is_valid_interaction(resolved%slip_energy_ratio, resolved%interaction)) call add(in%interaction, &
-               & 'would take more than there is of adhesion; allowed: a number <= 1 + 1/(2 g0) [-]')
+            call c%add(in%interaction, 'would take more than there is of adhesion; allowed: a number <= 1 + 1/(2 g0) [-]', &
+               & .not. is_valid_interaction(resolved%slip_energy_ratio, resolved%interaction))
          end if
       end subroutine check_reduced
 

@@ -66,13 +66,11 @@ module adfric_round_sphere_contact
       pure subroutine find_branch_i(self, value, branch, contact)
          import :: theory_t, sphere_contact_t, dp
          implicit none (type, external)
-         !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
          !> Load P or approach delta of the contact, reduced; tension and separation are negative.
          real(dp), intent(in) :: value
          !> One of `branch_...`: which state is meant where there are two.
          integer, intent(in) :: branch
-         !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
          type(sphere_contact_t), intent(inout) :: contact
       end subroutine find_branch_i
 
@@ -80,11 +78,9 @@ module adfric_round_sphere_contact
       pure subroutine pull_off_i(self, control, contact)
          import :: theory_t, sphere_contact_t
          implicit none (type, external)
-         !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
          !> One of `control_...`: what is prescribed. A given radius counts as a given load.
          integer, intent(in) :: control
-         !> Receives the contact at the end of stability.
          type(sphere_contact_t), intent(out) :: contact
       end subroutine pull_off_i
 

@@ -158,9 +158,7 @@ contains
    !> See `theory_t`.
    pure subroutine pull_off(self, control, contact)
       class(maugis_t), intent(in) :: self
-      !> One of `control_...`: what is prescribed. A given radius counts as a given load.
       integer, intent(in) :: control
-      !> Receives the contact at the end of stability.
       type(sphere_contact_t), intent(out) :: contact
       type(curve_equation_t) :: equation
       type(curve_point_t) :: point
@@ -332,7 +330,6 @@ contains
       type(curve_point_t), intent(in) :: point
       !> Quantity at the point less its given value.
       real(dp), intent(out) :: value
-      !> Derivative of the value by the position.
       real(dp), intent(out) :: slope
 
       value = self%excess_of(point%radius, point%load, point%approach)

@@ -71,11 +71,8 @@ contains
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call check_sphere_values(self%variables, values, problems)
@@ -85,7 +82,6 @@ contains
    !> See `model_t`.
    function describe_results(self, values) result(results)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
 
@@ -96,7 +92,6 @@ contains
    !> See `model_t`.
    function describe_profiles(self, values) result(profiles)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(profile_t), allocatable :: profiles(:)
 
@@ -107,9 +102,7 @@ contains
    !> See `model_t`.
    function unit_of(self, values, index) result(unit)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Index of the variable in `variables`.
       integer, intent(in) :: index
       character(:), allocatable :: unit
 
@@ -127,7 +120,6 @@ contains
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = values(in%profiles) > 0
@@ -138,9 +130,7 @@ contains
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives the axis r.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
       axes = radius_axis(values(in%r_max), values(in%n_r), merge('-', 'm', is_reduced(values)))
@@ -151,11 +141,7 @@ contains
    !> See `model_t`: a paraboloid stands for the sphere. Reduced units have no radius of the sphere.
    subroutine measure(self, values, results, measures)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Results of the point, NaN where they are not known; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(inout) :: measures(:)
 
       if (is_reduced(values)) return
@@ -244,7 +230,6 @@ contains
    !> without the point before it, which would change round-off; beside the samples of a profile that takes no time.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point, of which the theory is read; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
@@ -279,7 +264,6 @@ contains
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       character(*), parameter :: of_units = 'units radius work_of_adhesion theory '//modulus_names

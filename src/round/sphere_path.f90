@@ -122,7 +122,6 @@ contains
 
    !> A contact of a sphere as one of an indenter, whose stresses are those of E* = R = 1.
    pure subroutine take_contact(theory, sphere, contact)
-      !> The theory that has found it.
       class(theory_t), intent(in) :: theory
       type(sphere_contact_t), intent(in) :: sphere
       !> Receives it; the unknown u is the position on the curve.

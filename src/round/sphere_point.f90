@@ -160,7 +160,6 @@ contains
    !> The state of static friction that changes the contact.
    pure subroutine peel(case, memory, state)
       type(sphere_case_t), intent(in) :: case
-      !> Holds the theory.
       type(sphere_memory_t), intent(in) :: memory
       type(friction_state_t), intent(out) :: state
       type(peeling_path_t) :: path
@@ -172,7 +171,6 @@ contains
    !> The path of a case from rest to sliding.
    pure subroutine new_path_of(case, memory, path)
       type(sphere_case_t), intent(in) :: case
-      !> Holds the theory.
       type(sphere_memory_t), intent(in) :: memory
       type(peeling_path_t), intent(out) :: path
 
@@ -295,7 +293,6 @@ contains
    pure real(dp) function get_mismatch_of(memory, point, control) result(mismatch)
       !> Holds the theories of which one has found the contact.
       type(sphere_memory_t), intent(in) :: memory
-      !> What is found of the point, with theory and contact.
       type(sphere_point_t), intent(in) :: point
       integer, intent(in) :: control
 
@@ -368,7 +365,6 @@ contains
    !> Friction that leaves the contact alone: during sliding, or without interaction.
    pure subroutine add_friction(case, point)
       type(sphere_case_t), intent(in) :: case
-      !> In: with its contact. Out: with its friction, too, or with the status of a force that it does not bear.
       type(sphere_point_t), intent(inout) :: point
       real(dp) :: largest_force, largest_displacement, angle
       type(friction_law_t) :: law

@@ -174,7 +174,6 @@ contains
       type(sheared_sphere_t), intent(in) :: self
       !> e, at most a.
       real(dp), intent(in) :: e
-      !> a^2 - e^2.
       real(dp), intent(in) :: square
       real(dp) :: parts(2), t, zone, first, last, scale, low, high
       integer :: panel, n_panels

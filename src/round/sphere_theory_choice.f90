@@ -99,14 +99,10 @@ contains
    !> Was the choice made for these parameters?
    pure logical function is_choice_of(self, lambda, ratio, control, needs_edge, tolerance)
       type(theory_choice_t), intent(in) :: self
-      !> Maugis's parameter [-], > 0.
-      real(dp), intent(in) :: lambda
-      !> X, the share of adhesion that remains [-], >= 0.
-      real(dp), intent(in) :: ratio
+      real(dp), intent(in) :: lambda, ratio
       integer, intent(in) :: control
       !> Is the radius c of adhesion needed, too?
       logical, intent(in) :: needs_edge
-      !> Relative error of radii, load and approach that is allowed [-].
       real(dp), intent(in) :: tolerance
 
       is_choice_of = .not. (abs(lambda - self%lambda) > 0 .or. abs(ratio - self%ratio) > 0 .or. control /= self%control &
@@ -306,7 +302,6 @@ contains
    pure subroutine get_slopes(number, ratio, radius, load_slope, approach_slope)
       !> `theory_jkr`; any other number means DMT or Hertz.
       integer, intent(in) :: number
-      !> X, the share of adhesion that remains [-], >= 0.
       real(dp), intent(in) :: ratio
       !> Radius a of the contact, reduced, > 0.
       real(dp), intent(in) :: radius

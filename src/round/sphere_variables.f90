@@ -158,7 +158,6 @@ contains
 
    !> The table of profiles.
    function get_sphere_profiles(is_reduced) result(p)
-      !> Are all quantities reduced? Then their unit is `-`.
       logical, intent(in) :: is_reduced
       type(profile_t), allocatable :: p(:)
       integer :: k

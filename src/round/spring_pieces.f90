@@ -32,7 +32,6 @@ contains
       real(dp), intent(in) :: compliance
       !> In: pieces where m rises or falls. Out: where m/q does.
       type(piece_t), intent(inout) :: pieces(most_divided_pieces)
-      !> Number of pieces.
       integer, intent(inout) :: n
       real(dp) :: steepest, low, high
       integer :: k
@@ -93,7 +92,6 @@ contains
    !> Where the slope of m/q changes its sign.
    pure real(dp) function turn_between(shape, compliance, falling, rising) result(turn)
       class(shape_t), intent(in) :: shape
-      !> Compliance of the spring.
       real(dp), intent(in) :: compliance
       !> Positions > 0 where m/q falls, and where it rises.
       real(dp), intent(in) :: falling, rising

@@ -138,7 +138,6 @@ contains
    !> A jump beyond the end of the path. Where sliding needs more force than the end has, it may be short of that.
    pure subroutine leave_path(curve, stiffness, jump, slides)
       type(pulled_curve_t), intent(in) :: curve
-      !> k.
       real(dp), intent(in) :: stiffness
       !> In: its onset. Out: with force and energy.
       type(jump_t), intent(inout) :: jump
@@ -164,7 +163,6 @@ contains
    !> From one jump to the next.
    pure subroutine add_period(curve, stiffness, jumps, found)
       type(pulled_curve_t), intent(in) :: curve
-      !> k.
       real(dp), intent(in) :: stiffness
       !> The jumps from rest; the last one ends in sliding.
       type(jump_t), intent(in) :: jumps(:)
@@ -206,7 +204,6 @@ contains
    !> The stiffness from which on there is no stick-slip: 0 where there never is; NaN where each stiffness has it, or loses contact.
    pure subroutine find_critical_stiffness(curve, stiffness)
       type(pulled_curve_t), intent(in) :: curve
-      !> Receives the stiffness.
       real(dp), intent(out) :: stiffness
       type(pulled_spot_t) :: top
       real(dp) :: next

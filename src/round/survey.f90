@@ -49,7 +49,6 @@ contains
       class(curve_t), intent(in) :: curve
       !> What is prescribed; a given radius counts as a given load.
       integer, intent(in) :: control
-      !> Receives the parts and the ends.
       type(survey_t), intent(out) :: survey
       integer :: prescribed_control, k
 

@@ -272,7 +272,6 @@ contains
 
    !> The rows of slip at the edge, from X to the largest slip.
    subroutine set_slip_rows(r)
-      !> Receives the rows.
       type(result_t), intent(inout) :: r(:)
       integer, parameter :: before = indenter_output%adhesion_ratio - 1
 
@@ -288,7 +287,6 @@ contains
 
    !> The rows of what happens as a tangential force grows, from the largest force to the work of a period.
    subroutine set_event_rows(r)
-      !> Receives the rows.
       type(result_t), intent(inout) :: r(:)
       integer, parameter :: before = indenter_output%peak_force - 1
 

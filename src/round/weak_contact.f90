@@ -80,7 +80,6 @@ contains
    pure subroutine extend_path(self, ratio)
       !> The path, which receives the nodes up to there.
       type(weak_path_t), intent(inout) :: self
-      !> X, from 0 to 1.
       real(dp), intent(in) :: ratio
 
       if (.not. self%is_followed .or. self%is_lost .or. self%n == 0) return
@@ -90,9 +89,7 @@ contains
    !> The state at an X up to which the path is known.
    pure subroutine find_known(self, ratio, contact)
       type(weak_path_t), intent(in) :: self
-      !> X, from 0 to 1.
       real(dp), intent(in) :: ratio
-      !> Receives the state, with `is_found`.
       type(contact_t), intent(out) :: contact
       integer :: k
 
@@ -192,9 +189,7 @@ contains
    !> The last state of a way that is no closed form: the X at which the fold below a state has what is given.
    pure subroutine find_last_ratio(self, ratio, last_ratio, contact, is_converged)
       type(weak_path_t), intent(inout) :: self
-      !> An X without a state.
       real(dp), intent(in) :: ratio
-      !> Receives X of the last state.
       real(dp), intent(out) :: last_ratio
       type(contact_t), intent(out) :: contact
       logical, intent(out) :: is_converged
@@ -256,10 +251,8 @@ contains
    !> The first fold below a state, or the contact of radius 0, and how much more than what is given it holds.
    pure subroutine find_fold_below(self, ratio, upper, fold, value)
       type(weak_path_t), intent(in) :: self
-      !> X.
       real(dp), intent(in) :: ratio
       type(contact_t), intent(in) :: upper
-      !> Receives the state at the fold.
       type(contact_t), intent(out) :: fold
       !> Receives what it holds less what is given.
       real(dp), intent(out) :: value

@@ -70,7 +70,6 @@ contains
       logical, intent(in) :: is_beyond
       !> The bracket; its upper end lies above the state, or is it.
       real(dp), intent(in) :: first, last
-      !> Receives the unknown.
       real(dp), intent(out) :: u
       logical, intent(out) :: is_found, is_converged
       ! a step after this one is round-off; where Newton's method is left; what next to a fold is a root

@@ -63,16 +63,7 @@ contains
    pure subroutine new_batch_store(self, n, n_results, n_counts, block_size, max_blocks)
       !> Receives the batches, none of which is taken or has memory yet.
       type(batch_store_t), intent(out) :: self
-      !> Number of batches.
-      integer, intent(in) :: n
-      !> Number of results per point.
-      integer, intent(in) :: n_results
-      !> Number of counts that the model makes per block.
-      integer, intent(in) :: n_counts
-      !> Largest number of points of a block.
-      integer, intent(in) :: block_size
-      !> Largest number of blocks of a batch.
-      integer, intent(in) :: max_blocks
+      integer, intent(in) :: n, n_results, n_counts, block_size, max_blocks
 
       allocate (self%batches(n))
       allocate (self%is_taken(n), source=.false.)
@@ -108,7 +99,6 @@ contains
 
    !> Memory of a batch [bytes].
    pure real(dp) function batch_bytes(n_results, n_points)
-      !> Number of results per point.
       integer, intent(in) :: n_results
       !> Number of points that the batch has space for.
       integer, intent(in) :: n_points

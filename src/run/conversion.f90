@@ -84,7 +84,6 @@ contains
 
    !> Value of the solver.
    pure real(dp) function to_solver(how, value, samples) result(converted)
-      !> How it is converted.
       integer, intent(in) :: how
       !> Value of the scene.
       real(dp), intent(in) :: value
@@ -111,11 +110,9 @@ contains
 
    !> Value of the scene.
    pure real(dp) function to_scene(how, value, samples) result(converted)
-      !> How it is converted.
       integer, intent(in) :: how
       !> Value of the solver.
       real(dp), intent(in) :: value
-      !> Samples of the heights along x and y.
       integer, intent(in) :: samples(2)
 
       converted = value

@@ -124,11 +124,8 @@ contains
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
       class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call self%scene_values%check_directions(self, values, is_swept, problems)
@@ -138,15 +135,9 @@ contains
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(converted_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
-      real(dp), intent(out) :: results(:, :)
-      !> Relative error of the main result, estimated; shape `(n_points)`.
-      real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
-      !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
 
       real(dp) :: inner(size(values, 1), size(values, 2))
@@ -196,19 +187,11 @@ contains
    !> See `model_t`.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(converted_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
-      real(dp), intent(out) :: results(:, :)
-      !> Relative error of the main result, estimated; shape `(n_points)`.
-      real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
-      !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
-      !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
       real(dp) :: inner(size(values, 1), size(values, 2))
       integer :: i
@@ -232,11 +215,7 @@ contains
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
       class(converted_model_t), intent(in) :: self
-      !> Values of the scene; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Results of the scene for this point; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> Receives the profiles; shape `(n_last_axis, n_first_axis, n_profiles)`.
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(out) :: profiles(:, :, :)
 
       call self%inner%solve_profiles(self%inner_values(values), self%inner_results(values, results), profiles)
@@ -262,7 +241,6 @@ contains
    !> See `model_t`.
    function describe_results(self, values) result(results)
       class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
       integer :: j
@@ -276,7 +254,6 @@ contains
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
       class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       real(dp) :: inner(size(values))
@@ -296,11 +273,8 @@ contains
    !> See `model_t`.
    subroutine take_dataset(self, index, values, problems)
       class(converted_model_t), intent(inout) :: self
-      !> Index of the dataset in `variables`.
       integer, intent(in) :: index
-      !> Values of the dataset; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (self%variables(index)%is_called('surface', 'heights')) then
@@ -314,13 +288,9 @@ contains
    !> See `model_t`.
    subroutine take_attribute(self, index, name, value, problems)
       class(converted_model_t), intent(inout) :: self
-      !> Index of the dataset in `variables`.
       integer, intent(in) :: index
-      !> Name of the attribute, one of those of the row.
       character(*), intent(in) :: name
-      !> The number in SI units.
       real(dp), intent(in) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (self%scene_values%lengths(1) == 0 .or. .not. self%variables(index)%is_called('surface', 'heights')) then
@@ -335,9 +305,7 @@ contains
    !> See `model_t`.
    function unit_of(self, values, index) result(unit)
       class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Index of the variable in `variables`.
       integer, intent(in) :: index
       character(:), allocatable :: unit
 

@@ -66,12 +66,8 @@ contains
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(doubting_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
-      !> Receives what was counted at the points of the block; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
 
       call self%inner%solve_block(values, results(:size(results, 1) - 1, :), error_estimate, status, counts)
@@ -82,16 +78,10 @@ contains
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(doubting_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
-      !> Receives what was counted at the points of the block; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
-      !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
 
       call self%inner%solve_block_and_profiles(values, results(:size(results, 1) - 1, :), error_estimate, status, counts, &
@@ -105,7 +95,6 @@ contains
       real(dp), intent(in) :: values(:, :)
       !> Relative error of each point.
       real(dp), intent(in) :: error_estimate(:)
-      !> Status of each point.
       integer, intent(in) :: status(:)
       !> In: results of the inner model. Out: with the doubts, NaN where a point is not solved; shape `(n_results, n_points)`.
       real(dp), intent(inout) :: results(:, :)

@@ -75,15 +75,9 @@ contains
    !> See `sink_t`.
    subroutine put(self, first, results, error_estimate, status, counts, error)
       class(memory_sink_t), intent(inout) :: self
-      !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
-      !> Results of the points; shape `(n_points, n_results)`.
-      real(dp), intent(in) :: results(:, :)
-      !> Relative error of the main result at each point; shape `(n_points)`.
-      real(dp), intent(in) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
+      real(dp), intent(in) :: results(:, :), error_estimate(:)
       integer, intent(in) :: status(:)
-      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
       !> Never allocated: there is space for all points.
       type(error_t), allocatable, intent(out) :: error
@@ -108,9 +102,7 @@ contains
    !> See `sink_t`.
    subroutine put_profiles(self, point, profiles, error)
       class(memory_sink_t), intent(inout) :: self
-      !> Number of the point in the run, from 1.
       integer(i8), intent(in) :: point
-      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
       !> Never allocated: there is space for all points.
       type(error_t), allocatable, intent(out) :: error

@@ -139,7 +139,6 @@ contains
    subroutine solve_curve(refinement, model, base, variable, x, curve)
       type(refinement_t), intent(in) :: refinement
       class(model_t), intent(in) :: model
-      !> Values of all variables where nothing is swept.
       real(dp), intent(in) :: base(:)
       !> Index of the variable that is swept.
       integer, intent(in) :: variable
@@ -161,15 +160,12 @@ contains
    subroutine solve_one(refinement, model, base, variable, x, y, status)
       type(refinement_t), intent(in) :: refinement
       class(model_t), intent(in) :: model
-      !> Values of all variables where nothing is swept.
       real(dp), intent(in) :: base(:)
-      !> Index of the variable that is swept.
       integer, intent(in) :: variable
       !> Its value.
       real(dp), intent(in) :: x
       !> Receives the result.
       real(dp), intent(out) :: y
-      !> Receives the status.
       integer, intent(out) :: status
       real(dp) :: values(size(base), 1), results(size(model%results), 1), error_estimate(1), counts(size(model%counts))
       integer :: states(1)
@@ -247,7 +243,6 @@ contains
    pure logical function is_off_line(refinement, curve, i, allowed)
       type(refinement_t), intent(in) :: refinement
       type(refined_curve_t), intent(in) :: curve
-      !> Number of the point, which has two neighbours.
       integer, intent(in) :: i
       !> How far it may lie off.
       real(dp), intent(in) :: allowed
@@ -263,7 +258,6 @@ contains
    !> Does a status or a state change between the ends of an interval? What did not converge says nothing.
    pure logical function changes(curve, i, is_state)
       type(refined_curve_t), intent(in) :: curve
-      !> Number of the interval, from 1.
       integer, intent(in) :: i
       logical, intent(in) :: is_state
 
@@ -279,9 +273,7 @@ contains
    subroutine halve(refinement, model, base, variable, is_halved, curve)
       type(refinement_t), intent(in) :: refinement
       class(model_t), intent(in) :: model
-      !> Values of all variables where nothing is swept.
       real(dp), intent(in) :: base(:)
-      !> Index of the variable that is swept.
       integer, intent(in) :: variable
       !> Which intervals are halved, in the order of the curve?
       logical, intent(in) :: is_halved(:)

@@ -74,7 +74,6 @@ contains
    !> Does the body slide against +x, so that profiles along the motion are mirrored?
    pure logical function is_against_x(self, values)
       class(reversal_t), intent(in) :: self
-      !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_against_x = .false.
@@ -84,7 +83,6 @@ contains
    !> Angle from +x to where the body slides [rad].
    pure real(dp) function angle_of(self, values) result(angle)
       class(reversal_t), intent(in) :: self
-      !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       angle = 0
@@ -95,7 +93,6 @@ contains
    !> Results of the solver become those of the scene, or the reverse.
    pure subroutine turn_results(self, values, results)
       class(reversal_t), intent(in) :: self
-      !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -107,7 +104,6 @@ contains
    !> Profiles of the solver become those of the scene.
    pure subroutine turn_profiles(self, values, profiles)
       class(reversal_t), intent(in) :: self
-      !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Profiles of the point; shape `(n_x, n_y, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)

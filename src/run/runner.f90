@@ -183,9 +183,7 @@ contains
    subroutine work(run, sink, progress, source, sweep)
       class(run_t), intent(in) :: run
       class(sink_t), intent(inout) :: sink
-      !> Is told from time to time how many points are solved, and says whether the run shall end.
       class(progress_t), intent(inout) :: progress
-      !> Says which blocks are solved; they are taken from it.
       class(block_source_t), intent(inout) :: source
       !> What the threads share; receives what this thread has found.
       type(sweep_t), intent(inout) :: sweep
@@ -296,7 +294,6 @@ contains
 
    !> Has something failed, or does the user want the run to end?
    logical function must_end(sweep, progress)
-      !> What the threads share; it says whether something has failed.
       type(sweep_t), intent(in) :: sweep
       class(progress_t), intent(in) :: progress
 

@@ -49,7 +49,6 @@ module adfric_run_sink
          integer(i8), intent(in) :: point
          !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
          real(dp), intent(in) :: profiles(:, :, :)
-         !> Not allocated if all went well.
          type(error_t), allocatable, intent(out) :: error
       end subroutine put_profiles_i
 

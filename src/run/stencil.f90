@@ -103,20 +103,14 @@ contains
    !> Solve the neighbours on one side.
    subroutine solve_side(model, variable, values, results, status, steps, is_asked, side, counts, is_out_of_memory)
       class(model_t), intent(in) :: model
-      !> Index of the variable, from 1.
       integer, intent(in) :: variable
-      !> Values of the variables of each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
-      !> Results of each point; shape `(n_results, n_points)`.
-      real(dp), intent(in) :: results(:, :)
-      !> Status of each point.
+      real(dp), intent(in) :: values(:, :), results(:, :)
       integer, intent(in) :: status(:)
       !> Where the neighbour stands, relative to each point.
       real(dp), intent(in) :: steps(:)
       !> Of which points is the neighbour wanted?
       logical, intent(in) :: is_asked(:)
       type(side_t), intent(out) :: side
-      !> What is counted at all points; that of the neighbours is added.
       real(dp), intent(inout) :: counts(:)
       !> Was there too little memory for a neighbour?
       logical, intent(inout) :: is_out_of_memory
@@ -137,7 +131,6 @@ contains
    !> Solve some points of a list, side by side.
    subroutine solve_some(model, values, is_wanted, results, status, counts, is_out_of_memory)
       class(model_t), intent(in) :: model
-      !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
       logical, intent(in) :: is_wanted(:)
       !> Receives the results, NaN for points that are not wanted; shape `(n_results, n_points)`.
@@ -202,13 +195,9 @@ contains
 
    !> Slope at the end of a row of two or three points.
    pure function slope_at_end(x, results, near, far, i) result(slope)
-      !> The variable at the point.
-      real(dp), intent(in) :: x
-      !> Results of the point.
-      real(dp), intent(in) :: results(:)
+      real(dp), intent(in) :: x, results(:)
       !> The neighbours on one side, the near ones and those at twice the distance.
       type(side_t), intent(in) :: near, far
-      !> Index of the point.
       integer, intent(in) :: i
       real(dp) :: slope(size(results))
 

@@ -102,7 +102,6 @@ contains
    !> Some rows of a table.
    subroutine pick_rows(table, indices, rows)
       type(result_t), intent(in) :: table(:)
-      !> Indices of the rows in it.
       integer, intent(in) :: indices(:)
       type(result_t), allocatable, intent(out) :: rows(:)
       integer :: i
@@ -132,12 +131,8 @@ contains
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(varied_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
-      !> Receives what was counted at the points of the block and around them; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
       real(dp), allocatable :: own(:, :)
 
@@ -150,16 +145,10 @@ contains
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(varied_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
-      real(dp), intent(out) :: results(:, :)
-      real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
-      !> Receives what was counted at the points of the block and around them; shape `(n_counts)`.
       real(dp), intent(out) :: counts(:)
-      !> Space for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
-      !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
       real(dp), allocatable :: own(:, :)
 
@@ -288,8 +277,7 @@ contains
    function describe_results(self, values) result(results)
       class(varied_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      type(result_t), allocatable :: results(:)
-      type(result_t), allocatable :: own(:), units(:), numbers(:), rows(:)
+      type(result_t), allocatable :: results(:), own(:), units(:), numbers(:), rows(:)
       integer :: k
 
       allocate (own, source=self%inner%describe_results(values))

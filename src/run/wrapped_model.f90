@@ -106,7 +106,6 @@ contains
    subroutine get_profile_axes(self, values, axes)
       class(wrapped_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Receives the axes in the order of their names `profile_axes`.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
       call self%inner%get_profile_axes(self%inner_values(values), axes)
@@ -115,10 +114,7 @@ contains
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
       class(wrapped_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      !> Results that `solve_block` found for this point; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> Receives the profiles; shape `(n_last_axis, n_first_axis, n_profiles)`.
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(out) :: profiles(:, :, :)
 
       call self%inner%solve_profiles(self%inner_values(values), self%inner_results(values, results), profiles)
@@ -150,9 +146,7 @@ contains
    !> See `model_t`.
    subroutine take_dataset(self, index, values, problems)
       class(wrapped_model_t), intent(inout) :: self
-      !> Index of the dataset in `variables`.
       integer, intent(in) :: index
-      !> Values of the dataset; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
       type(problems_t), intent(inout) :: problems
 
@@ -163,11 +157,8 @@ contains
    !> See `model_t`.
    subroutine take_attribute(self, index, name, value, problems)
       class(wrapped_model_t), intent(inout) :: self
-      !> Index of the dataset in `variables`.
       integer, intent(in) :: index
-      !> Name of the attribute, one of those of the row.
       character(*), intent(in) :: name
-      !> The number, which is finite, in the SI unit that the row says.
       real(dp), intent(in) :: value
       type(problems_t), intent(inout) :: problems
 
@@ -204,10 +195,7 @@ contains
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
       class(wrapped_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      !> Results of the point, NaN where they are not known; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(inout) :: measures(:)
 
       call self%inner%measure(self%inner_values(values), self%inner_results(values, results), measures)
@@ -242,7 +230,6 @@ contains
    function unit_of(self, values, index) result(unit)
       class(wrapped_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Index of the variable in `variables`.
       integer, intent(in) :: index
       character(:), allocatable :: unit
 
