@@ -155,7 +155,9 @@ contains
       if (is_saturated) then
          call solve_saturated(branches, load, state, is_solved)
       else if (is_partial) then
-         call search(branches, by_load, load, branches%pull_off, branches%fold, 1, state, is_solved)
+         ! a cylinder that unloads comes from the wide end of its curve
+         call search(branches, by_load, load, branches%pull_off, branches%fold, &
+            & merge(-1, 1, branch == branch_adhered .and. .not. branches%slide%is_wave), state, is_solved)
       end if
       ! where the curve could not be followed to its end nothing is known of what is not on it
       if (branches%has_curve .and. .not. branches%is_complete .and. .not. is_partial) is_solved = .false.
