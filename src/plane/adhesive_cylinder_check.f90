@@ -49,7 +49,7 @@ contains
          & given_law, of_solid, values(in%stress(1)), problems)
       if (.not. is_possible_adhesive_cylinder(values, given)) call problems%add('adhesion', variables(in%stress(1))%name, &
          & 'or the load or the velocity is too small or too large: with l = (R^2 w/E0)^(1/3), stress/(E0 l/R) is 1e-4 to 1e4 ' &
-         & //'and load/(E0 l^2/R) at most 1e5')
+         & //'and load/(E0 l^2/R) at most 1e10')
    end subroutine check_adhesive_cylinder
 
 end module adfric_plane_adhesive_cylinder_check

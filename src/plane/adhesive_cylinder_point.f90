@@ -32,7 +32,7 @@ module adfric_plane_adhesive_cylinder_point
    !> What the equations leave of the digits.
    real(dp), parameter :: solved_digits = 1.0e-9_dp
    !> Bounds of the reduced stress, and largest reduced load.
-   real(dp), parameter :: least_stress = 1.0e-4_dp, largest_stress = 1.0e4_dp, largest_load = 1.0e5_dp
+   real(dp), parameter :: least_stress = 1.0e-4_dp, largest_stress = 1.0e4_dp, largest_load = 1.0e10_dp
    !> The curve of states reaches at least up to this load; steps of its end, so that many points of a sweep share it.
    real(dp), parameter :: least_end = 10, step_of_end = 10
    !> Largest violation of the conditions of contact.
@@ -56,8 +56,9 @@ module adfric_plane_adhesive_cylinder_point
       real(dp) :: load = 0
       !> Are the sizes numbers that can be handled?
       logical :: is_possible = .false.
-      !> The branches, and the state, reduced.
+      !> The branches, reduced.
       type(slide_branches_t) :: branches
+      !> The state, reduced.
       type(slide_state_t) :: state
    contains
       procedure :: pressure_unit

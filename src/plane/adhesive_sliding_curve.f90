@@ -16,7 +16,7 @@ module adfric_plane_adhesive_sliding_curve
    !> Least cosine between the directions of neighbours, and the one from which steps grow; largest correction over the step.
    real(dp), parameter :: least_cosine = 0.9_dp, good_cosine = 0.985_dp, largest_correction = 0.3_dp
    !> The coordinate of the width at first touch, and of a wide cylinder; that of a zone at the end of saturation.
-   real(dp), parameter :: touch = -12.0_dp, wide = 7.0_dp, corner = 13.0_dp
+   real(dp), parameter :: touch = -12.0_dp, wide = 20.0_dp, corner = 13.0_dp
 
    !> The curve.
    type :: slide_curve_t
