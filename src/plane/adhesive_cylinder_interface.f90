@@ -179,7 +179,7 @@ contains
       associate (z => profile%zones, solid => profile%slide%solid)
          shortest = min(z%leading, z%trailing, to - from)
          if (solid%n_arms > 0) shortest = min(shortest, solid%relaxation(1))
-         call get_nodes(to - from, shortest, depth, 1.0_dp, nodes)
+         call get_nodes(to - from, [shortest, shortest], depth, 1.0_dp, nodes)
          do i = 1, size(nodes%weights)
             pressure = slide_pressure(profile, from + nodes%left(i), (2*z%half_width - to) + nodes%right(i))
             call law%get_stress(abs(values(in%velocity)), point%pressure_unit()*pressure, values(in%temperature), stress, &

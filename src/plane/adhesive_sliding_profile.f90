@@ -208,7 +208,7 @@ contains
       associate (slide => profile%slide, z => profile%zones, s => profile%slide%solid)
          shortest = min(z%half_width, z%leading, z%trailing, to - from)
          if (s%n_arms > 0) shortest = min(shortest, s%relaxation(1))
-         call get_nodes(to - from, shortest, 38.0_dp, slide%refinement, nodes)
+         call get_nodes(to - from, [shortest, shortest], 38.0_dp, slide%refinement, nodes)
          outer%weights = nodes%weights
          if (is_trailing) then
             outer%to_trailing = from + nodes%right

@@ -62,7 +62,7 @@ contains
       associate (z => profile%zones, p0 => profile%slide%stress, is_wave => profile%slide%is_wave)
          shortest = min(z%leading, z%trailing)
          if (profile%slide%solid%n_arms > 0) shortest = min(shortest, profile%slide%solid%relaxation(1))
-         call get_nodes(2*z%half_width, shortest, depth, profile%slide%refinement, nodes)
+         call get_nodes(2*z%half_width, [shortest, shortest], depth, profile%slide%refinement, nodes)
          ! the zones, and -p0 in all of the contact
          share = 2*z%half_width + z%leading + z%trailing
          x = z%middle + (z%leading - z%trailing)/2
