@@ -30,8 +30,6 @@ SHOWN = {
     ("surface_elastic", "tangential_stress"): SLIP,
     ("indenter", "base_approach"): ("contact_area", "contact_radius", "approach", "load", "adhesion_radius", "contact_stiffness"),
     ("hertz", "velocity"): ("friction_coefficient", "contact_half_width", "contact_shift", "peak_pressure"),
-    ("adhesive_cylinder", "load"): ("friction_force", "friction_force_without_adhesion", "contact_half_width", "peak_pressure"),
-    ("adhesive_cylinder", "velocity"): ("friction_force", "friction_force_without_adhesion", "pull_off_load", "contact_half_width"),
     ("wavy_sliding", "load"): ("contact_width", "crest_contact_width", "friction_stress", "friction_force"),
     ("wavy_sliding", "velocity"): ("friction_coefficient",),
     ("sphere", "load"): ("friction_force", "friction_area"),

@@ -27,7 +27,6 @@ SYMBOLS = {
     "friction_area": r"\pi b^2",
     "friction_coefficient": r"\mu",
     "friction_force": "T",
-    "friction_force_without_adhesion": "T_0",
     "friction_radius": "b",
     "friction_stress": "T",
     "friction_stress_without_adhesion": "T_0",
@@ -78,8 +77,7 @@ SYMBOLS = {
     "work_of_adhesion": "w",
 }
 NAMES = {"area_left": "friction area", "contact_half_width": "half-width",
-         "friction_force_without_adhesion": "without adhesion", "friction_stress_without_adhesion": "without adhesion",
-         "lambda": "", "minor_half_width": "minor half-width",
+         "friction_stress_without_adhesion": "without adhesion", "lambda": "", "minor_half_width": "minor half-width",
          "position_x": "position", "position_y": "position", "position_z": "position", "pull_off_load": "pull-off load",
          "pull_off_pressure": "pull-off pressure", "pull_off_tension": "pull-off tension", "r": "", "radius_1x": "principal radius",
          "radius_2y": "principal radius",

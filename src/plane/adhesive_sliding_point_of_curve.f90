@@ -33,8 +33,9 @@ module adfric_plane_adhesive_sliding_point_of_curve
       real(dp) :: load = 0, penetration = 0, friction = 0
       !> Derivatives of load and penetration along the curve.
       real(dp) :: load_slope = 0, penetration_slope = 0
-      !> Derivatives of the residuals, the load and the penetration by the coordinates, if there are any.
+      !> Derivatives of the residuals, the load and the penetration by the coordinates.
       real(dp) :: derivatives(5, 4) = 0
+      !> Are there derivatives?
       logical :: has_derivatives = .false.
       !> Its edges.
       type(slide_zones_t) :: zones
