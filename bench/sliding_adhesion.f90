@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Waves and random surfaces that adhere while they slide over a viscoelastic half-space: pairs of transforms of both branches, beside
-!> those of the same load without adhesion.
+!> those of the same load without adhesion. Before them waves and cylinders without cells: time of all states at a velocity, and of
+!> one more load there, for 1 to 30 relaxation times over up to six decades.
 !>
-!>     sliding_adhesion [TABLE.csv [LARGEST]]
+!>     sliding_adhesion [TABLE.csv [LARGEST [CURVES.csv]]]
 !>
 !> Maps of 64 x 64 up to LARGEST x LARGEST cells (256 if absent): waves along x and y, and a random surface with waves down to eight
 !> cells. The solid has one relaxation time, kg/k0 = 10. Pressures are in units of the pressure of full contact at rest. A pair of
@@ -16,6 +17,9 @@ program sliding_adhesion
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_sliding_kernel, only: sliding_kernel_t, new_sliding_kernel
+   use adfric_plane_adhesive_sliding_branch, only: branch_adhered, find_branches, slide_branches_t, slide_state_t, state_of_load
+   use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t, set_compliances
+   use adfric_plane_sliding_solid, only: new_sliding_solid
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    use adfric_system_clock, only: wall_clock
    use measure, only: print_heading, text_argument, integer_argument, open_table
@@ -28,6 +32,7 @@ program sliding_adhesion
    real(dp), allocatable :: shape(:, :)
    integer :: table, n, i, j
 
+   call report_curves()
    call print_heading('adhesion while sliding over a viscoelastic half-space')
    table = open_table(text_argument(1, 'sliding_adhesion.csv'), &
       & 'case,cells,velocity,load,branch,status,area,pairs,pairs_without,ms,ms_without,friction,friction_without')
@@ -50,6 +55,68 @@ program sliding_adhesion
    close (table)
 
 contains
+
+   !> Waves and cylinders without cells.
+   subroutine report_curves()
+      integer, parameter :: numbers(*) = [1, 3, 6, 15, 30]
+      type(prony_t) :: prony
+      real(dp), allocatable :: times(:)
+      integer :: k, c, v
+
+      call print_heading('waves and cylinders without cells: all states at a velocity')
+      table = open_table(text_argument(3, 'sliding_curves.csv'), 'case,arms,velocity,points,ms_curve,ms_state,pull_off')
+      print '(a9, a6, 3a9, a9, a16)', 'case', 'arms', 'V t', 'points', 'ms', 'a load', 'pull-off'
+      do c = 1, 2
+         do k = 1, size(numbers)
+            associate (n => numbers(k))
+               times = [(10.0_dp**(-(n - v)*min(1.0_dp, 6.0_dp/max(n - 1, 1))), v=1, n)]
+               call new_prony(prony, 1.0_dp, 9*times**(-0.4_dp)/sum(times**(-0.4_dp)), times)
+               do v = 1, 2
+                  call report_curve(c == 1, prony, merge(0.3_dp, 30.0_dp, v == 1))
+               end do
+            end associate
+         end do
+      end do
+      close (table)
+   end subroutine report_curves
+
+   !> A line of a curve: the shortest of some times.
+   subroutine report_curve(is_wave, prony, velocity)
+      logical, intent(in) :: is_wave
+      type(prony_t), intent(in) :: prony
+      !> Times the longest relaxation time, in 1/k or, of a cylinder, in (R^2 w/E0)^(1/3).
+      real(dp), intent(in) :: velocity
+      integer, parameter :: n_times = 3
+      type(adhesive_slide_t) :: slide
+      type(slide_branches_t) :: branches
+      type(slide_state_t) :: state
+      real(dp) :: start, of_curve, of_state
+      integer :: i
+      logical :: is_found
+
+      slide%is_wave = is_wave
+      slide%stress = merge(0.5_dp, 2.0_dp, is_wave)
+      slide%range = merge(0.05_dp, 0.5_dp, is_wave)
+      call new_sliding_solid(slide%solid, prony, velocity)
+      call set_compliances(slide)
+      of_curve = huge(1.0_dp)
+      of_state = huge(1.0_dp)
+      do i = 1, n_times
+         start = wall_clock()
+         call find_branches(slide, branches, is_found, 10.0_dp)
+         if (.not. is_found .or. .not. branches%is_complete) error stop 'no curve'
+         of_curve = min(of_curve, 1000*(wall_clock() - start))
+         start = wall_clock()
+         call state_of_load(branches, 0.1_dp, branch_adhered, state, is_found)
+         if (.not. is_found) error stop 'no state'
+         of_state = min(of_state, 1000*(wall_clock() - start))
+      end do
+      print '(a9, i6, es9.1, i9, 2f9.1, f16.10)', merge('wave    ', 'cylinder', is_wave), size(prony%times), velocity, &
+         & size(branches%curve%points), of_curve, of_state, branches%pull_off_load
+      write (table, '(2a, i0, ",", es12.5, ",", i0, 2(",", f0.3), ",", es16.9)') trim(merge('wave    ', 'cylinder', is_wave)), &
+         & ',', size(prony%times), velocity, size(branches%curve%points), of_curve, of_state, branches%pull_off_load
+      flush (output_unit)
+   end subroutine report_curve
 
    !> All velocities, loads and branches.
    subroutine report_surface(name, shape)

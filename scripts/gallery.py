@@ -89,7 +89,9 @@ AREAS = {
         one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial"), one("indenter_slip"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"), one("indenter_peeling", options="--y contact_radius tangential_displacement"), one("indenter_hysteresis"), one("indenter_fretting"), one("indenter_spring"), one("indenter_pull_off"),
         one("indenter_range")),
     "The half-space": (
-        one("hertz_axes"), one("hertz_ratio"), one("hertz_slip"), one("hertz_hysteresis"), one("hertz_line_sliding"), one("rigid_punch"), one("punch_flat"), one("punch_cylinder"),
+        one("hertz_axes"), one("hertz_ratio"), one("hertz_slip"), one("hertz_hysteresis"), one("hertz_line_sliding"),
+        one("cylinder_adhesive_sliding", options="--x velocity --y friction_force friction_force_without_adhesion pull_off_load"),
+        one("rigid_punch"), one("punch_flat"), one("punch_cylinder"),
         one("punch_wedge"), one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),
         one("point_load")),
     "Waves on a half-space": (

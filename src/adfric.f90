@@ -2,6 +2,7 @@
 !> The models that the program knows: the only place that has all their names.
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_plane_adhesive_cylinder_model, only: adhesive_cylinder_t, new_adhesive_cylinder
    use adfric_plane_hertz_history_model, only: hertz_history_t, new_hertz_history
    use adfric_plane_hertz_model, only: hertz_model_t, new_hertz_model
    use adfric_plane_line_load_model, only: line_load_model_t, new_line_load_model
@@ -23,7 +24,7 @@ module adfric
 
    !> Names of the models, separated by a blank.
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
-      & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load'
+      & 'wave_1d wave_2d_elastic surface_elastic surface_sliding adhesive_cylinder line_load strip_load point_load'
 
 contains
 
@@ -46,6 +47,7 @@ contains
       type(wave_2d_model_t), allocatable :: wave_2d
       type(surface_model_t), allocatable :: surface
       type(sliding_model_t), allocatable :: sliding
+      type(adhesive_cylinder_t), allocatable :: adhesive_cylinder
       type(line_load_model_t), allocatable :: line_load
       type(strip_load_model_t), allocatable :: strip_load
       type(point_load_model_t), allocatable :: point_load
@@ -95,6 +97,10 @@ contains
          allocate (sliding)
          call new_sliding_model(sliding)
          call move_alloc(sliding, model)
+      case ('adhesive_cylinder')
+         allocate (adhesive_cylinder)
+         call new_adhesive_cylinder(adhesive_cylinder)
+         call move_alloc(adhesive_cylinder, model)
       case ('line_load')
          allocate (line_load)
          call new_line_load_model(line_load)

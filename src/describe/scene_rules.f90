@@ -21,7 +21,7 @@ module adfric_describe_scene_rules
    character(*), parameter :: in_elastic = 'hertz,wave_1d', &
       & slips = 'hertz,indenter,wave_1d,wave_2d_elastic,surface_elastic', with_depth = 'rigid_punch,line_load,strip_load', &
       & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter', &
-      & sums = 'hertz,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,surface_sliding'
+      & sums = 'hertz,adhesive_cylinder,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,surface_sliding'
 
    !> Solvers of contacts that shear stress may move.
    character(*), parameter :: couples = 'hertz,wave_1d,surface_sliding'
@@ -268,8 +268,8 @@ module adfric_describe_scene_rules
       & 'line_load,strip_load stress_xy stress_xz', &
       & 'line_load displacement_y displacement_z', &
       & 'wave_1d hysteretic_friction_stress - !relaxing !coupled', &
-      & 'hertz,wavy_sliding hysteretic_friction_force - !shear', &
-      & 'hertz,wavy_sliding interfacial_friction_force - !shear', &
+      & 'hertz,adhesive_cylinder,wavy_sliding hysteretic_friction_force - !shear', &
+      & 'hertz,adhesive_cylinder,wavy_sliding interfacial_friction_force - !shear', &
       & 'wave_1d,surface_sliding hysteretic_friction_stress - !shear', &
       & 'wave_1d,surface_sliding interfacial_friction_stress - !shear', &
       & 'wave_1d interfacial_share - !relaxing !coupled', &

@@ -15,8 +15,8 @@ module adfric_plane_adhesive_sliding_branch
    use adfric_plane_adhesive_sliding_curve, only: slide_curve_t, trace_curve, state_between
    use adfric_plane_adhesive_sliding_folds, only: insert_folds
    use adfric_plane_adhesive_sliding_point_of_curve, only: curve_point_t, correct_point, by_load, by_penetration
-   use adfric_plane_sliding_wave, only: wave_contact_t, get_full_contact, wave_of_width, wave_of_pressure, wave_of_penetration
-   use adfric_plane_sliding_wave_survey, only: wave_survey_t, survey_wave
+   use adfric_plane_adhesive_sliding_saturation, only: find_saturated_contact
+   use adfric_plane_sliding_wave, only: wave_contact_t, get_full_contact, wave_of_pressure, wave_of_penetration
    implicit none (type, external)
    private
    public :: slide_branches_t, slide_state_t, find_branches, state_of_load, state_of_penetration
@@ -100,39 +100,11 @@ contains
       type(slide_branches_t), intent(inout) :: branches
       logical, intent(out) :: is_found
       type(wave_contact_t) :: contact
-      type(wave_survey_t) :: survey
-      real(dp) :: low, high, x, excess, excess_low, excess_high
-      integer :: i, side
 
       is_found = .true.
       branches%saturation_load = -slide%stress
       if (slide%range >= 2) return
-      low = -40
-      high = 25
-      excess_low = log(2/slide%range)
-      excess_high = -1
-      side = 0
-      do i = 1, 200
-         x = low - excess_low*(high - low)/(excess_high - excess_low)
-         if (i < 8) x = (low + high)/2
-         call wave_of_width(slide%solid, x, contact, is_found)
-         if (.not. is_found) return
-         call survey_wave(slide%solid, contact, survey)
-         excess = log(survey%largest_gap/slide%range)
-         if (excess > 0) then
-            low = x
-            excess_low = excess
-            if (side == 1) excess_high = excess_high/2
-            side = 1
-         else
-            high = x
-            excess_high = excess
-            if (side == 2) excess_low = excess_low/2
-            side = 2
-         end if
-         if (abs(excess) < 3.0e-15_dp .or. high - low < 1.0e-14_dp*max(1.0_dp, abs(x))) exit
-      end do
-      is_found = abs(excess) < 1.0e-9_dp
+      call find_saturated_contact(slide%solid, slide%range, contact, is_found)
       branches%saturation_load = contact%mean_pressure/2 - slide%stress
       branches%saturation_penetration = contact%penetration
    end subroutine find_end_of_saturation
@@ -155,7 +127,9 @@ contains
       if (is_saturated) then
          call solve_saturated(branches, load, state, is_solved)
       else if (is_partial) then
-         call search(branches, by_load, load, branches%pull_off, branches%fold, 1, state, is_solved)
+         ! a cylinder that unloads comes from the wide end of its curve
+         call search(branches, by_load, load, branches%pull_off, branches%fold, &
+            & merge(-1, 1, branch == branch_adhered .and. .not. branches%slide%is_wave), state, is_solved)
       end if
       ! where the curve could not be followed to its end nothing is known of what is not on it
       if (branches%has_curve .and. .not. branches%is_complete .and. .not. is_partial) is_solved = .false.
@@ -232,7 +206,9 @@ contains
       logical, intent(out) :: is_found
       real(dp) :: low, high, share, f, f_low, f_high, chord(4), along, scale
       integer :: i, side
+      logical :: is_rising
       type(curve_point_t) :: polished
+      real(dp), parameter :: beyond = 1.0e-2_dp
 
       f_low = merge(first%load, first%penetration, which == by_load) - wanted
       f_high = merge(second%load, second%penetration, which == by_load) - wanted
@@ -249,7 +225,9 @@ contains
       call state_between(slide, first, second, -f_low/(f_high - f_low), point, is_found, wanted, which)
       if (is_found) then
          along = dot_product(point%z - first%z, chord)/dot_product(chord, chord)
-         if (along > -1.0e-6_dp .and. along < 1 + 1.0e-6_dp) return
+         ! the neighbours are only near the curve
+         is_rising = merge(point%load_slope, point%penetration_slope, which == by_load)*dot_product(point%tangent, chord) > 0
+         if (along > -beyond .and. along < 1 + beyond .and. is_rising) return
       end if
       do i = 1, 60
          share = low - f_low*(high - low)/(f_high - f_low)

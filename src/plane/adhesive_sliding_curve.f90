@@ -16,7 +16,7 @@ module adfric_plane_adhesive_sliding_curve
    !> Least cosine between the directions of neighbours, and the one from which steps grow; largest correction over the step.
    real(dp), parameter :: least_cosine = 0.9_dp, good_cosine = 0.985_dp, largest_correction = 0.3_dp
    !> The coordinate of the width at first touch, and of a wide cylinder; that of a zone at the end of saturation.
-   real(dp), parameter :: touch = -12.0_dp, wide = 7.0_dp, corner = 13.0_dp
+   real(dp), parameter :: touch = -12.0_dp, wide = 20.0_dp, corner = 13.0_dp
 
    !> The curve.
    type :: slide_curve_t
@@ -75,6 +75,7 @@ contains
       reaches_end = .false.
       do while (n < most_points)
          guess = point%z + direction*step*point%tangent
+         if (n > 2) guess = beyond(list(n - 2:n), step)
          trial = point
          call correct_point(slide, guess, point%tangent, trial, is_found, is_rough=.true.)
          if (is_found) is_found = dot_product(trial%tangent, point%tangent) > least_cosine &
@@ -95,6 +96,19 @@ contains
       end do
       points = list(:n)
    end subroutine follow
+
+   !> Coordinates at a distance beyond the last of three points, on the parabola through them.
+   pure function beyond(points, distance) result(z)
+      type(curve_point_t), intent(in) :: points(3)
+      real(dp), intent(in) :: distance
+      real(dp) :: z(4), a, b
+
+      b = norm2(points(3)%z - points(2)%z)
+      a = b + norm2(points(2)%z - points(1)%z)
+      associate (d => distance)
+         z = points(1)%z*(d*(d + b)/(a*(a - b))) - points(2)%z*(d*(d + a)/(b*(a - b))) + points(3)%z*((d + a)*(d + b)/(a*b))
+      end associate
+   end function beyond
 
    !> Does the curve end at a point?
    pure logical function ends_at(slide, point)

@@ -2,12 +2,18 @@
 !> Extremes of load and penetration along the curve of states of an adhesive sliding wave or cylinder.
 module adfric_plane_adhesive_sliding_folds
    use adfric_base_kinds, only: dp
-   use adfric_plane_adhesive_sliding_curve, only: slide_curve_t, state_between
-   use adfric_plane_adhesive_sliding_point_of_curve, only: curve_point_t, by_load, by_penetration
+   use adfric_plane_adhesive_sliding_curve, only: slide_curve_t
+   use adfric_plane_adhesive_sliding_point_of_curve, only: curve_point_t, by_load, by_penetration, correct_point
    use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t
    implicit none (type, external)
    private
    public :: insert_folds
+
+   !> Changes of a value over its size that points near the curve do not tell.
+   real(dp), parameter :: rough_noise = 1.0e-6_dp
+   !> Width of a bracket that needs no more steps, and their largest number.
+   real(dp), parameter :: last_width = 1.0e-8_dp
+   integer, parameter :: most_steps = 40
 
 contains
 
@@ -27,14 +33,14 @@ contains
       type(adhesive_slide_t), intent(in) :: slide
       integer, intent(in) :: which
       type(slide_curve_t), intent(inout) :: curve
-      type(curve_point_t) :: list(2*size(curve%points) + 1), extreme
-      real(dp) :: v(size(curve%points)), before, after, noise
+      type(curve_point_t) :: list(2*size(curve%points) + 1), extreme, three(3)
+      real(dp) :: v(size(curve%points)), before, after, noise, size_of, w(3)
       integer :: i, n, m
-      logical :: is_found
+      logical :: is_found, is_behind
 
-      v = curve%points%load
-      if (which == by_penetration) v = curve%points%penetration
-      noise = 1.0e-11_dp*maxval(abs(v))
+      v = values_of(curve%points, which)
+      size_of = maxval(abs(v))
+      noise = 1.0e-13_dp*size_of
       m = size(v)
       n = 1
       list(1) = curve%points(1)
@@ -43,74 +49,126 @@ contains
          list(n) = curve%points(i)
          before = v(i) - v(i - 1)
          after = v(i + 1) - v(i)
-         if (.not. (before*after < 0 .and. abs(before) > noise .and. abs(after) > noise)) cycle
-         call state_between(slide, curve%points(i), curve%points(i + 1), 0.0_dp, extreme, is_found)
+         if (.not. (before*after < 0 .and. min(abs(before), abs(after)) > noise)) cycle
+         three = curve%points(i - 1:i + 1)
+         if (min(abs(before), abs(after)) < rough_noise*size_of) then
+            call polish(slide, three, is_found)
+            w = values_of(three, which)
+            if (.not. (is_found .and. (w(2) - w(1))*(w(3) - w(2)) < 0)) cycle
+         end if
+         call find_extreme(slide, which, three, noise, extreme, is_behind, is_found)
          if (.not. is_found) cycle
-         ! the extreme is on that side of the point to which its slope leads
-         if (slope_of(extreme, which)*after < 0) then
-            call find_extreme(slide, which, curve%points(i), curve%points(i + 1), extreme, is_found)
-            if (.not. is_found) cycle
-            n = n + 1
-            list(n) = extreme
+         if (is_behind) then
+            list(n + 1) = extreme
          else
-            call find_extreme(slide, which, curve%points(i - 1), curve%points(i), extreme, is_found)
-            if (.not. is_found) cycle
             list(n + 1) = list(n)
             list(n) = extreme
-            n = n + 1
          end if
+         n = n + 1
       end do
       list(n + 1) = curve%points(m)
       curve%points = list(:n + merge(1, 0, m > 1))
    end subroutine insert_extremes
 
-   !> Derivative along the curve.
-   pure real(dp) function slope_of(point, which)
-      type(curve_point_t), intent(in) :: point
-      integer, intent(in) :: which
+   !> Bring three points onto the curve.
+   pure subroutine polish(slide, points, is_found)
+      type(adhesive_slide_t), intent(in) :: slide
+      type(curve_point_t), intent(inout) :: points(3)
+      logical, intent(out) :: is_found
+      integer :: k
 
-      slope_of = merge(point%load_slope, point%penetration_slope, which == by_load)
-   end function slope_of
+      do k = 1, 3
+         call correct_point(slide, points(k)%z, points(k)%tangent, points(k), is_found)
+         if (.not. is_found) return
+      end do
+   end subroutine polish
 
-   !> The extreme between two neighbours.
-   pure subroutine find_extreme(slide, which, first, second, extreme, is_found)
+   !> The extreme between three neighbours: where the derivative along the curve is 0. x is the distance from the middle one along
+   !> its tangent. A parabola says where the search begins; secants end it where they expect no change of the value.
+   pure subroutine find_extreme(slide, which, points, noise, extreme, is_behind, is_found)
       type(adhesive_slide_t), intent(in) :: slide
       integer, intent(in) :: which
-      type(curve_point_t), intent(in) :: first, second
+      type(curve_point_t), intent(in) :: points(3)
+      !> What the value may be off.
+      real(dp), intent(in) :: noise
       type(curve_point_t), intent(out) :: extreme
-      logical, intent(out) :: is_found
-      real(dp) :: low, high, f_low, f_high, share, f, scale
-      integer :: i, last_side
+      !> Is it behind the middle one?
+      logical, intent(out) :: is_behind, is_found
+      real(dp) :: x, ends(2), values(3), bend, slope, old_slope, move, old_x
+      integer :: i
 
-      low = 0
-      high = 1
-      call state_between(slide, first, second, 0.0_dp, extreme, is_found)
-      f_low = slope_of(extreme, which)
-      if (is_found) call state_between(slide, first, second, 1.0_dp, extreme, is_found)
+      is_behind = .false.
+      ends = [dot_product(points(2)%tangent, points(1)%z - points(2)%z), dot_product(points(2)%tangent, points(3)%z - points(2)%z)]
+      is_found = ends(1) < 0 .and. ends(2) > 0
       if (.not. is_found) return
-      f_high = slope_of(extreme, which)
-      scale = max(abs(f_low), abs(f_high))
-      is_found = f_low*f_high < 0
-      if (.not. is_found) return
-      last_side = 0
-      do i = 1, 40
-         share = low - f_low*(high - low)/(f_high - f_low)
-         call state_between(slide, first, second, share, extreme, is_found)
+      values = values_of(points, which)
+      ! the second derivative of the parabola
+      bend = 2*((values(3) - values(2))/ends(2) - (values(1) - values(2))/ends(1))/(ends(2) - ends(1))
+      x = vertex(ends(1), ends(2), values)
+      extreme = points(2)
+      extreme%has_derivatives = .false.
+      call correct_point(slide, on_parabola(points, ends, x), points(2)%tangent, extreme, is_found, has_slopes=.true.)
+      do i = 1, most_steps
          if (.not. is_found) return
-         f = slope_of(extreme, which)
-         if (f*f_low > 0) then
-            low = share
-            f_low = f
-            if (last_side == 1) f_high = f_high/2
-            last_side = 1
-         else
-            high = share
-            f_high = f
-            if (last_side == 2) f_low = f_low/2
-            last_side = 2
+         is_behind = x > 0
+         slope = slope_along(extreme, which, points(2)%tangent)
+         if (i > 1) then
+            ! a secant that bends the other way is not used
+            if ((slope - old_slope)/(x - old_x)*bend > 0) bend = (slope - old_slope)/(x - old_x)
          end if
-         if (high - low < 1.0e-7_dp .or. abs(f) < 1.0e-8_dp*scale) exit
+         if (slope**2 < noise*abs(bend)) return
+         if (slope*bend > 0) ends(2) = x
+         if (.not. slope*bend > 0) ends(1) = x
+         if (ends(2) - ends(1) < last_width) return
+         move = -slope/bend
+         if (.not. (x + move > ends(1) .and. x + move < ends(2))) move = (ends(1) + ends(2))/2 - x
+         old_x = x
+         old_slope = slope
+         x = x + move
+         call correct_point(slide, extreme%z + (move/dot_product(points(2)%tangent, extreme%tangent))*extreme%tangent, &
+            & points(2)%tangent, extreme, is_found, has_slopes=.true.)
       end do
+      is_found = .false.
    end subroutine find_extreme
+
+   !> Derivative by the distance along a direction.
+   pure real(dp) function slope_along(point, which, direction)
+      type(curve_point_t), intent(in) :: point
+      integer, intent(in) :: which
+      real(dp), intent(in) :: direction(4)
+
+      slope_along = merge(point%load_slope, point%penetration_slope, which == by_load)/dot_product(point%tangent, direction)
+   end function slope_along
+
+   !> Loads or penetrations.
+   pure function values_of(points, which) result(values)
+      type(curve_point_t), intent(in) :: points(:)
+      integer, intent(in) :: which
+      real(dp) :: values(size(points))
+
+      values = points%load
+      if (which == by_penetration) values = points%penetration
+   end function values_of
+
+   !> Where a parabola has its extreme that passes three values at low, 0 and high.
+   pure real(dp) function vertex(low, high, values)
+      real(dp), intent(in) :: low, high, values(3)
+      real(dp) :: one, two
+
+      one = (values(1) - values(2))/low
+      two = (values(3) - values(2))/high
+      vertex = (high*one - low*two)/(2*(one - two))
+   end function vertex
+
+   !> Coordinates on the parabola through three points.
+   pure function on_parabola(points, ends, x) result(z)
+      type(curve_point_t), intent(in) :: points(3)
+      real(dp), intent(in) :: ends(2), x
+      real(dp) :: z(4)
+
+      associate (a => ends(1), b => ends(2))
+         z = points(1)%z*(x*(x - b)/(a*(a - b))) + points(2)%z*((x - a)*(x - b)/(a*b)) + points(3)%z*(x*(x - a)/(b*(b - a)))
+      end associate
+   end function on_parabola
 
 end module adfric_plane_adhesive_sliding_folds

@@ -27,28 +27,33 @@ contains
 
    !> Positions for a range.
    pure subroutine get_nodes(length, shortest, depth, refinement, nodes)
-      !> Length of the range [any unit], > 0, and the shortest length over which the function changes next to an end, > 0.
-      real(dp), intent(in) :: length, shortest
+      !> Length of the range [any unit], > 0, and the shortest lengths over which the function changes next to the left and to the
+      !> right end, > 0.
+      real(dp), intent(in) :: length, shortest(2)
       !> How near the positions come to the ends: exp(-depth) of the length.
       real(dp), intent(in) :: depth
       !> 1, or more for smaller steps.
       real(dp), intent(in) :: refinement
       type(nodes_t), intent(out) :: nodes
-      real(dp) :: range, amplitude, step, t, phi, e
-      integer :: n, i
+      real(dp) :: ranges(2), range, middle, amplitude, step, growth, phi, e
+      integer :: n(2), i, k
 
-      range = min(depth, log(max(length/shortest, 1.0_dp)) + 1)
+      ranges = min(depth, log(max(length/shortest, 1.0_dp)) + 1)
+      range = sum(ranges)/2
+      middle = (ranges(2) - ranges(1))/2
       amplitude = max(least_amplitude, range)
       step = 2*pi*used_strip*(pi/2)/sqrt(amplitude**2 + range**2)/(error_logarithm*refinement)
-      n = ceiling(asinh(depth/amplitude)/step)
-      allocate (nodes%left(2*n + 1), nodes%right(2*n + 1), nodes%weights(2*n + 1))
-      do i = -n, n
-         t = i*step
-         phi = amplitude*sinh(t)
+      n = ceiling(asinh((depth + [middle, -middle])/amplitude)/step)
+      k = sum(n) + 1
+      allocate (nodes%left(k), nodes%right(k), nodes%weights(k))
+      do i = -n(1), n(2)
+         k = i + n(1) + 1
+         growth = exp(i*step)
+         phi = middle + amplitude*(growth - 1/growth)/2
          e = exp(-abs(phi))
-         nodes%left(i + n + 1) = merge(length*e, length, phi < 0)/(1 + e)
-         nodes%right(i + n + 1) = merge(length, length*e, phi < 0)/(1 + e)
-         nodes%weights(i + n + 1) = step*amplitude*cosh(t)*length*e/(1 + e)**2
+         nodes%left(k) = merge(length*e, length, phi < 0)/(1 + e)
+         nodes%right(k) = merge(length, length*e, phi < 0)/(1 + e)
+         nodes%weights(k) = step*amplitude*(growth + 1/growth)/2*length*e/(1 + e)**2
       end do
    end subroutine get_nodes
 

@@ -14,10 +14,16 @@ module adfric_plane_adhesive_sliding_point_of_curve
    !> Step of the coordinates for derivatives.
    real(dp), parameter :: difference = 1.0e-6_dp
    !> Last step of Newton's method, also of a rough point, and where round-off lets steps rest.
-   real(dp), parameter :: tolerance = 3.0e-11_dp, rough_tolerance = 1.0e-5_dp, resting_step = 1.0e-7_dp
+   real(dp), parameter :: tolerance = 1.0e-12_dp, rough_tolerance = 1.0e-6_dp, resting_step = 1.0e-7_dp
    !> Largest step, and largest number of them.
    real(dp), parameter :: largest_step = 3
-   integer, parameter :: most_corrections = 14
+   integer, parameter :: most_corrections = 18
+   !> So many steps go with the same derivatives.
+   integer, parameter :: most_old_steps = 5
+   !> After so many steps derivatives are no longer fresh.
+   integer, parameter :: fresh_steps = 4
+   !> Least step from which derivatives are learnt.
+   real(dp), parameter :: least_update = 1.0e-7_dp
 
    !> A point of the curve.
    type :: curve_point_t
@@ -27,8 +33,10 @@ module adfric_plane_adhesive_sliding_point_of_curve
       real(dp) :: load = 0, penetration = 0, friction = 0
       !> Derivatives of load and penetration along the curve.
       real(dp) :: load_slope = 0, penetration_slope = 0
-      !> Gradients of load and penetration by the coordinates.
-      real(dp) :: load_gradient(4) = 0, penetration_gradient(4) = 0
+      !> Derivatives of the residuals, the load and the penetration by the coordinates.
+      real(dp) :: derivatives(5, 4) = 0
+      !> Are there derivatives?
+      logical :: has_derivatives = .false.
       !> Its edges.
       type(slide_zones_t) :: zones
    end type curve_point_t
@@ -36,10 +44,11 @@ module adfric_plane_adhesive_sliding_point_of_curve
 contains
 
    !> Newton's method, of which Broyden's rule keeps the derivatives, on the plane normal*(z - guess) = 0 or where a load or a
-   !> penetration is met.
+   !> penetration is met. It begins with the derivatives that the point has, and takes new ones where it does not end soon.
    pure subroutine correct_point(slide, guess, normal, point, is_found, wanted, which, is_rough, has_slopes)
       type(adhesive_slide_t), intent(in) :: slide
       real(dp), intent(in) :: guess(4), normal(4)
+      !> In: a point nearby, with or without derivatives. Out: the new one, if it was found.
       type(curve_point_t), intent(inout) :: point
       logical, intent(out) :: is_found
       !> Instead of the plane: a load (1) or a penetration (2).
@@ -50,8 +59,8 @@ contains
       !> Is a point near the curve enough?
       logical, intent(in), optional :: is_rough
       type(slide_zones_t) :: zones
-      real(dp) :: z(4), jacobian(4, 4), gradients(4, 2), values(4), old(4), step(4), size_of_step, old_size, enough
-      integer :: i, kind
+      real(dp) :: z(4), rows(5, 4), values(5), old(5), step(4), size_of_step, old_size, enough
+      integer :: i, kind, last_fresh
       logical :: is_solved
 
       z = guess
@@ -60,79 +69,116 @@ contains
       if (present(wanted)) kind = which
       enough = tolerance
       if (present(is_rough)) enough = merge(rough_tolerance, tolerance, is_rough)
-      old_size = huge(1.0_dp)
-      size_of_step = old_size
-      step = 0
-      old = 0
-      jacobian = 0
-      gradients = 0
+      size_of_step = huge(1.0_dp)
       call get_zones(slide, z, zones)
       call evaluate_zones(slide, zones, is_solved)
       if (.not. is_solved) return
+      values = values_of(zones)
+      last_fresh = -most_old_steps
+      if (point%has_derivatives) then
+         rows = point%derivatives
+         call update(z - point%z, values - values_of(point%zones), rows)
+         last_fresh = 0
+      end if
       do i = 1, most_corrections
-         values(:3) = zones%residual
-         select case (kind)
-         case (0)
-            values(4) = dot_product(normal, z - guess)
-         case (1)
-            values(4) = zones%load - wanted
-         case default
-            values(4) = zones%penetration - wanted
-         end select
-         if (i == 1 .or. i == 6 .or. i == 10) then
-            call differentiate(slide, z, zones, jacobian(:3, :), gradients(:, 1), gradients(:, 2), is_solved)
+         if (i - last_fresh > most_old_steps) then
+            call differentiate(slide, z, zones, rows, is_solved)
             if (.not. is_solved) return
-            jacobian(4, :) = normal
-            if (kind > 0) jacobian(4, :) = gradients(:, kind)
-         else
-            call update(step, values - old, jacobian)
+            last_fresh = i
          end if
-         old = values
-         call solve_four(jacobian, -values, step, is_solved)
-         if (.not. is_solved) return
-         size_of_step = maxval(abs(step))
-         if (.not. size_of_step < largest_step) return
-         if (i > 3 .and. size_of_step > old_size/2 .and. size_of_step < resting_step) exit
+         call solve_step(rows, values, kind, normal, dot_product(normal, z - guess), wanted, step, is_solved)
+         if (.not. is_solved .or. .not. maxval(abs(step)) < largest_step) then
+            if (last_fresh == i) return
+            last_fresh = -most_corrections
+            cycle
+         end if
          old_size = size_of_step
+         size_of_step = maxval(abs(step))
+         if (i > max(3, last_fresh + 1) .and. size_of_step > old_size/2 .and. size_of_step < resting_step) then
+            ! old derivatives may be what keeps the steps from shrinking
+            if (last_fresh > 0 .and. i - last_fresh < fresh_steps) exit
+            last_fresh = -most_corrections
+            size_of_step = huge(1.0_dp)
+            cycle
+         end if
          z = z + step
+         old = values
          call get_zones(slide, z, zones)
          call evaluate_zones(slide, zones, is_solved)
          if (.not. is_solved) return
+         values = values_of(zones)
+         call update(step, values - old, rows)
          if (size_of_step < enough) exit
       end do
       is_found = size_of_step < max(resting_step, enough) .and. maxval(abs(zones%residual(2:3))) < 100*max(resting_step, enough)
       if (.not. is_found) return
-      if (present(has_slopes)) call differentiate(slide, z, zones, jacobian(:3, :), gradients(:, 1), gradients(:, 2), is_found)
+      if (present(has_slopes)) call differentiate(slide, z, zones, rows, is_found)
       if (.not. is_found) return
       point%z = z
       point%zones = zones
       point%load = zones%load
       point%penetration = zones%penetration
       point%friction = zones%friction
-      point%load_gradient = gradients(:, 1)
-      point%penetration_gradient = gradients(:, 2)
-      call set_tangent(jacobian(:3, :), point)
+      point%derivatives = rows
+      point%has_derivatives = .true.
+      call set_tangent(point)
    end subroutine correct_point
 
-   !> Broyden's rule.
-   pure subroutine update(step, change, jacobian)
-      real(dp), intent(in) :: step(4), change(4)
-      real(dp), intent(inout) :: jacobian(4, 4)
-      real(dp) :: missing(4)
+   !> What has derivatives: residuals, load and penetration.
+   pure function values_of(zones) result(values)
+      type(slide_zones_t), intent(in) :: zones
+      real(dp) :: values(5)
+
+      values = [zones%residual, zones%load, zones%penetration]
+   end function values_of
+
+   !> A step of Newton's method.
+   pure subroutine solve_step(rows, values, kind, normal, distance, wanted, step, is_solved)
+      !> Derivatives and values (`values_of`).
+      real(dp), intent(in) :: rows(:, :), values(:)
+      !> What is met: a plane (0), a load or a penetration.
+      integer, intent(in) :: kind
+      !> The plane, and the distance from it.
+      real(dp), intent(in) :: normal(4), distance
+      real(dp), intent(in), optional :: wanted
+      real(dp), intent(out) :: step(4)
+      logical, intent(out) :: is_solved
+      real(dp) :: matrix(4, 4), right(4)
+
+      matrix(:3, :) = rows(:3, :)
+      right(:3) = -values(:3)
+      if (kind == 0) then
+         matrix(4, :) = normal
+         right(4) = -distance
+      else
+         matrix(4, :) = rows(3 + kind, :)
+         right(4) = wanted - values(3 + kind)
+      end if
+      call solve_four(matrix, right, step, is_solved)
+   end subroutine solve_step
+
+   !> Broyden's rule; shorter steps would put the round-off of the values into the derivatives.
+   pure subroutine update(step, change, rows)
+      real(dp), intent(in) :: step(4), change(:)
+      real(dp), intent(inout) :: rows(:, :)
+      real(dp) :: missing(size(change)), square
       integer :: k
 
-      missing = (change - matmul(jacobian, step))/max(dot_product(step, step), tiny(1.0_dp))
+      square = dot_product(step, step)
+      if (.not. square > least_update**2) return
+      missing = (change - matmul(rows, step))/square
       do k = 1, 4
-         jacobian(:, k) = jacobian(:, k) + missing*step(k)
+         rows(:, k) = rows(:, k) + missing*step(k)
       end do
    end subroutine update
 
-   !> Derivatives of residuals, load and penetration.
-   pure subroutine differentiate(slide, z, zones, jacobian, load_gradient, penetration_gradient, is_solved)
+   !> Derivatives by the coordinates.
+   pure subroutine differentiate(slide, z, zones, rows, is_solved)
       type(adhesive_slide_t), intent(in) :: slide
       real(dp), intent(in) :: z(4)
       type(slide_zones_t), intent(in) :: zones
-      real(dp), intent(out) :: jacobian(3, 4), load_gradient(4), penetration_gradient(4)
+      !> Derivatives of `values_of`; shape `(5, 4)`.
+      real(dp), intent(out) :: rows(:, :)
       logical, intent(out) :: is_solved
       type(slide_zones_t) :: moved
       real(dp) :: other(4)
@@ -144,9 +190,7 @@ contains
          call get_zones(slide, other, moved)
          call evaluate_zones(slide, moved, is_solved)
          if (.not. is_solved) return
-         jacobian(:, k) = (moved%residual - zones%residual)/difference
-         load_gradient(k) = (moved%load - zones%load)/difference
-         penetration_gradient(k) = (moved%penetration - zones%penetration)/difference
+         rows(:, k) = (values_of(moved) - values_of(zones))/difference
       end do
    end subroutine differentiate
 
@@ -173,14 +217,13 @@ contains
    end subroutine solve_four
 
    !> The unit vector that all three residuals let pass, towards the former one.
-   pure subroutine set_tangent(jacobian, point)
-      real(dp), intent(in) :: jacobian(3, 4)
+   pure subroutine set_tangent(point)
       type(curve_point_t), intent(inout) :: point
       real(dp) :: rows(3, 4), tangent(4)
       integer :: k, c(3)
 
       do k = 1, 3
-         rows(k, :) = jacobian(k, :)/max(maxval(abs(jacobian(k, :))), tiny(1.0_dp))
+         rows(k, :) = point%derivatives(k, :)/max(maxval(abs(point%derivatives(k, :))), tiny(1.0_dp))
       end do
       do k = 1, 4
          c = pack([1, 2, 3, 4], [1, 2, 3, 4] /= k)
@@ -195,8 +238,8 @@ contains
          tangent = -tangent
       end if
       point%tangent = tangent
-      point%load_slope = dot_product(point%load_gradient, tangent)
-      point%penetration_slope = dot_product(point%penetration_gradient, tangent)
+      point%load_slope = dot_product(point%derivatives(4, :), tangent)
+      point%penetration_slope = dot_product(point%derivatives(5, :), tangent)
    end subroutine set_tangent
 
 end module adfric_plane_adhesive_sliding_point_of_curve

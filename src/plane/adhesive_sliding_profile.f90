@@ -160,7 +160,7 @@ contains
       logical, intent(in) :: is_trailing
       type(outer_nodes_t) :: outer
       real(dp), allocatable :: slopes(:), left(:)
-      real(dp) :: x, b, element
+      real(dp) :: x, b
       integer :: j
 
       associate (slide => profile%slide, z => profile%zones)
@@ -176,8 +176,9 @@ contains
          if (.not. slide%is_wave) opening = sum(outer%weights*slopes) + (x + (to - from)/2)*(to - from)
          do j = 1, slide%solid%n_arms
             b = slide%solid%retardation(j)
-            element = exp(-(to - from)/b)*end_elements(j) + sum(outer%weights*exp(-left/b)*slopes)/b
-            opening = opening + slide%compliances(j)*b*(end_elements(j) - element)
+            ! b times the change of an element, of which a long retardation length leaves no difference of digits
+            opening = opening - slide%compliances(j)*(b*expm1(-(to - from)/b)*end_elements(j) &
+               & + sum(outer%weights*exp(-left/b)*slopes))
          end do
       end associate
    end function opening_between
@@ -207,7 +208,7 @@ contains
       associate (slide => profile%slide, z => profile%zones, s => profile%slide%solid)
          shortest = min(z%half_width, z%leading, z%trailing, to - from)
          if (s%n_arms > 0) shortest = min(shortest, s%relaxation(1))
-         call get_nodes(to - from, shortest, 38.0_dp, slide%refinement, nodes)
+         call get_nodes(to - from, [shortest, shortest], 38.0_dp, slide%refinement, nodes)
          outer%weights = nodes%weights
          if (is_trailing) then
             outer%to_trailing = from + nodes%right
@@ -243,8 +244,8 @@ contains
             violation = max(violation, -1 - slide_pressure(profile, length*share, length*(1 - share))/slide%stress)
             if (slide%is_wave) violation = max(violation, 1 - slide_gap(profile, z%leading + z%free*share, .false.)/slide%range)
             if (slide%is_wave) cycle
-            violation = max(violation, 1 - slide_gap(profile, z%leading + 4*length*share, .false.)/slide%range, &
-               & 1 - slide_gap(profile, z%trailing + 4*length*share, .true.)/slide%range)
+            violation = max(violation, 1 - slide_gap(profile, z%leading + 4*(length + z%leading)*share, .false.)/slide%range, &
+               & 1 - slide_gap(profile, z%trailing + 4*(length + z%trailing)*share, .true.)/slide%range)
          end do
       end associate
    end function slide_violation

@@ -22,6 +22,9 @@ module adfric_plane_adhesive_sliding_slopes
    private
    public :: slopes_outside, get_far_field
 
+   !> Positions of the contact whose kernels are made at once.
+   integer, parameter :: block_size = 32
+
 contains
 
    !> Slopes v' at positions beside the contact.
@@ -36,14 +39,11 @@ contains
       logical, intent(in) :: is_trailing
       !> Slopes without the amplitudes (0), and of each amplitude; shape `(n, 0:n_arms)`.
       real(dp), intent(out) :: slopes(:, 0:)
-      real(dp) :: kernel(size(inner%weights), size(outer%weights)), roots(size(outer%weights))
+      real(dp) :: roots(size(outer%weights))
 
       roots = sqrt(chord(slide%is_wave, outer%from_leading)*chord(slide%is_wave, outer%to_trailing))
       call get_known_slopes(slide, zones, outer, is_trailing, roots, slopes(:, 0))
-      if (slide%solid%n_arms == 0) return
-      call get_kernel(slide, inner, kernel_weights, outer, is_trailing, roots, kernel)
-      slopes(:, 1:) = matmul(transpose(kernel), layers(:, 1:))
-      if (.not. slide%is_wave) slopes(:, 0) = slopes(:, 0) + matmul(layers(:, 0), kernel)
+      if (slide%solid%n_arms > 0) call add_layers(slide, inner, kernel_weights, layers, outer, is_trailing, roots, slopes)
    end subroutine slopes_outside
 
    !> Slopes of the contact without end, and of the zones.
@@ -79,39 +79,51 @@ contains
       end associate
    end subroutine get_known_slopes
 
-   !> The kernel sqrt(Q(X)) weight(x)/S(X - x), with chords from the edge that is nearer to x.
-   pure subroutine get_kernel(slide, inner, kernel_weights, outer, is_trailing, roots, kernel)
+   !> Add what the arms bring along, by the kernel sqrt(Q(X)) weight(x)/S(X - x), with chords from the edge that is nearer to x.
+   pure subroutine add_layers(slide, inner, kernel_weights, layers, outer, is_trailing, roots, slopes)
       type(adhesive_slide_t), intent(in) :: slide
       type(nodes_t), intent(in) :: inner
-      real(dp), intent(in) :: kernel_weights(:)
+      real(dp), intent(in) :: kernel_weights(:), layers(:, 0:)
       type(outer_nodes_t), intent(in) :: outer
       logical, intent(in) :: is_trailing
       real(dp), intent(in) :: roots(:)
-      !> Receives the kernel; shape `(inner, outer)`.
-      real(dp), intent(out) :: kernel(:, :)
-      real(dp), dimension(size(kernel_weights)) :: one, two
-      real(dp) :: p(2)
-      integer :: k, half, n
+      !> In: the known slopes in column 0. Out: all; shape `(outer, 0:n_arms)`.
+      real(dp), intent(inout) :: slopes(:, 0:)
+      real(dp), dimension(size(roots), 2) :: sines, cosines
+      real(dp) :: kernel(size(roots), block_size)
+      integer :: first, last, n, half, j, column
 
       n = size(kernel_weights)
+      half = merge((n + 1)/2, merge(n, 0, is_trailing), slide%is_wave)
+      sines(:, 1) = outer%to_trailing
+      sines(:, 2) = outer%from_leading
+      cosines = 1
       if (slide%is_wave) then
-         half = (n + 1)/2
-         one = [2*cos(inner%left(:half)/2), 2*cos(inner%right(half + 1:)/2)]
-         two = [2*sin(inner%left(:half)/2), 2*sin(inner%right(half + 1:)/2)]
-      else
-         half = merge(n, 0, is_trailing)
-         one = 1
-         two = [inner%left(:half), inner%right(half + 1:)]
+         cosines = 2*cos(sines/2)
+         sines = 2*sin(sines/2)
       end if
-      do k = 1, size(roots)
-         p = [outer%to_trailing(k), 1.0_dp]
-         if (slide%is_wave) p = [sin(outer%to_trailing(k)/2), cos(outer%to_trailing(k)/2)]
-         kernel(:half, k) = kernel_weights(:half)*roots(k)/(p(1)*one(:half) + p(2)*two(:half))
-         p = [outer%from_leading(k), 1.0_dp]
-         if (slide%is_wave) p = [sin(outer%from_leading(k)/2), cos(outer%from_leading(k)/2)]
-         kernel(half + 1:, k) = kernel_weights(half + 1:)*roots(k)/(p(1)*one(half + 1:) + p(2)*two(half + 1:))
+      slopes(:, 1:) = 0
+      do first = 1, n, block_size
+         last = min(first + block_size - 1, n)
+         do j = first, last
+            associate (d => merge(inner%left(j), inner%right(j), j <= half), side => merge(1, 2, j <= half))
+               if (slide%is_wave) then
+                  kernel(:, j - first + 1) = kernel_weights(j)*roots/(sines(:, side)*cos(d/2) + cosines(:, side)*sin(d/2))
+               else
+                  kernel(:, j - first + 1) = kernel_weights(j)*roots/(sines(:, side) + d)
+               end if
+            end associate
+         end do
+         ! what has decayed at the last position of the block is not summed up
+         column = slide%solid%n_arms + 1 - count(layers(last, 1:) > 0)
+         if (.not. slide%is_wave) slopes(:, 0) = slopes(:, 0) + matmul(kernel(:, :last - first + 1), layers(first:last, 0))
+         if (slide%solid%n_arms == 1 .and. column == 1) then
+            slopes(:, 1) = slopes(:, 1) + matmul(kernel(:, :last - first + 1), layers(first:last, 1))
+         else
+            slopes(:, column:) = slopes(:, column:) + matmul(kernel(:, :last - first + 1), layers(first:last, column:))
+         end if
       end do
-   end subroutine get_kernel
+   end subroutine add_layers
 
    !> The far field: what must be 0, load and friction.
    pure subroutine get_far_field(slide, zones, inner, kernel_weights, layers, bounded, load, friction)
@@ -141,7 +153,7 @@ contains
       real(dp), intent(in) :: kernel_weights(:), layers(:, 0:)
       real(dp), intent(out) :: bounded(0:), load(0:), friction(0:)
       complex(dp), parameter :: i = (0.0_dp, 1.0_dp)
-      complex(dp) :: eta, tau, first, second, phases(size(xi)), shift
+      complex(dp) :: eta, tau, first, second, phases(size(xi)), second_phases(size(xi)), shift
       real(dp) :: storage, loss
       integer :: k
 
@@ -155,9 +167,10 @@ contains
          second = shift*sin(w/2)**2*(eta - conjg(eta)*cos(w/2)**2) &
             & + (2*p0/pi)*i*shift*sin(w)*tau*(2*tt/(tau**2 - tt**2) - 2*tl/(tau**2 - tl**2))
          phases = kernel_weights*exp(-i*xi/2)
+         second_phases = phases*(exp(-i*xi) - cos(w))
          do k = 0, slide%solid%n_arms
             if (k > 0) first = sum(phases*layers(:, k))
-            if (k > 0) second = shift*sum(phases*layers(:, k)*(exp(-i*xi) - cos(w)))
+            if (k > 0) second = shift*sum(second_phases*layers(:, k))
             bounded(k) = real(first)
             load(k) = aimag(first)/2
             friction(k) = real(second)/4

@@ -15,8 +15,11 @@ module adfric_plane_adhesive_sliding_start
    !> Half-widths of the contact at which the curve may begin.
    real(dp), parameter :: start_widths(*) = [0.5_dp, 0.2_dp, 0.05_dp, 1.0_dp, 0.01_dp, 1.7_dp]
    !> First, largest and least step of the share of the arms, and their largest number.
-   real(dp), parameter :: first_step = 0.1_dp, largest_step = 0.25_dp, least_step = 1.0e-5_dp
+   real(dp), parameter :: first_step = 0.2_dp, largest_step = 0.4_dp, least_step = 1.0e-5_dp
    integer, parameter :: most_steps = 200
+   !> Halvings before lines lead to the elastic zones, all steps, and the gap over the range, less 1, at which they end.
+   integer, parameter :: n_halvings = 6, most_halvings = 60
+   real(dp), parameter :: elastic_tolerance = 1.0e-3_dp
    !> Largest change of a coordinate in a step.
    real(dp), parameter :: largest_change = 1.5_dp
    !> The direction of the width.
@@ -51,8 +54,8 @@ contains
       real(dp), intent(inout) :: z(4)
       logical, intent(out) :: is_found
       type(adhesive_slide_t) :: relaxed
-      real(dp) :: low, high, excess
-      integer :: i
+      real(dp) :: low, high, excess, excess_low, excess_high
+      integer :: i, side
 
       relaxed = slide
       relaxed%solid%n_arms = 0
@@ -62,13 +65,28 @@ contains
       relaxed%compliances = [real(dp) ::]
       low = -60
       high = merge(12.0_dp, 20.0_dp, slide%is_wave)
-      is_found = excess_of(high) > 0 .and. excess_of(low) < 0
+      excess_high = excess_of(high)
+      excess_low = excess_of(low)
+      is_found = excess_high > 0 .and. excess_low < 0
       if (.not. is_found) return
-      do i = 1, 60
+      side = 0
+      do i = 1, most_halvings
          z(3:4) = (low + high)/2
+         ! the bracket is small enough for a line
+         if (i > n_halvings) z(3:4) = low - excess_low*(high - low)/(excess_high - excess_low)
          excess = excess_of(z(3))
-         if (excess < 0) low = z(3)
-         if (.not. excess < 0) high = z(3)
+         if (excess < 0) then
+            low = z(3)
+            excess_low = excess
+            if (side == 1) excess_high = excess_high/2
+            side = 1
+         else
+            high = z(3)
+            excess_high = excess
+            if (side == 2) excess_low = excess_low/2
+            side = 2
+         end if
+         if (abs(excess) < elastic_tolerance) exit
       end do
 
    contains
@@ -117,19 +135,19 @@ contains
          if (new_share < 1) call new_sliding_solid(part%solid, prony, 1.0_dp)
          call set_compliances(part)
          trial = point
-         call correct_point(part, point%z, constant_width, trial, is_found, has_slopes=.true.)
+         call correct_point(part, point%z, constant_width, trial, is_found)
          if (is_found) is_found = maxval(abs(trial%z - point%z)) < largest_change
          if (is_found) then
             point = trial
             share = new_share
-            if (share >= 1) return
+            if (share >= 1) exit
             step = min(largest_step, 1.5_dp*step)
          else
             step = step/2
             if (step < least_step) return
          end if
       end do
-      is_found = .false.
+      is_found = share >= 1
    end subroutine raise_arms
 
 end module adfric_plane_adhesive_sliding_start

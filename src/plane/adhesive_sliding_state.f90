@@ -170,9 +170,11 @@ contains
       type(columns_t), intent(inout) :: columns
       type(outer_nodes_t) :: outer
       real(dp), allocatable :: slopes(:, :), left(:)
-      real(dp), dimension(0:slide%solid%n_arms) :: integrals, moments, change
+      real(dp), dimension(0:slide%solid%n_arms) :: integrals, moments
+      real(dp), dimension(slide%solid%n_arms, 0:slide%solid%n_arms) :: weighted, grown
+      real(dp), allocatable :: decays(:, :)
       real(dp) :: length, offset, x, decay
-      integer :: j
+      integer :: j, k
 
       call set_outer_nodes(slide, zones, piece, outer)
       allocate (slopes(size(outer%weights), 0:slide%solid%n_arms))
@@ -185,20 +187,47 @@ contains
          columns%opening(0, piece) = columns%opening(0, piece) - rise_of_height(slide, x, length)
          if (slide%is_wave) columns%mean_gap(0) = columns%mean_gap(0) + moment_of_height(x, length)/two_pi
          if (slide%is_wave) columns%mean_gap = columns%mean_gap - moments/two_pi
+         allocate (decays(slide%solid%n_arms, size(left)))
+         do k = 1, size(left)
+            decays(:, k) = outer%weights(k)*exp(-left(k)/b)
+         end do
+         weighted = matmul(decays, slopes)
+         grown = 0
+         if (slide%is_wave) then
+            do k = 1, size(left)
+               decays(:, k) = outer%weights(k)*growth(-left(k)/b)
+            end do
+            grown = matmul(decays, slopes)
+         end if
          do j = 1, slide%solid%n_arms
             decay = 0
             if (length < huge(1.0_dp)) decay = exp(-length/b(j))
-            columns%elements(j, :, piece - 1) = decay*columns%elements(j, :, piece) &
-               & + matmul(outer%weights*exp(-left/b(j)), slopes)/b(j)
+            columns%elements(j, :, piece - 1) = decay*columns%elements(j, :, piece) + weighted(j, :)/b(j)
             if (.not. length < huge(1.0_dp)) cycle
-            change = b(j)*(columns%elements(j, :, piece) - columns%elements(j, :, piece - 1))
-            opening = opening + cs(j)*change
-            if (slide%is_wave) columns%mean_gap = columns%mean_gap &
-               & - cs(j)*b(j)*(length*columns%elements(j, :, piece) - (integrals + change))/two_pi
+            ! b times the change of an element, of which a long retardation length leaves no difference of digits
+            opening = opening - cs(j)*(b(j)*expm1(-length/b(j))*columns%elements(j, :, piece) + weighted(j, :))
+            if (slide%is_wave) columns%mean_gap = columns%mean_gap - cs(j)*b(j)*(b(j)*second_growth(length/b(j)) &
+               & *columns%elements(j, :, piece) + grown(j, :))/two_pi
          end do
          if (slide%is_wave) columns%mean_gap = columns%mean_gap - offset*opening/two_pi
       end associate
    end subroutine add_piece
+
+   !> exp(-x) - 1 + x for x >= 0.
+   pure real(dp) function second_growth(x)
+      real(dp), intent(in) :: x
+      real(dp) :: term
+      integer :: k
+
+      second_growth = expm1(-x) + x
+      if (x > 0.5_dp) return
+      second_growth = 0
+      term = -x
+      do k = 2, 20
+         term = -term*x/k
+         second_growth = second_growth + term
+      end do
+   end function second_growth
 
    !> Where a piece of the gap is.
    pure subroutine locate_piece(zones, piece, outer, left, length, offset, x)

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What is found by going over the profiles of an adhesive sliding wave: the largest pressure and gap, the work of the pressure, and how
-!> well the conditions of contact hold. The work, per area and distance, is the friction again, T = mean(p sin x), from the pressure at
-!> positions instead of the far field.
+!> What is found by going over the profiles of an adhesive sliding wave or cylinder: the largest pressure and gap, load and work of
+!> the pressure, and how well the conditions of contact hold. The work, per area and distance, is the friction again,
+!> T = mean(p sin x), or T = integral p x dx of a cylinder, from the pressure at positions instead of the far field.
 module adfric_plane_adhesive_sliding_survey
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
@@ -18,10 +18,10 @@ module adfric_plane_adhesive_sliding_survey
 
    !> What is found.
    type :: slide_survey_t
-      !> Largest pressure [E0 k D] and gap [D].
+      !> Largest pressure [E0 k D] and, of a wave, gap [D].
       real(dp) :: peak_pressure = 0, largest_gap = 0
-      !> Friction from the pressure [E0 k^2 D^2].
-      real(dp) :: friction = 0
+      !> Load and friction from the pressure (`slide_zones_t`).
+      real(dp) :: load = 0, friction = 0
       !> Largest violation of p >= -p0 in contact and of g >= d0 in the free gap, over p0 and d0; 0 if there is none.
       real(dp) :: violation = 0
    end type slide_survey_t
@@ -38,38 +38,48 @@ module adfric_plane_adhesive_sliding_survey
 
 contains
 
-   !> Go over the profiles of a wave.
+   !> Go over the profiles.
    pure subroutine survey_slide(profile, survey)
       type(slide_profile_t), intent(in) :: profile
       !> What is found; NaN where a profile is not.
       type(slide_survey_t), intent(out) :: survey
 
       call find_largest_value(slide_position_t(profile, .false.), 2*profile%zones%half_width, survey%peak_pressure)
-      call find_largest_value(slide_position_t(profile, .true.), profile%zones%free, survey%largest_gap)
+      if (profile%slide%is_wave) call find_largest_value(slide_position_t(profile, .true.), profile%zones%free, &
+         & survey%largest_gap)
       survey%violation = max(0.0_dp, slide_violation(profile))
-      survey%friction = work_of_pressure(profile)
+      call sum_pressure(profile, survey%load, survey%friction)
    end subroutine survey_slide
 
-   !> Work of the pressure.
-   pure real(dp) function work_of_pressure(profile) result(work)
+   !> Load and work of the pressure.
+   pure subroutine sum_pressure(profile, load, work)
       type(slide_profile_t), intent(in) :: profile
+      real(dp), intent(out) :: load, work
       type(nodes_t) :: nodes
-      real(dp) :: shortest
+      real(dp) :: shortest, share, x
       integer :: i
 
-      associate (z => profile%zones, p0 => profile%slide%stress)
+      associate (z => profile%zones, p0 => profile%slide%stress, is_wave => profile%slide%is_wave)
          shortest = min(z%leading, z%trailing)
          if (profile%slide%solid%n_arms > 0) shortest = min(shortest, profile%slide%solid%relaxation(1))
-         call get_nodes(2*z%half_width, shortest, depth, profile%slide%refinement, nodes)
+         call get_nodes(2*z%half_width, [shortest, shortest], depth, profile%slide%refinement, nodes)
          ! the zones, and -p0 in all of the contact
-         work = -p0*(cos(z%middle - z%half_width - z%trailing) - cos(z%middle + z%half_width + z%leading))
+         share = 2*z%half_width + z%leading + z%trailing
+         x = z%middle + (z%leading - z%trailing)/2
+         load = -p0*share
+         work = load*x
+         if (is_wave) work = -2*p0*sin(share/2)*sin(x)
          do i = 1, size(nodes%weights)
-            work = work + nodes%weights(i)*(slide_pressure(profile, nodes%left(i), nodes%right(i)) + p0) &
-               & *sin(z%middle + (nodes%left(i) - nodes%right(i))/2)
+            share = nodes%weights(i)*(slide_pressure(profile, nodes%left(i), nodes%right(i)) + p0)
+            x = z%middle + (nodes%left(i) - nodes%right(i))/2
+            load = load + share
+            work = work + share*merge(sin(x), x, is_wave)
          end do
+         if (.not. is_wave) return
+         load = load/two_pi
          work = work/two_pi
       end associate
-   end function work_of_pressure
+   end subroutine sum_pressure
 
    !> See `integrand_t`.
    pure real(dp) function evaluate(self, from_left, from_right)

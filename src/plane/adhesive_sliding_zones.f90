@@ -23,6 +23,8 @@ module adfric_plane_adhesive_sliding_zones
    real(dp), parameter :: inner_depth = 70, outer_depth = 38
    !> Range of the memory ahead of a cylinder, in the longest retardation length.
    real(dp), parameter :: memory_range = 45
+   !> Where a layer counts as decayed, in its relaxation length.
+   real(dp), parameter :: decayed = 45
 
    !> What slides on what.
    type :: adhesive_slide_t
@@ -137,30 +139,32 @@ contains
       integer, intent(in) :: piece
       type(outer_nodes_t), intent(out) :: outer
       type(nodes_t) :: nodes
-      real(dp) :: shortest
+      real(dp) :: shortest, far
 
       associate (z => zones, s => slide%solid)
          shortest = z%half_width
          if (s%n_arms > 0) shortest = min(shortest, s%relaxation(1))
          select case (piece)
          case (piece_leading)
-            call get_nodes(z%leading, min(shortest, z%free), outer_depth, slide%refinement, nodes)
+            call get_nodes(z%leading, [shortest, min(z%half_width, z%free)], outer_depth, slide%refinement, nodes)
             outer%from_leading = nodes%left
             outer%from_c_leading = -nodes%right
             if (slide%is_wave) outer%to_trailing = nodes%right + (z%free + z%trailing)
             if (slide%is_wave) outer%to_c_trailing = nodes%right + z%free
          case (piece_free)
             if (slide%is_wave) then
-               call get_nodes(z%free, min(shortest, z%leading, z%trailing), outer_depth, slide%refinement, nodes)
+               call get_nodes(z%free, [min(shortest, z%leading), min(z%half_width, z%trailing)], outer_depth, slide%refinement, &
+                  & nodes)
                outer%to_trailing = z%trailing + nodes%right
                outer%to_c_trailing = nodes%right
             else
-               call get_nodes(memory_range*s%retardation(s%n_arms), min(shortest, z%leading), outer_depth, slide%refinement, nodes)
+               far = memory_range*s%retardation(s%n_arms)
+               call get_nodes(far, [min(shortest, z%leading), far], outer_depth, slide%refinement, nodes)
             end if
             outer%from_leading = z%leading + nodes%left
             outer%from_c_leading = nodes%left
          case default
-            call get_nodes(z%trailing, min(shortest, z%free), outer_depth, slide%refinement, nodes)
+            call get_nodes(z%trailing, [min(shortest, z%free), z%half_width], outer_depth, slide%refinement, nodes)
             outer%to_trailing = nodes%right
             outer%to_c_trailing = -nodes%left
             if (slide%is_wave) outer%from_leading = nodes%left + (z%free + z%leading)
@@ -194,13 +198,14 @@ contains
          allocate (kernel_weights(0), layers(0, 0:0), inner%left(0), inner%right(0), inner%weights(0))
          return
       end if
-      call get_nodes(2*zones%half_width, min(slide%solid%relaxation(1), zones%leading, zones%trailing), inner_depth, &
+      call get_nodes(2*zones%half_width, [zones%trailing, min(slide%solid%relaxation(1), zones%leading)], inner_depth, &
          & slide%refinement, inner)
       kernel_weights = inner%weights/(pi*sqrt(chord(slide%is_wave, inner%left)*chord(slide%is_wave, inner%right)))
       allocate (layers(size(inner%weights), 0:n))
       layers(:, 0) = 0
       do i = 1, n
-         layers(:, i) = exp(-inner%right/slide%solid%relaxation(i))
+         layers(:, i) = 0
+         where (inner%right < decayed*slide%solid%relaxation(i)) layers(:, i) = exp(-inner%right/slide%solid%relaxation(i))
          if (.not. slide%is_wave) layers(:, 0) = layers(:, 0) &
             & - slide%solid%ratios(i)*slide%solid%relaxation(i)*growth(-inner%right/slide%solid%relaxation(i))
       end do

@@ -91,7 +91,7 @@ contains
       real(dp) :: roots
       integer :: i
 
-      call get_nodes(length, min(length, minval(retardation)), 38.0_dp, 1.0_dp, nodes)
+      call get_nodes(length, spread(min(length, minval(retardation)), 1, 2), 38.0_dp, 1.0_dp, nodes)
       opening = 0
       if (is_opening) then
          do i = 1, size(nodes%weights)
