@@ -30,7 +30,7 @@ SYMBOLS = {
     "friction_force": "T",
     "friction_radius": "b",
     "friction_stress": "T",
-    "friction_stress_without_adhesion": "T_0",
+    "friction_stress_without_adhesion": "T_0", "friction_force_without_adhesion": "T_0",
     "heat_share": "s",
     "height": "h",
     "interaction": r"\alpha",
@@ -79,7 +79,7 @@ SYMBOLS = {
     "work_of_adhesion": "w",
 }
 NAMES = {"area_left": "friction area", "contact_half_width": "half-width",
-         "friction_stress_without_adhesion": "without adhesion", "lambda": "", "minor_half_width": "minor half-width",
+         "friction_stress_without_adhesion": "without adhesion", "friction_force_without_adhesion": "without adhesion", "lambda": "", "minor_half_width": "minor half-width",
          "position_x": "position", "position_y": "position", "position_z": "position", "pull_off_load": "pull-off load",
          "pull_off_pressure": "pull-off pressure", "pull_off_tension": "pull-off tension", "r": "", "radius_1x": "principal radius",
          "radius_2y": "principal radius",
