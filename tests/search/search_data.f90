@@ -67,6 +67,12 @@ contains
          end associate
       end do
       call give_data(model, list, is_taken)
+      ! an input is refused beyond the range of a list
+      do n = 1, size(list)
+         associate (v => model%variables(list(n)%position))
+            if (any(list(n)%values < v%lower .or. list(n)%values > v%upper)) is_taken = .false.
+         end associate
+      end do
    end subroutine draw_data
 
    !> Values of a size of 1.

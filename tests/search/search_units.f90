@@ -83,6 +83,10 @@ contains
          powers = [1, 2, 0]
       case ('J')
          powers = [1, 3, 0]
+      case ('W')
+         powers = [1, 3, -1]
+      case ('kg')
+         powers = [1, 1, 2]
       case ('-', '1', 'rad', 'degrees', 'K', 'mol', '')
          powers = 0
       case default
