@@ -24,7 +24,7 @@ module adfric
 
    !> Names of the models, separated by a blank.
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
-      & 'wave_1d wave_2d_elastic surface_elastic surface_sliding adhesive_cylinder line_load strip_load point_load'
+      & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder'
 
 contains
 

@@ -283,6 +283,7 @@ module adfric_describe_scene_rules
       & couples//' coupling_left_out - coupled', &
       & couples//' coupling_left_out - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
+      & 'hertz velocity_slope - heat', &
       & heats//' contact_temperature - !heat', &
       & heats//' flash_temperature - !heat', &
       & heats//' peak_flash_temperature - !heat', &

@@ -132,8 +132,14 @@ contains
             & //'background = ''time''')
          if (background_of(values) == of_slab .and. .not. is_set(thickness) .and. .not. is_line) call require(table, &
             & values_of_table, [first - 1 + slab], problems)
-         if (background_of(values) == of_time .and. .not. is_line) call require(table, values_of_table, [first - 1 + time], &
-            & problems)
+         if (background_of(values) == of_time .and. .not. (is_line .or. is_set(thickness))) call require(table, &
+            & values_of_table, [first - 1 + time], problems)
+         if (is_set(thickness)) then
+            if (background_of(values) == of_time) call refuse(background, 'is ''time'', which is for a half-space; ' &
+               & //'a layer has a steady temperature, that of ''slab''')
+            if (is_set(values(slab))) call refuse(slab, 'stands beside the thickness of the layer, which is ' &
+               & //'that of the slab')
+         end if
          if (is_line .and. background_of(values) /= as_prescribed) then
             call refuse(background, 'is not ''prescribed''; one line on a half-space has no nominal area whose heat would count')
          else if (background_of(values) /= as_prescribed .and. values(second) > 0 .and. is_set(values(second))) then

@@ -101,11 +101,13 @@ contains
    end function change_by_coupling
 
    !> A line on a coupling that is left out and changes the friction by more than its error; else nothing.
-   function doubt_left_out(change, error_estimate) result(text)
+   function doubt_left_out(change, error_estimate, has_coupling) result(text)
       !> `coupling_left_out` [-], NaN where it is not known.
       real(dp), intent(in) :: change
       !> Estimated relative error of the friction [-].
       real(dp), intent(in) :: error_estimate
+      !> Has the scene a solver that takes the coupling in?
+      logical, intent(in) :: has_coupling
       character(:), allocatable :: text
       character(300) :: line
 
@@ -114,7 +116,7 @@ contains
       if (.not. abs(change) > error_estimate) return
       write (line, '(a, es9.1, a, es8.1, a)') 'shear stress moves the contact where Poisson''s ratio is below 0.5; left out, as ' &
          & //'here, it changes the friction by', change, ' of it to first order, beside an error of', error_estimate, &
-         & '; coupling = .true. takes it in'
+         & trim(merge('; coupling = .true. takes it in', '                               ', has_coupling))
       text = trim(line)//new_line('a')
    end function doubt_left_out
 

@@ -30,11 +30,12 @@ module adfric_periodic_sliding_model
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
-      & kind_wave_2d, n_solid_rows, n_surface_rows, s_adhesion, s_friction, s_last_adhesion, s_other_branch, s_pull_off, &
+      & kind_wave_2d, n_solid_rows, n_surface_rows, s_adhesion, s_friction, s_last_adhesion, s_other_branch, &
+      & s_pull_off, s_thickness, &
       & set_solid_rows, set_surface_rows, &
       & in => sliding_input, out => sliding_output
    use adfric_periodic_solver, only: periodic_solution_t
-   use adfric_periodic_variables, only: is_wanted
+   use adfric_periodic_variables, only: is_wanted, prescribed => periodic_input
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
    use adfric_periodic_wave_contact, only: wave_pressure_of_full_contact, mean_pressure_at, &
@@ -171,7 +172,9 @@ contains
             & is_swept(first:last), problems)
       end associate
       is_adhesive = has_adhesion(values(self%first_of_solid + s_adhesion - 1:self%first_of_solid + s_last_adhesion - 1))
-      associate (before => self%first_of_solid - 1)
+      associate (before => self%first_of_solid - 1, depth => self%before_prescribed + prescribed%penetration)
+         if (is_adhesive .and. is_set(values(depth)) .and. is_set(values(before + s_thickness))) call problems%add('operating', &
+            & 'penetration', 'of a layer has no answer with adhesion; give the mean pressure')
          if (.not. is_adhesive) call check_pull(self%variables, values, self%before_prescribed, &
             & before + [s_pull_off, s_other_branch], problems)
       end associate
@@ -298,7 +301,8 @@ contains
          pressure = goal%value
          if (.not. goal%is_pressure) pressure = mean_pressure_at(goal%value, solid, values(in%amplitude), values(in%period), &
             & nint(values(in%kind)) == kind_wave_2d)
-         is_known = pressure >= pressure_of_wave(values, solid)
+         ! pull-off and the other branch are those of the cells
+         is_known = pressure >= pressure_of_wave(values, solid) .and. .not. (goal%wants_pull_off .or. goal%wants_other_branch)
          if (is_known) call set_full_contact(solid, surface%shape, values(in%amplitude), values(in%period), pressure, solution)
       end select
       associate (unused => self)

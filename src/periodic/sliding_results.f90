@@ -13,7 +13,7 @@ module adfric_periodic_sliding_results
    use adfric_periodic_sliding_variables, only: kind_heights, kind_wave_2d, in => sliding_input, sliding_output
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: branches_differ, branches_unknown, periodic_solution_t
-   use adfric_periodic_variables, only: periodic_output
+   use adfric_periodic_variables, only: periodic_output, regime_none
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_contact, only: wave_friction_of_full_contact
    implicit none (type, external)
@@ -42,6 +42,11 @@ contains
       is_wave = nint(values(in%kind)) /= kind_heights
       loss = solid%forward(solution%friction%loss)
       direct = solid%forward(solution%friction%direct)
+      ! bodies apart have the round-off of nothing
+      if (regime_of(solution) == regime_none) then
+         loss = 0
+         direct = 0
+      end if
       results([sliding_output%friction_stress, sliding_output%dissipation]) = loss*solid%modulus
       results(sliding_output%friction_coefficient) = not_a_number()
       if (results(periodic_output%mean_pressure) > 0) results(sliding_output%friction_coefficient) = &
@@ -56,7 +61,8 @@ contains
       results(sliding_output%energy_imbalance) = 0
       if (max(abs(direct), abs(loss)) > 0) results(sliding_output%energy_imbalance) = (direct - loss)/max(abs(direct), abs(loss))
       results(sliding_output%regime) = regime_of(solution)
-      error_estimate = error_of(solid, solution)
+      error_estimate = 0
+      if (regime_of(solution) /= regime_none) error_estimate = error_of(solid, solution)
       ! in closed form
       if (is_wave .and. results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) error_estimate &
          & = 4*epsilon(1.0_dp)

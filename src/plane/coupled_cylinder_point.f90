@@ -77,15 +77,23 @@ contains
          end if
          if (contact%half_width > 0) then
             if (stress > 0) error_estimate = max(error_estimate, error_of_cut(stress, contact%peak_pressure))
+            ! the length where the gap would be below 0 is longer than the contact
+            if (.not. error_estimate <= 1) status = status_not_converged
             results(out%mean_pressure) = values(in%load)/(2*contact%half_width)
             results(out%contact_shift) = sign(1.0_dp, values(in%velocity))*contact%centre
             slope = max(abs(contact%slope_friction), abs(contact%friction_of_energy))
             if (slope > 0) results(out%energy_imbalance) = (contact%slope_friction - contact%friction_of_energy)/slope
          end if
       end associate
-      call store_friction(values, law, state%contact, results, is_valid)
-      if (.not. is_valid) status = status_not_converged
-      if (.not. is_valid .or. is_coupled(values(in%coupling)) .or. is_set(values(in%second_young_modulus))) return
+      is_valid = status == status_solved
+      if (is_valid) call store_friction(values, law, state%contact, results, is_valid)
+      if (.not. is_valid) then
+         status = status_not_converged
+         results(:) = not_a_number()
+         error_estimate = 0
+         return
+      end if
+      if (is_coupled(values(in%coupling)) .or. is_set(values(in%second_young_modulus))) return
       x = contact_nodes(state%contact%centre, state%contact%half_width)
       pressure = [(state%contact%cylinder_pressure_at(x(i)), i=1, n_contact_nodes)]
       if (values(in%load) > 0) results(out%coupling_left_out) = left_out_of_line(law, speed, values(in%temperature), &

@@ -65,6 +65,12 @@ contains
       if (status /= status_solved) return
       if (state%regime == regime_partial) error_estimate = max(error_estimate, error_of_cut(state%stress, &
          & state%contact%peak_pressure))
+      ! the length where the gap would be below 0 is longer than the contact
+      if (.not. error_estimate <= 1) then
+         status = status_not_converged
+         error_estimate = 0
+         return
+      end if
       call store(values, state, results)
       call store_friction(values, law, state, results)
    end subroutine solve_coupled_point

@@ -178,7 +178,7 @@ contains
       results = not_a_number()
       call self%solve_point(values, state, results, error_estimate, status, counts)
       if (status /= status_solved) return
-      text = text//doubt_left_out(results(out%coupling_left_out), error_estimate)
+      text = text//doubt_left_out(results(out%coupling_left_out), error_estimate, .not. is_sliding(values))
       select type (state)
       type is (cylinder_point_t)
          call doubt_cylinder_heat(values, self%given, self%given_law, state, of_heat)
@@ -222,7 +222,10 @@ contains
          call solve_cylinder(values, self%given, state, results, error_estimate, status)
          if (status == status_solved .and. has_interface(values(in%friction))) then
             call add_cylinder_interface(values, self%given, self%given_law, state, results, is_valid)
-            if (.not. is_valid) status = status_not_converged
+            if (.not. is_valid) then
+               status = status_not_converged
+               results(:) = not_a_number()
+            end if
          end if
       type is (coupled_cylinder_point_t)
          call solve_coupled_cylinder(values, self%given_law, state, results, error_estimate, status)

@@ -120,7 +120,7 @@ contains
       if (.not. has_interface(interface_of(values)) .or. is_coupled(values(in%coupling))) return
       results = not_a_number()
       call self%solve_point(values, state, results, error_estimate, status, counts)
-      if (status == status_solved) text = text//doubt_left_out(results(out%coupling_left_out), error_estimate)
+      if (status == status_solved) text = text//doubt_left_out(results(out%coupling_left_out), error_estimate, .true.)
    end function describe_doubts
 
    !> See `model_t`: the steepest slope of the wave.

@@ -166,8 +166,9 @@ contains
       end associate
       if (status /= status_solved .or. .not. has_velocity_law(values)) return
       associate (force => results(out%friction_force))
-         if (force > 0 .and. abs(values(in%velocity)) > 0) results(out%velocity_slope) = slope*constant(in%shear_strength) &
-            & *results(out%friction_area)/force
+         ! where adhesion depends on the shear strength, the area does, too
+         if (force > 0 .and. abs(values(in%velocity)) > 0 .and. .not. is_set(values(in%critical_slip))) &
+            & results(out%velocity_slope) = slope*constant(in%shear_strength)*results(out%friction_area)/force
          force = sign(force, values(in%velocity))
       end associate
    end subroutine solve_point

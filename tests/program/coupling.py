@@ -191,6 +191,22 @@ class Coupling(Runs):
             found, _ = self.run_scene(text)
             self.assertEqual(found["smallest_stiffness_ratio"] < 0, is_doubted)
 
+    def test_no_state(self):
+        """A constant shear stress that moves more than the contact has no state; a cylinder on rubber has no such solver to name."""
+        friction = "&friction shear_strength = 2e3, coupling = .true. /\n"
+        for scene in (SCENES["hertz"].replace("1e9", "1e6").replace("1e3", "1e-6"),
+                      SCENES["wave_1d"].replace("1e9", "1e6").replace("1e7", "1e-9")):
+            self.write("&job output = 'run.h5' /\n" + scene + friction)
+            self.run_program("run", "--quiet", "--force", "run.nml", status=1)
+            with h5py.File(self.folder/"run.h5") as file:
+                self.assertEqual(file["status"][()], 2)
+                self.assertTrue(np.isnan(file["error_estimate"][()]))
+        rubber = SCENES["hertz"].replace("0.2 /", "0.2, young_moduli = 9e9, relaxation_times = 1e-3 /")
+        self.write("&job output = 'run.h5' /\n" + rubber + FRICTION.format(0.5).replace(", coupling = .true.", ""))
+        page, _ = self.run_program("check", "run.nml")
+        self.assertIn("changes the friction", page)
+        self.assertNotIn("coupling = .true.", page)
+
     def test_refused(self):
         """One line, status 2."""
         friction = FRICTION.format(0.5)
