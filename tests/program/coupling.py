@@ -197,7 +197,7 @@ class Coupling(Runs):
         for scene in (SCENES["hertz"].replace("1e9", "1e6").replace("1e3", "1e-6"),
                       SCENES["wave_1d"].replace("1e9", "1e6").replace("1e7", "1e-9")):
             self.write("&job output = 'run.h5' /\n" + scene + friction)
-            self.run_program("run", "--quiet", "--force", "run.nml", status=1)
+            self.run_program("run", "--quiet", "--force", "run.nml")
             with h5py.File(self.folder/"run.h5") as file:
                 self.assertEqual(file["status"][()], 2)
                 self.assertTrue(np.isnan(file["error_estimate"][()]))
