@@ -90,12 +90,18 @@ contains
          & summary='a rigid rough surface or wave that slides over a viscoelastic half-space or layer: friction, area and pressure')
       self%references = 'S. C. Hunter, J. Appl. Mech. 28 (1961) 611; B. N. J. Persson, J. Chem. Phys. 115 (2001) 3840'
       self%results = get_sliding_results()
-      ! row by row: gfortran loses the texts of an array that is put together
-      allocate (self%profiles(p_shear_stress + 1))
-      self%profiles(:p_shear_stress) = shear_profiles()
-      self%profiles(p_shear_stress + 1) = profile_t(name='temperature', unit='K', &
-         & long_name='temperature of the surface of the solid, with flashes')
+      self%profiles = sliding_profiles()
    end subroutine new_sliding_model
+
+   !> The profiles: those of a contact with friction, and the temperature. Row by row: gfortran loses the texts of an array that is
+   !> put together.
+   function sliding_profiles() result(p)
+      type(profile_t) :: p(p_shear_stress + 1)
+
+      p(:p_shear_stress) = shear_profiles()
+      p(p_shear_stress + 1) = profile_t(name='temperature', unit='K', &
+         & long_name='temperature of the surface of the solid, with flashes')
+   end function sliding_profiles
 
    !> See `model_t`.
    subroutine take_dataset(self, index, values, problems)
