@@ -39,6 +39,8 @@ module adfric_plane_adhesive_cylinder_point
    real(dp), parameter :: largest_violation = 1.0e-6_dp
    !> Dissipation below this share of load times half-width over radius is a small difference in the work of the pressure.
    real(dp), parameter :: small_share = 1.0e-3_dp
+   !> Digits of the moment that edges carry, of which friction is a difference.
+   real(dp), parameter :: digits_of_moment = 1.0e-12_dp
 
    !> What a point leaves: the branches at its speed, which may be those of the next point, and its state.
    type, extends(point_state_t) :: adhesive_cylinder_point_t
@@ -201,7 +203,21 @@ contains
       status = status_solved
       if (.not. (results(out%violation) <= largest_violation .and. error_estimate <= sqrt(solved_digits))) &
          & status = status_not_converged
+      if (status == status_solved) error_estimate = max(error_estimate, error_of_friction(point))
    end subroutine solve_adhesive_cylinder
+
+   !> Relative error of a small friction, which is the difference of what both edges carry; 1 where it is below round-off.
+   pure real(dp) function error_of_friction(point) result(error)
+      !> A point with its state.
+      type(adhesive_cylinder_point_t), intent(in) :: point
+      real(dp) :: moment
+
+      associate (z => point%state%zones, size => abs(point%state%friction))
+         moment = (abs(point%state%load) + point%branches%slide%stress*(z%leading + z%trailing)) &
+            & *(z%half_width + z%leading + z%trailing)
+         error = digits_of_moment*moment/max(size, digits_of_moment*moment)
+      end associate
+   end function error_of_friction
 
    !> The branches: those of the point before, or new ones. Their curve ends at a load that depends on this point alone.
    pure subroutine resolve_branches(values, given, point)
