@@ -40,7 +40,7 @@ module adfric_plane_adhesive_cylinder_point
    !> Dissipation below this share of load times half-width over radius is a small difference in the work of the pressure.
    real(dp), parameter :: small_share = 1.0e-3_dp
    !> Digits of the moment that edges carry, of which friction is a difference.
-   real(dp), parameter :: digits_of_moment = 1.0e-12_dp
+   real(dp), parameter :: digits_of_moment = 4.0e-13_dp
 
    !> What a point leaves: the branches at its speed, which may be those of the next point, and its state.
    type, extends(point_state_t) :: adhesive_cylinder_point_t
