@@ -151,7 +151,6 @@ contains
       real(dp), intent(out) :: rise, change
       !> Does the law hold there?
       logical, intent(out) :: is_valid
-      type(friction_law_t) :: without
       real(dp) :: stress, slope
       integer :: i
 
@@ -166,30 +165,14 @@ contains
          end do
          return
       end if
-      without = self%law
-      without%pressure_factor = 0
-      call without%get_stress(self%speed, 0.0_dp, temperature, stress, slope, is_valid)
+      call self%law%get_stress(self%speed, 0.0_dp, temperature, stress, slope, is_valid)
       if (.not. is_valid) return
       associate (weight => sum(self%weights))
          rise = weight*stress
-         change = weight*stress*slope*change_of_shift(self%law, temperature)
+         change = weight*stress*slope*self%law%shift%log_slope(temperature)
          if (self%law%pressure_factor > 0) rise = rise + self%law%pressure_factor*dot_product(self%weights, self%pressure)
       end associate
    end subroutine get_rise
-
-   !> d ln a_T/dT [1/K].
-   pure real(dp) function change_of_shift(law, temperature) result(change)
-      type(friction_law_t), intent(in) :: law
-      !> T [K].
-      real(dp), intent(in) :: temperature
-
-      change = 0
-      associate (shift => law%shift)
-         if (shift%law == shift_wlf) change = -log(10.0_dp)*shift%c1*shift%c2 &
-            & /(shift%c2 + temperature - shift%reference_temperature)**2
-         if (shift%law == shift_arrhenius) change = -shift%activation_energy/(gas_constant*temperature**2)
-      end associate
-   end function change_of_shift
 
    !> Largest rise at any temperature above T0 [K].
    pure real(dp) function largest_rise(self, at_base) result(largest)

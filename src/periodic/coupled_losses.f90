@@ -21,11 +21,43 @@ module adfric_periodic_coupled_losses
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
    use adfric_periodic_coupled_kernel, only: coupled_kernel_t, shear_coupling_t
    use adfric_periodic_kernel, only: kernel_t
+   use adfric_periodic_operator, only: wave_number
    implicit none (type, external)
    private
    public :: heat_of_half_space, change_on_cells
 
+   !> The waves of a map.
+   type :: waves_t
+      !> Transforms of the cells.
+      type(spectral_filter_t) :: filter
+      !> Numbers of waves per length along x and along y.
+      real(dp), allocatable :: n_x(:), n_y(:)
+      !> Stiffness of each wave; shape `(size(n_y), size(n_x))`.
+      complex(dp), allocatable :: stiffness(:, :)
+   end type waves_t
+
 contains
+
+   !> The waves of a map on a solid; an error means that there is no memory.
+   subroutine new_waves(self, kernel, n_cells, period, error)
+      type(waves_t), intent(out) :: self
+      class(kernel_t), intent(in) :: kernel
+      !> Number of cells along x and along y.
+      integer, intent(in) :: n_cells(2)
+      !> Periods along x and y, in the unit of all lengths of the kernel.
+      real(dp), intent(in) :: period(2)
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      call new_spectral_filter(self%filter, n_cells(1), n_cells(2), .false., .false., error)
+      if (allocated(error)) return
+      associate (n_modes => self%filter%n_modes)
+         self%n_x = [((i - 1)/period(1), i=1, n_modes(1))]
+         self%n_y = [(wave_number(i - 1, n_cells(2), .false.)/period(2), i=1, n_modes(2))]
+         allocate (self%stiffness(n_modes(2), n_modes(1)))
+      end associate
+      call kernel%get_stiffness(self%n_x, self%n_y, period/n_cells, self%stiffness)
+   end subroutine new_waves
 
    !> Energy lost in a half-space per nominal area and distance, in the unit of the pressure; NaN where there is no memory.
    real(dp) function heat_of_half_space(kernel, pressure, period) result(heat)
@@ -35,33 +67,29 @@ contains
       real(dp), intent(in), contiguous :: pressure(:, :)
       !> Periods along x and y, in the unit of all lengths of the kernel.
       real(dp), intent(in) :: period(2)
-      type(spectral_filter_t) :: filter
+      type(waves_t) :: waves
       type(error_t), allocatable :: error
-      complex(dp), allocatable :: stiffness(:, :)
       real(dp), allocatable :: factors(:, :), product(:, :)
       real(dp) :: n(2), along
       integer :: i, j
 
       heat = not_a_number()
-      call new_spectral_filter(filter, size(pressure, 1), size(pressure, 2), .false., .false., error)
+      call new_waves(waves, kernel%solid, shape(pressure), period, error)
       if (allocated(error)) return
-      allocate (stiffness(filter%n_modes(2), filter%n_modes(1)), factors(filter%n_modes(2), filter%n_modes(1)))
       allocate (product, mold=pressure)
-      call kernel%solid%get_stiffness([((i - 1)/period(1), i=1, size(stiffness, 2))], &
-         & [(folded(j - 1, size(pressure, 2))/period(2), j=1, size(stiffness, 1))], period/shape(pressure), stiffness)
-      factors = 0
-      do i = 1, size(factors, 2)
-         do j = 1, size(factors, 1)
-            n = [real(i - 1, dp), folded(j - 1, size(pressure, 2))]/period
-            if (.not. any(abs(n) > 0)) cycle
-            along = dot_product(kernel%coupling%direction, n)
-            associate (mu => kernel%coupling%friction_coefficient, nu => kernel%coupling%poisson_ratio)
+      allocate (factors(size(waves%n_y), size(waves%n_x)), source=0.0_dp)
+      associate (mu => kernel%coupling%friction_coefficient, nu => kernel%coupling%poisson_ratio, stiffness => waves%stiffness)
+         do i = 1, size(factors, 2)
+            do j = 1, size(factors, 1)
+               n = [waves%n_x(i), waves%n_y(j)]
+               if (.not. any(abs(n) > 0)) cycle
+               along = dot_product(kernel%coupling%direction, n)
                factors(j, i) = -two_pi*along*aimag(stiffness(j, i))/abs(stiffness(j, i))**2 &
                   & *(1 + mu**2*(1 - nu*(along/norm2(n))**2)/(1 - nu))
-            end associate
+            end do
          end do
-      end do
-      call filter%apply(factors/filter%gain, pressure, product, heat)
+      end associate
+      call waves%filter%apply(factors/waves%filter%gain, pressure, product, heat)
       heat = heat/size(pressure)
    end function heat_of_half_space
 
@@ -75,39 +103,27 @@ contains
       real(dp), intent(in), contiguous :: pressure(:, :), shear(:, :)
       !> Periods along x and y, in the unit of all lengths of the kernel.
       real(dp), intent(in) :: period(2)
-      type(spectral_filter_t) :: filter
+      type(waves_t) :: waves
       type(error_t), allocatable :: error
-      complex(dp), allocatable :: stiffness(:, :)
       real(dp), allocatable :: factors(:, :), product(:, :)
       real(dp) :: n(2), along
       integer :: i, j
 
       change = not_a_number()
-      call new_spectral_filter(filter, size(pressure, 1), size(pressure, 2), .false., .false., error)
+      call new_waves(waves, kernel, shape(pressure), period, error)
       if (allocated(error)) return
-      allocate (stiffness(filter%n_modes(2), filter%n_modes(1)), factors(filter%n_modes(2), filter%n_modes(1)))
       allocate (product, mold=pressure)
-      call kernel%get_stiffness([((i - 1)/period(1), i=1, size(stiffness, 2))], &
-         & [(folded(j - 1, size(pressure, 2))/period(2), j=1, size(stiffness, 1))], period/shape(pressure), stiffness)
-      factors = 0
+      allocate (factors(size(waves%n_y), size(waves%n_x)), source=0.0_dp)
       do i = 1, size(factors, 2)
          do j = 1, size(factors, 1)
-            n = [real(i - 1, dp), folded(j - 1, size(pressure, 2))]/period
+            n = [waves%n_x(i), waves%n_y(j)]
             if (.not. any(abs(n) > 0)) cycle
             along = dot_product(coupling%direction, n)
-            factors(j, i) = -two_pi*along**2/norm2(n)*coupling%coupling_of_wave(norm2(n))*real(1/stiffness(j, i), dp)
+            factors(j, i) = -two_pi*along**2/norm2(n)*coupling%coupling_of_wave(norm2(n))*real(1/waves%stiffness(j, i), dp)
          end do
       end do
-      call filter%apply(factors/filter%gain, shear, product)
+      call waves%filter%apply(factors/waves%filter%gain, shear, product)
       change = sum(pressure*product)/size(pressure)
    end function change_on_cells
-
-   !> Number of waves of a mode along the second direction, below 0 for those that run the other way.
-   pure real(dp) function folded(mode, n_points)
-      !> Number of the mode, from 0, and number of cells.
-      integer, intent(in) :: mode, n_points
-
-      folded = merge(mode, mode - n_points, 2*mode <= n_points)
-   end function folded
 
 end module adfric_periodic_coupled_losses

@@ -2,19 +2,16 @@
 !> Flash temperatures on the cells of a periodic surface.
 !>
 !> A wave exp(ik.x) of the flux into a solid that moves at -V below the body has the temperature T = q/(lambda s), s^2 = k^2 - i
-!> k.V/kappa,
-!> Re s > 0, with the conductivity lambda and the diffusivity kappa; of a layer on a base of fixed temperature times tanh(s H). The
-!> body
-!> rests in this frame: T = q/(lambda_2 |k|). The mean, k = 0, has no steady state on a half-space and is left out: flash
-!> temperatures have
-!> no mean over the surface.
+!> k.V/kappa, Re s > 0, with the conductivity lambda and the diffusivity kappa; of a layer on a base of fixed temperature times
+!> tanh(s H). The body rests in this frame: T = q/(lambda_2 |k|). The mean, k = 0, has no steady state on a half-space and is
+!> left out: flash temperatures have no mean over the surface.
 !>
-!> Fluxes are constant in cells, and temperatures are means over cells. So a wave of the cells stands for all its aliases k + K, K a
-!> multiple of 2 pi over the length of a cell, with the factor sinc^2 of each. The first ones are summed, and the rest estimated.
+!> Fluxes are constant in cells, and temperatures are means over cells. So a wave of the cells stands for all its aliases k + K,
+!> K a multiple of 2 pi over the length of a cell, with the factor sinc^2 of each. The first ones are summed, and the rest
+!> estimated.
 !>
 !> In contact both bodies have one temperature, and share the heat Q: A1 q = A2 (Q - q) in the cells of contact, and no flux in
-!> gaps.
-!> A1 is not symmetric.
+!> gaps. A1 is not symmetric.
 module adfric_periodic_flash_cells
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
@@ -22,6 +19,7 @@ module adfric_periodic_flash_cells
    use adfric_base_not_a_number, only: not_a_number
    use adfric_numerics_gmres, only: linear_map_t, solve_by_products
    use adfric_numerics_spectral_filter, only: new_spectral_filter, spectral_filter_t
+   use adfric_periodic_operator, only: wave_number
    implicit none (type, external)
    private
    public :: flash_cells_t, heated_bodies_t, new_flash_cells
@@ -93,7 +91,7 @@ contains
          do i = 1, n(1)
             do j = 1, n(2)
                if (i == 1 .and. j == 1) cycle
-               waves = [i - 1, merge(j - 1, j - 1 - n(2), 2*(j - 1) <= n(2))]
+               waves = [i - 1, nint(wave_number(j - 1, n(2), .false.))]
                call sum_aliases(bodies, waves, n_cells, period, sums)
                self%re(j, i) = real(sums(1), dp)/gain
                self%im(j, i) = aimag(sums(1))/gain

@@ -16,7 +16,7 @@ module adfric_periodic_operator
    use adfric_periodic_kernel, only: kernel_t
    implicit none (type, external)
    private
-   public :: periodic_operator_t, new_periodic_operator, is_too_long
+   public :: periodic_operator_t, new_periodic_operator, is_too_long, wave_number
 
    !> Cells may be so many times as long as wide; beyond that modes along and across differ by more digits than there are.
    real(dp), parameter :: longest_cell = 1.0e6_dp

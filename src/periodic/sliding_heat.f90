@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Heat of a periodic surface that slides: the temperature of its contact, which the law of friction has, and the map of it.
 !>
-!> Heat of the interface is made where it rubs, and makes flashes. That of the losses in the solid is made below, and counts for the
-!> background alone. The relaxation times of the solid have the given temperature: what a flash heats is thinner than what is
+!> Heat of the interface is made where it rubs, and makes flashes. That of the losses in the solid is made below, and counts for
+!> the background alone. The relaxation times of the solid have the given temperature: what a flash heats is thinner than what is
 !> dented.
 module adfric_periodic_sliding_heat
    use adfric_base_kinds, only: dp

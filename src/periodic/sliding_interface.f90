@@ -15,7 +15,7 @@ module adfric_periodic_sliding_interface
    use adfric_interface_heat_rows, only: check_heat, doubt_heat, h_background, h_contact, h_interface, has_heat, n_heat_results
    use adfric_interface_shear_coupling, only: is_coupled
    use adfric_interface_shear_strength_rows, only: p_shear_stress
-   use adfric_interface_total_friction, only: doubt_coupling, get_shear_of_area, sliding_friction_t
+   use adfric_interface_total_friction, only: coupling_of, doubt_coupling, get_shear_of_area, sliding_friction_t
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: n_spectrum_rows, solid_shift_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
@@ -267,6 +267,11 @@ contains
          ! a base that slips cannot carry the shear stress
          if (nint(values(s_base)) /= base_bonded) return
          coupling%thickness = values(s_thickness)/period(1)
+      end if
+      ! an incompressible half-space has none, and most rubber is one
+      if (.not. (coupling%thickness > 0 .or. abs(coupling_of(coupling%poisson_ratio)) > 0)) then
+         results(out%coupling_left_out) = 0
+         return
       end if
       call law_of_surface(values, spectrum, given, law)
       call set_tractions(law, values(s_velocity), temperature_of(values, results), pressure, is_contact, shear)

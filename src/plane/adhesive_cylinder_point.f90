@@ -11,17 +11,17 @@ module adfric_plane_adhesive_cylinder_point
    use adfric_plane_adhesive_cylinder_variables, only: in => adhesive_cylinder_input, out => adhesive_cylinder_output
    use adfric_plane_adhesive_sliding_branch, only: slide_branches_t, slide_state_t, find_branches, state_of_load, &
       & slide_adhered => branch_adhered, slide_approach => branch_approach, state_none => regime_none
+   use adfric_plane_adhesive_sliding_derived, only: derive_edges
    use adfric_plane_adhesive_sliding_profile, only: slide_profile_t, new_slide_profile, slide_pressure, slide_gap
    use adfric_plane_adhesive_sliding_survey, only: slide_survey_t, survey_slide
    use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t, set_compliances
-   use adfric_plane_crack_works, only: crack_works_t, get_crack_works
    use adfric_plane_sliding_cylinder, only: cylinder_contact_t, cylinder_of_load
    use adfric_plane_sliding_solid, only: new_sliding_solid, suits_solid
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_order_margin, only: order_margin_of
    use adfric_solid_prony, only: prony_t
    use adfric_solid_spectrum_rows, only: get_spectrum, is_same_spectrum, n_spectrum_rows, shift_factor_of
-   use adfric_describe_derived, only: add_derived, derived_t
+   use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
    implicit none (type, external)
@@ -146,22 +146,10 @@ contains
       type(given_spectrum_t), intent(in) :: given
       type(adhesive_cylinder_point_t) :: point
       type(adhesive_slide_t) :: slide
-      type(crack_works_t) :: works
-      logical :: is_converged
-      real(dp) :: zone, work
 
       call new_cylinder_case(values, given, values(in%velocity), point, slide)
-      if (.not. point%is_possible) return
-      zone = pi*slide%range/(4*slide%stress)
-      work = values(in%stress(1))*range_of(values(in%stress))
-      call add_derived(list, 'margin_of_order', '-', 'order of states, M/Einf; >= 0: the branches are proved', &
-         & order_margin_of(slide%solid%ratios, slide%solid%relaxation))
-      call add_derived(list, 'zone_length', 'm', 'length of a short zone of adhesion at rest, pi E0 d0/(4 p0)', zone*point%length)
-      if (slide%solid%n_arms == 0) return
-      call get_crack_works(slide%compliances, slide%solid%retardation/zone, works, is_converged)
-      if (.not. is_converged) return
-      call add_derived(list, 'opening_work', 'J/m^2', 'work that opens a short zone, behind, at this velocity', works%opening*work)
-      call add_derived(list, 'closing_work', 'J/m^2', 'work that a closing short zone gives back, ahead', works%closing*work)
+      if (point%is_possible) call derive_edges(list, slide, order_margin_of(slide%solid%ratios, slide%solid%relaxation), &
+         & point%length, values(in%stress(1)), range_of(values(in%stress)))
    end subroutine derive_adhesive_cylinder
 
    !> Solve a point.
@@ -210,14 +198,31 @@ contains
    pure real(dp) function error_of_friction(point) result(error)
       !> A point with its state.
       type(adhesive_cylinder_point_t), intent(in) :: point
-      real(dp) :: moment
 
-      associate (z => point%state%zones, size => abs(point%state%friction))
-         moment = (abs(point%state%load) + point%branches%slide%stress*(z%leading + z%trailing)) &
-            & *(z%half_width + z%leading + z%trailing)
-         error = digits_of_moment*moment/max(size, digits_of_moment*moment)
+      associate (noise => digits_of_moment*carried_load(point)*length_of_zones(point))
+         error = noise/max(abs(point%state%friction), noise)
       end associate
    end function error_of_friction
+
+   !> What the contact carries, reduced: the load and the tension outside it.
+   pure real(dp) function carried_load(point)
+      !> A point with its state.
+      type(adhesive_cylinder_point_t), intent(in) :: point
+
+      associate (z => point%state%zones)
+         carried_load = abs(point%state%load) + point%branches%slide%stress*(z%leading + z%trailing)
+      end associate
+   end function carried_load
+
+   !> Half of the contact and both zones, reduced.
+   pure real(dp) function length_of_zones(point)
+      !> A point with its state.
+      type(adhesive_cylinder_point_t), intent(in) :: point
+
+      associate (z => point%state%zones)
+         length_of_zones = z%half_width + z%leading + z%trailing
+      end associate
+   end function length_of_zones
 
    !> The branches: those of the point before, or new ones. Their curve ends at a load that depends on this point alone.
    pure subroutine resolve_branches(values, given, point)
@@ -252,7 +257,7 @@ contains
       real(dp), intent(out) :: error_estimate
       type(slide_profile_t) :: profile
       type(slide_survey_t) :: survey
-      real(dp) :: losses, carried
+      real(dp) :: losses
 
       call new_slide_profile(point%branches%slide, point%state%zones, profile)
       call survey_slide(profile, survey)
@@ -266,12 +271,10 @@ contains
          if (load > 0) results(out%friction_coefficient) = results(out%friction_force)/load
          if (load > 0) call split_friction(point, results)
          results(out%dissipation) = abs(results(out%friction_force))
-         ! what the contact carries, and its moment
-         carried = abs(state%load) + point%branches%slide%stress*(z%leading + z%trailing)
-         losses = max(abs(state%friction), small_share*carried*(z%half_width + z%leading + z%trailing))
+         losses = max(abs(state%friction), small_share*carried_load(point)*length_of_zones(point))
          results(out%energy_imbalance) = (survey%friction - state%friction)/losses
          results(out%violation) = survey%violation
-         error_estimate = max(solved_digits, abs(results(out%energy_imbalance)), abs(survey%load - state%load)/carried)
+         error_estimate = max(solved_digits, abs(results(out%energy_imbalance)), abs(survey%load - state%load)/carried_load(point))
       end associate
    end subroutine store_state
 

@@ -10,7 +10,7 @@ module adfric_plane_adhesive_sliding_point
    use adfric_plane_adhesive_sliding_profile, only: slide_profile_t, new_slide_profile, slide_pressure, slide_gap
    use adfric_plane_adhesive_sliding_survey, only: slide_survey_t, survey_slide
    use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t, set_compliances
-   use adfric_plane_crack_works, only: crack_works_t, get_crack_works
+   use adfric_plane_adhesive_sliding_derived, only: derive_edges
    use adfric_solid_order_margin, only: order_margin_of
    use adfric_plane_sliding_solid, only: new_sliding_solid, suits_solid
    use adfric_plane_sliding_wave, only: wave_contact_t, wave_of_pressure
@@ -22,7 +22,7 @@ module adfric_plane_adhesive_sliding_point
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_prony, only: prony_t
    use adfric_solid_spectrum_rows, only: get_spectrum, is_same_spectrum, n_spectrum_rows, shift_factor_of
-   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
    implicit none (type, external)
@@ -122,24 +122,11 @@ contains
       type(adhesion_law_t) :: law
       type(adhesive_slide_point_t) :: point
       type(adhesive_slide_t) :: slide
-      type(crack_works_t) :: works
-      logical :: is_new, is_converged
-      real(dp) :: zone
+      logical :: is_new
 
       call resolve(values, given, law, point, slide, is_new)
       if (.not. point%is_possible) return
-      zone = pi*slide%range/(4*slide%stress)
-      call add_derived(list, 'margin_of_order', '-', 'order of states, M/Einf; >= 0: the branches are proved', &
-         & point%order_margin)
-      call add_derived(list, 'zone_length', 'm', 'length of a short zone of adhesion at rest, pi E0 d0/(4 p0)', &
-         & zone*values(in%period)/two_pi)
-      if (slide%solid%n_arms == 0) return
-      call get_crack_works(slide%compliances, slide%solid%retardation/zone, works, is_converged)
-      if (.not. is_converged) return
-      call add_derived(list, 'opening_work', 'J/m^2', 'work that opens a short zone, behind, at this velocity', &
-         & works%opening*law%stress*law%range)
-      call add_derived(list, 'closing_work', 'J/m^2', 'work that a closing short zone gives back, ahead', &
-         & works%closing*law%stress*law%range)
+      call derive_edges(list, slide, point%order_margin, values(in%period)/two_pi, law%stress, law%range)
    end subroutine derive_adhesive_slide
 
    !> Solve a point.

@@ -56,9 +56,8 @@ contains
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       type(friction_law_t) :: law
-      real(dp) :: stress, speed, slope, x(n_contact_nodes), pressure(n_contact_nodes)
+      real(dp) :: stress, speed, slope
       logical :: is_valid
-      integer :: i
 
       error_estimate = closed_form
       status = status_not_converged
@@ -94,10 +93,9 @@ contains
          return
       end if
       if (is_coupled(values(in%coupling)) .or. is_set(values(in%second_young_modulus))) return
-      x = contact_nodes(state%contact%centre, state%contact%half_width)
-      pressure = [(state%contact%cylinder_pressure_at(x(i)), i=1, n_contact_nodes)]
       if (values(in%load) > 0) results(out%coupling_left_out) = left_out_of_line(law, speed, values(in%temperature), &
-         & pressure, state%contact%half_width, 0.0_dp, values(in%poisson_ratio), state%contact%modulus, results(out%friction_force))
+         & node_pressures(state%contact), state%contact%half_width, 0.0_dp, values(in%poisson_ratio), state%contact%modulus, &
+         & results(out%friction_force))
    end subroutine solve_coupled_cylinder
 
    !> The contact at a speed.
@@ -111,7 +109,6 @@ contains
       real(dp), intent(out) :: stress
       !> Does the law hold?
       logical, intent(out) :: is_valid
-      type(friction_law_t) :: without
       real(dp) :: beta, slope
 
       stress = 0
@@ -119,9 +116,7 @@ contains
       is_valid = .true.
       if (is_coupled(values(in%coupling))) then
          beta = coupling_of(values(in%poisson_ratio))
-         without = law
-         without%pressure_factor = 0
-         call without%get_stress(speed, 0.0_dp, values(in%temperature), stress, slope, is_valid)
+         call law%get_stress(speed, 0.0_dp, values(in%temperature), stress, slope, is_valid)
          stress = beta*stress
       end if
       if (is_valid) contact = coupled_cylinder(beta*law%pressure_factor, stress, values(in%radius), &
@@ -163,6 +158,16 @@ contains
       if (values(in%load) > 0) results(out%friction_coefficient) = results(out%friction_force)/values(in%load)
    end subroutine store_friction
 
+   !> Pressure at the nodes of a contact [Pa].
+   pure function node_pressures(contact) result(pressure)
+      type(coupled_cylinder_t), intent(in) :: contact
+      real(dp) :: pressure(n_contact_nodes), x(n_contact_nodes)
+      integer :: i
+
+      x = contact_nodes(contact%centre, contact%half_width)
+      pressure = [(contact%cylinder_pressure_at(x(i)), i=1, n_contact_nodes)]
+   end function node_pressures
+
    !> Shear of a contact per length.
    pure subroutine get_shear(values, law, speed, contact, shear, slope, is_valid)
       real(dp), intent(in) :: values(:)
@@ -173,15 +178,10 @@ contains
       !> The shear [N/m], and its change by ln v in this contact.
       real(dp), intent(out) :: shear, slope
       logical, intent(out) :: is_valid
-      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes)
-      integer :: i
 
       if (law%depends_on_pressure() .and. contact%half_width > 0) then
-         x = contact_nodes(contact%centre, contact%half_width)
-         do i = 1, n_contact_nodes
-            pressure(i) = contact%cylinder_pressure_at(x(i))
-         end do
-         call integrate_shear(law, speed, values(in%temperature), contact%half_width, pressure, shear, slope, is_valid)
+         call integrate_shear(law, speed, values(in%temperature), contact%half_width, node_pressures(contact), shear, slope, &
+            & is_valid)
       else
          call get_shear_of_area(law, speed, values(in%temperature), 2*contact%half_width, values(in%load), shear, slope, is_valid)
       end if

@@ -95,13 +95,10 @@ contains
       type(friction_law_t), intent(in) :: law
       !> Speed [m/s].
       real(dp), intent(in) :: speed
-      type(friction_law_t) :: without
       real(dp) :: slope
       logical :: is_valid
 
-      without = law
-      without%pressure_factor = 0
-      call without%get_stress(speed, 0.0_dp, values(in%temperature), stress, slope, is_valid)
+      call law%get_stress(speed, 0.0_dp, values(in%temperature), stress, slope, is_valid)
       if (.not. is_valid) stress = not_a_number()
    end function constant_stress
 

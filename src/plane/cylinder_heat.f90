@@ -1,9 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Heat of a cylinder that slides: the mean temperature of its contact, which the law of friction has.
 !>
-!> Heat at a point warms the contact in the mean by half of what a uniform band would warm that point if it moved the other way: so
-!> the
-!> closed form of the band serves every distribution of heat. No heat leaves the surface beside the contact.
+!> Heat at a point warms the contact in the mean by half of what a uniform band would warm that point if it moved the other way:
+!> so the closed form of the band serves every distribution of heat. No heat leaves the surface beside the contact.
 module adfric_plane_cylinder_heat
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number

@@ -4,6 +4,7 @@ module adfric_plane_cylinder_interface
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_unset, only: is_set
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
    use adfric_interface_heat_rows, only: doubt_heat, h_bulk, h_contact, has_heat, n_heat_results
@@ -46,20 +47,18 @@ contains
       real(dp), intent(inout) :: results(:)
       !> Is it known?
       logical, intent(out) :: is_valid
-      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), fine_pressure(n_fine)
+      real(dp) :: fine_pressure(n_fine)
       integer :: i
 
       temperature = values(in%temperature)
       is_valid = .true.
       if (.not. has_heat(values(in%heat))) return
       associate (slide => point%slide, contact => point%contact)
-         x = contact_nodes(contact%contact_shift, contact%half_width)
-         pressure = [(slide%pressure_at(contact, x(i)), i=1, n_contact_nodes)]
          fine_pressure = [(slide%pressure_at(contact, contact%contact_shift + contact%half_width*(2*i - 1 - n_fine)/n_fine), &
             & i=1, n_fine)]
          results(out%heat(h_bulk)) = abs(values(in%velocity)*contact%friction_force)
-         call find_cylinder_temperature(values(in%heat), law, values(in%velocity), temperature, contact%half_width, pressure, &
-            & fine_pressure, results(out%heat(1):out%heat(n_heat_results)), is_valid)
+         call find_cylinder_temperature(values(in%heat), law, values(in%velocity), temperature, contact%half_width, &
+            & node_pressures(slide, contact), fine_pressure, results(out%heat(1):out%heat(n_heat_results)), is_valid)
       end associate
    end subroutine set_temperature
 
@@ -133,20 +132,26 @@ contains
       type(cylinder_point_t), intent(in) :: point
       !> In: with the friction. Out: with what is left out; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes)
-      integer :: i
 
       associate (state => point%contact, material => values(in%material(1):in%temperature))
-         if (.not. state%half_width > 0) return
-         x = contact_nodes(state%contact_shift, state%half_width)
-         do i = 1, n_contact_nodes
-            pressure(i) = point%slide%pressure_at(state, x(i))
-         end do
-         results(out%coupling_left_out) = left_out_of_line(law, abs(values(in%velocity)), values(in%temperature), pressure, &
-            & state%half_width, 0.0_dp, poisson_ratio_of(material), modulus_of_contact(point%prony, abs(values(in%velocity)) &
-            & *shift_factor_of(material, spectrum), state%half_width), results(out%friction_force))
+         if (.not. (state%half_width > 0 .and. is_set(poisson_ratio_of(material)))) return
+         results(out%coupling_left_out) = left_out_of_line(law, abs(values(in%velocity)), values(in%temperature), &
+            & node_pressures(point%slide, state), state%half_width, 0.0_dp, poisson_ratio_of(material), &
+            & modulus_of_contact(point%prony, abs(values(in%velocity))*shift_factor_of(material, spectrum), state%half_width), &
+            & results(out%friction_force))
       end associate
    end subroutine add_left_out
+
+   !> Pressure at the nodes of a contact [Pa].
+   pure function node_pressures(slide, state) result(pressure)
+      type(cylinder_slide_t), intent(in) :: slide
+      type(cylinder_slide_state_t), intent(in) :: state
+      real(dp) :: pressure(n_contact_nodes), x(n_contact_nodes)
+      integer :: i
+
+      x = contact_nodes(state%contact_shift, state%half_width)
+      pressure = [(slide%pressure_at(state, x(i)), i=1, n_contact_nodes)]
+   end function node_pressures
 
    !> Shear of a contact per length.
    pure subroutine get_shear(values, law, temperature, slide, state, shear, slope, is_valid)
@@ -159,19 +164,14 @@ contains
       !> The shear [N/m], and its change by ln v in this contact.
       real(dp), intent(out) :: shear, slope
       logical, intent(out) :: is_valid
-      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes)
-      integer :: i
 
       if (.not. law%depends_on_pressure() .or. .not. state%half_width > 0) then
          call get_shear_of_area(law, abs(values(in%velocity)), temperature, 2*state%half_width, values(in%load), shear, slope, &
             & is_valid)
          return
       end if
-      x = contact_nodes(state%contact_shift, state%half_width)
-      do i = 1, n_contact_nodes
-         pressure(i) = slide%pressure_at(state, x(i))
-      end do
-      call integrate_shear(law, abs(values(in%velocity)), temperature, state%half_width, pressure, shear, slope, is_valid)
+      call integrate_shear(law, abs(values(in%velocity)), temperature, state%half_width, node_pressures(slide, state), shear, &
+         & slope, is_valid)
    end subroutine get_shear
 
    !> Set the shear stress along x.

@@ -87,7 +87,7 @@ contains
       real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), half_width
       integer :: i
 
-      if (.not. point%contact%contact_fraction > 0) return
+      if (.not. (point%contact%contact_fraction > 0 .and. is_set(poisson_ratio_of(values(in%material(1):in%temperature))))) return
       half_width = point%contact%contact_fraction*values(in%period)/2
       x = contact_nodes(merge(0.0_dp, point%contact%contact_shift, point%contact%is_full), half_width)
       do i = 1, n_contact_nodes
@@ -110,7 +110,8 @@ contains
       type(time_temperature_t) :: none
       real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), gap(n_contact_nodes)
 
-      if (.not. results(out%contact_fraction) > 0 .or. is_set(values(in%second_young_modulus))) return
+      if (.not. (results(out%contact_fraction) > 0 .and. is_set(values(in%poisson_ratio)))) return
+      if (is_set(values(in%second_young_modulus))) return
       call get_friction_law(interface_of(values), given, none, law)
       x = contact_nodes(0.0_dp, results(out%contact_width)/2)
       call get_elastic_wave_profiles(values, results, x, pressure, gap)

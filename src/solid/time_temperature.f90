@@ -9,7 +9,7 @@ module adfric_solid_time_temperature
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: time_temperature_t, get_shift_factor, shift_none, shift_wlf, shift_arrhenius, gas_constant
+   public :: time_temperature_t, get_shift_factor, log_slope, shift_none, shift_wlf, shift_arrhenius, gas_constant
 
    !> Laws of the shift: none, so that a_T = 1; WLF; Arrhenius.
    integer, parameter :: shift_none = 0, shift_wlf = 1, shift_arrhenius = 2
@@ -32,6 +32,7 @@ module adfric_solid_time_temperature
       real(dp) :: activation_energy = 0
    contains
       procedure :: get_shift_factor
+      procedure :: log_slope
    end type time_temperature_t
 
 contains
@@ -64,5 +65,16 @@ contains
          end select
       end associate
    end subroutine get_shift_factor
+
+   !> d ln a_T/dT at a temperature at which the law holds [1/K].
+   elemental real(dp) function log_slope(self, temperature)
+      class(time_temperature_t), intent(in) :: self
+      !> Temperature T [K].
+      real(dp), intent(in) :: temperature
+
+      log_slope = 0
+      if (self%law == shift_wlf) log_slope = -log(10.0_dp)*self%c1*self%c2/(self%c2 + temperature - self%reference_temperature)**2
+      if (self%law == shift_arrhenius) log_slope = -self%activation_energy/(gas_constant*temperature**2)
+   end function log_slope
 
 end module adfric_solid_time_temperature
