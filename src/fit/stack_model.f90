@@ -122,13 +122,22 @@ contains
       allocate (self%profiles(n_profiles))
       associate (of_data => self%fit%data_sets(1))
          call get_units(self%fit, of_data, x_unit, y_unit)
-         self%profiles(p_abscissa) = profile_t(name='abscissa', unit=x_unit, &
-            long_name=self%fit%model%variables(of_data%abscissa)%name)
-         self%profiles(p_ordinate) = profile_t(name='ordinate', unit=y_unit, &
-            long_name=self%fit%model%results(of_data%ordinate)%name)
+         self%profiles(p_abscissa) = row('abscissa', x_unit, self%fit%model%variables(of_data%abscissa)%name)
+         self%profiles(p_ordinate) = row('ordinate', y_unit, self%fit%model%results(of_data%ordinate)%name)
       end associate
-      self%profiles(p_fitted) = profile_t(name='fitted', unit=y_unit, long_name='the model at the measured points')
-      self%profiles(p_residual) = profile_t(name='residual', unit='-', long_name='residuals in standard errors')
+      self%profiles(p_fitted) = row('fitted', y_unit, 'the model at the measured points')
+      self%profiles(p_residual) = row('residual', '-', 'residuals in standard errors')
+   contains
+      !> A profile. gfortran 12 copies too much into a constructor that has two components of deferred length.
+      function row(name, unit, long_name) result(p)
+         !> Its name, unit and meaning.
+         character(*), intent(in) :: name, unit, long_name
+         type(profile_t) :: p
+
+         p%name = name
+         p%unit = unit
+         p%long_name = long_name
+      end function row
    end subroutine set_profile_rows
 
    !> The table of variables.
