@@ -142,13 +142,10 @@ contains
       !> Pressure and shear stress [Pa], displacement and gap [m]; shape `(n_x, n_y, 4)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       type(friction_law_t) :: law
-      integer :: j
 
       call get_friction_law(interface_of(values), given_law, shift_of_columns(values, given), law)
-      do j = 1, size(profiles, 2)
-         profiles(:, j, 2) = profiles(:, j, 2) + interface_tractions(law, values(in%velocity), values(in%temperature), &
-            & profiles(:, j, 1), has_contact .and. profiles(:, j, 4) <= touching*maxval(profiles(:, :, 4)))
-      end do
+      profiles(:, :, 2) = profiles(:, :, 2) + interface_tractions(law, values(in%velocity), values(in%temperature), &
+         & profiles(:, :, 1), has_contact .and. profiles(:, :, 4) <= touching*maxval(profiles(:, :, 4)))
    end subroutine add_column_tractions
 
 end module adfric_foundation_interface

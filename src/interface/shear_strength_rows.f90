@@ -52,15 +52,15 @@ contains
          & long_name='shear stress of friction in contact, of a shear strength or in partial slip; 0 outside')
    end function shear_profiles
 
-   !> Shear stress of indices, of values that have been checked, not all of them unset [Pa].
+   !> Shear stress of cells, of values that have been checked, not all of them unset [Pa].
    pure function shear_stress(values, pressure, is_contact) result(stress)
       !> Values of the rows; shape `(n_shear_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Pressure, below 0 where adhesion pulls [Pa]; shape `(n_indices)`.
-      real(dp), intent(in) :: pressure(:)
-      !> Do the surfaces touch? Shape `(n_indices)`.
-      logical, intent(in) :: is_contact(:)
-      real(dp) :: stress(size(pressure)), factor
+      !> Pressure, below 0 where adhesion pulls [Pa]; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+      !> Do the surfaces touch? Shape `(nx, ny)`.
+      logical, intent(in) :: is_contact(:, :)
+      real(dp) :: stress(size(pressure, 1), size(pressure, 2)), factor
 
       factor = 0
       if (is_set(values(pressure_factor))) factor = values(pressure_factor)

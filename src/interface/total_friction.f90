@@ -113,29 +113,26 @@ contains
       if (shear > 0) slope = slope_of_stress*stress*area
    end subroutine get_shear_of_area
 
-   !> Shear stress along a profile [Pa], with the sign of the velocity; NaN where the law does not hold.
-   pure function interface_tractions(law, velocity, temperature, pressure, is_contact) result(stress)
+   !> Shear stress of profiles and maps [Pa], with the sign of the velocity; NaN where the law does not hold.
+   elemental function interface_tractions(law, velocity, temperature, pressure, is_contact) result(stress)
       !> The law of the interface.
       type(friction_law_t), intent(in) :: law
       !> Velocity [m/s].
       real(dp), intent(in) :: velocity
       !> Temperature [K].
       real(dp), intent(in) :: temperature
-      !> Pressure, below 0 where adhesion pulls [Pa]; shape `(n)`.
-      real(dp), intent(in) :: pressure(:)
-      !> Do the surfaces touch? Shape `(n)`.
-      logical, intent(in) :: is_contact(:)
-      real(dp) :: stress(size(pressure)), slope
+      !> Pressure, below 0 where adhesion pulls [Pa].
+      real(dp), intent(in) :: pressure
+      !> Do the surfaces touch?
+      logical, intent(in) :: is_contact
+      real(dp) :: stress, slope
       logical :: is_valid
-      integer :: i
 
       stress = 0
-      do i = 1, size(stress)
-         if (.not. is_contact(i)) cycle
-         call law%get_stress(abs(velocity), pressure(i), temperature, stress(i), slope, is_valid)
-         stress(i) = sign(1.0_dp, velocity)*stress(i)
-         if (.not. is_valid) stress(i) = not_a_number()
-      end do
+      if (.not. is_contact) return
+      call law%get_stress(abs(velocity), pressure, temperature, stress, slope, is_valid)
+      stress = sign(1.0_dp, velocity)*stress
+      if (.not. is_valid) stress = not_a_number()
    end function interface_tractions
 
    !> beta, by which the shear stress over the modulus tilts the surface of a half-space [-].

@@ -156,11 +156,11 @@ contains
       !> Values of the rows; shape `(n_friction_rows)`.
       real(dp), intent(in) :: values(:)
       type(given_law_t), intent(in) :: given
-      !> Pressure [Pa]; shape `(n)`.
-      real(dp), intent(in) :: pressure(:)
-      !> Do the surfaces touch? Shape `(n)`.
-      logical, intent(in) :: is_contact(:)
-      real(dp) :: stress(size(pressure))
+      !> Pressure [Pa]; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+      !> Do the surfaces touch? Shape `(nx, ny)`.
+      logical, intent(in) :: is_contact(:, :)
+      real(dp) :: stress(size(pressure, 1), size(pressure, 2))
       type(friction_law_t) :: law
       type(time_temperature_t) :: none
 

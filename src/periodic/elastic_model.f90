@@ -362,14 +362,11 @@ contains
       type(profile_axis_t), intent(in) :: axes(:)
       !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
-      integer :: j
 
       call self%fill_contact_maps(values, results, state, axes, profiles)
       if (size(profiles, 3) < p_shear_stress .or. has_coulomb(coulomb_values(self, values))) return
-      do j = 1, size(profiles, 2)
-         profiles(:, j, p_shear_stress) = tractions_of_friction(friction_values(self, values), self%given_law, profiles(:, j, 1), &
-            & .not. profiles(:, j, 2) > 0)
-      end do
+      profiles(:, :, p_shear_stress) = tractions_of_friction(friction_values(self, values), self%given_law, profiles(:, :, 1), &
+         & .not. profiles(:, :, 2) > 0)
    end subroutine fill_profiles
 
    !> See `model_t`: zones of adhesion that the cells do not see.

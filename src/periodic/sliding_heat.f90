@@ -20,7 +20,7 @@ module adfric_periodic_sliding_heat
    use adfric_base_unset, only: is_set
    implicit none (type, external)
    private
-   public :: find_contact_temperature, set_temperature_map, set_tractions
+   public :: find_contact_temperature, set_temperature_map
 
 contains
 
@@ -70,7 +70,8 @@ contains
          n = merge(states%n, 1, heat%is_hot)
          temperature = states%temperature(n)
          results([h_contact, h_gain, h_states]) = [temperature, states%gain(n), real(states%n, dp)]
-         call set_tractions(law, speed, temperature, pressure, is_contact, tractions)
+         allocate (tractions, mold=weights)
+         tractions(:, :) = interface_tractions(law, speed, temperature, pressure, is_contact)
          results(h_interface) = speed*sum(tractions)/size(tractions)
          results(h_background) = results(h_background) + heat%background*results(h_interface)
          results(h_flash) = speed*sum(weights*tractions)
@@ -103,24 +104,6 @@ contains
       call new_flash_cells(flash, bodies, surface%n_cells, surface%period, error)
       is_valid = .not. allocated(error)
    end subroutine set_flash
-
-   !> Shear stress of all cells.
-   subroutine set_tractions(law, speed, temperature, pressure, is_contact, tractions)
-      type(friction_law_t), intent(in) :: law
-      !> Speed [m/s], and temperature of the contact [K].
-      real(dp), intent(in) :: speed, temperature
-      !> Pressure in the cells [Pa], and where the faces touch; shape `(nx, ny)`.
-      real(dp), intent(in) :: pressure(:, :)
-      logical, intent(in) :: is_contact(:, :)
-      !> Receives the shear stress [Pa].
-      real(dp), allocatable, intent(out) :: tractions(:, :)
-      integer :: j
-
-      allocate (tractions(size(pressure, 1), size(pressure, 2)))
-      do j = 1, size(pressure, 2)
-         tractions(:, j) = interface_tractions(law, speed, temperature, pressure(:, j), is_contact(:, j))
-      end do
-   end subroutine set_tractions
 
    !> Set the map of the temperature of the surface.
    subroutine set_temperature_map(values, surface, is_contact, tractions, rise, map)

@@ -15,7 +15,8 @@ module adfric_periodic_sliding_interface
    use adfric_interface_heat_rows, only: check_heat, doubt_heat, h_background, h_contact, h_interface, has_heat, n_heat_results
    use adfric_interface_shear_coupling, only: is_coupled
    use adfric_interface_shear_strength_rows, only: p_shear_stress
-   use adfric_interface_total_friction, only: coupling_of, doubt_coupling, get_shear_of_area, sliding_friction_t
+   use adfric_interface_total_friction, only: coupling_of, doubt_coupling, get_shear_of_area, interface_tractions, &
+      & sliding_friction_t
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: n_spectrum_rows, solid_shift_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
@@ -25,7 +26,7 @@ module adfric_periodic_sliding_interface
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_sliding_case, only: poisson_ratio_of_solid
-   use adfric_periodic_sliding_heat, only: find_contact_temperature, set_temperature_map, set_tractions
+   use adfric_periodic_sliding_heat, only: find_contact_temperature, set_temperature_map
    use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_coupling, s_friction, s_heat, s_last_adhesion, &
       & s_last_heat, s_temperature, s_thickness, s_velocity, out => sliding_output
    use adfric_periodic_variables, only: periodic_output
@@ -203,11 +204,10 @@ contains
       !> In: pressure [Pa] and gap [m]. Out: with shear stress [Pa] and temperature [K]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: maps(:, :, :)
       type(friction_law_t) :: law
-      real(dp), allocatable :: shear(:, :)
 
       call law_of_surface(values, spectrum, given, law)
-      call set_tractions(law, values(s_velocity), temperature_of(values, results), maps(:, :, 1), .not. maps(:, :, 2) > 0, shear)
-      maps(:, :, p_shear_stress) = shear
+      maps(:, :, p_shear_stress) = interface_tractions(law, values(s_velocity), temperature_of(values, results), maps(:, :, 1), &
+         & .not. maps(:, :, 2) > 0)
       if (size(maps, 3) > p_shear_stress) call set_temperature_map(values, surface, .not. maps(:, :, 2) > 0, &
          & maps(:, :, p_shear_stress), results(out%heat(h_background)), maps(:, :, p_shear_stress + 1))
    end subroutine set_interface_maps
@@ -274,7 +274,8 @@ contains
          return
       end if
       call law_of_surface(values, spectrum, given, law)
-      call set_tractions(law, values(s_velocity), temperature_of(values, results), pressure, is_contact, shear)
+      allocate (shear, mold=pressure)
+      shear(:, :) = interface_tractions(law, values(s_velocity), temperature_of(values, results), pressure, is_contact)
       results(out%coupling_left_out) = change_on_cells(solid%kernel, coupling, pressure, shear, period/period(1)) &
          & /solid%modulus/abs(results(out%friction_stress))
    end subroutine add_left_out

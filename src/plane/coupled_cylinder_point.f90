@@ -198,7 +198,7 @@ contains
       real(dp), intent(inout) :: profiles(:, :, :)
       type(friction_law_t) :: law
       real(dp) :: position
-      integer :: i, j
+      integer :: i
 
       do i = 1, size(x)
          position = sign(1.0_dp, values(in%velocity))*x(i)
@@ -206,10 +206,8 @@ contains
          profiles(i, :, 2) = state%contact%cylinder_gap_at(position)
       end do
       call law_of_cylinder(values, given, law)
-      do j = 1, size(profiles, 2)
-         profiles(:, j, 3) = interface_tractions(law, values(in%velocity), values(in%temperature), profiles(:, j, 1), &
-            & profiles(:, j, 1) > 0)
-      end do
+      profiles(:, :, 3) = interface_tractions(law, values(in%velocity), values(in%temperature), profiles(:, :, 1), &
+         & profiles(:, :, 1) > 0)
    end subroutine get_coupled_cylinder_profiles
 
 end module adfric_plane_coupled_cylinder_point

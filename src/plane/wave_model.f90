@@ -268,8 +268,8 @@ contains
          profiles(:, 1, p_shear_stress) = wave_tractions(values, self%given, self%given_law, profiles(:, 1, 1), &
             & results(out%contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
       else
-         profiles(:, 1, p_shear_stress) = shear_stress(values(in%shear_strength:in%pressure_factor), profiles(:, 1, 1), &
-            & results(out%contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
+         profiles(:, :, p_shear_stress) = shear_stress(values(in%shear_strength:in%pressure_factor), profiles(:, :, 1), &
+            & results(out%contact_width) > 0 .and. .not. profiles(:, :, 2) > 0)
       end if
    end subroutine fill_profiles
 
