@@ -289,7 +289,7 @@ contains
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
       !> Solution of the point; lengths in m, pressures in E*.
-      type(periodic_solution_t), intent(in) :: solution
+      type(periodic_solution_t), intent(inout) :: solution
       !> In: with the results that all these models have. Out: with all; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the area of contact [-]; above 1 where the cells do not see the edge of adhesion.

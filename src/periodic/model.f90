@@ -328,7 +328,7 @@ contains
       end select
    end subroutine solve_point
 
-   !> See `pointwise_model_t`: the maps of pressure and gap, and of the shear stress in partial slip.
+   !> See `pointwise_model_t`: the maps of pressure and gap, and of the shear stress in partial slip, or of flashes.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, not used here.
@@ -338,7 +338,7 @@ contains
       class(point_state_t), allocatable, intent(in) :: state
       !> Axes of the maps, not used here: a map has a value in each cell.
       type(profile_axis_t), intent(in) :: axes(:)
-      !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
+      !> Receives the maps of pressure [Pa], gap [m], shear stress [Pa] and flashes [K]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
 
       select type (state)
@@ -346,6 +346,7 @@ contains
          profiles(:, :, 1) = state%solution%pressure*state%surface%solid%modulus
          profiles(:, :, 2) = state%solution%gap
          if (allocated(state%slip)) profiles(:, :, 3) = state%slip%traction*state%surface%solid%modulus
+         if (allocated(state%solution%flash)) profiles(:, :, 4) = state%solution%flash
       end select
       associate (unused => self, unused_values => values, unused_results => results, unused_axes => axes)
       end associate
@@ -433,7 +434,7 @@ contains
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
       !> Solution of the point; lengths in m, pressures in E*.
-      type(periodic_solution_t), intent(in) :: solution
+      type(periodic_solution_t), intent(inout) :: solution
       !> In: with the results that all these models have. Out: with all; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].

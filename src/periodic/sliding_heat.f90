@@ -20,12 +20,12 @@ module adfric_periodic_sliding_heat
    use adfric_base_unset, only: is_set
    implicit none (type, external)
    private
-   public :: find_contact_temperature, set_temperature_map
+   public :: find_contact_temperature
 
 contains
 
-   !> The temperature of the contact, and all results of heat.
-   subroutine find_contact_temperature(values, law, surface, pressure, is_contact, losses, temperature, results, is_valid)
+   !> The temperature of the contact, all results of heat, and the map of flashes.
+   subroutine find_contact_temperature(values, law, surface, pressure, is_contact, losses, temperature, results, rise, is_valid)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
       type(friction_law_t), intent(in) :: law
@@ -40,16 +40,19 @@ contains
       real(dp), intent(out) :: temperature
       !> Receives the results; shape `(n_heat_results)`.
       real(dp), intent(out) :: results(:)
+      !> Receives the flash temperatures of the surface of the solid [K]; shape `(nx, ny)`.
+      real(dp), allocatable, intent(out) :: rise(:, :)
       !> Were the states and the partition of the heat found?
       logical, intent(out) :: is_valid
       type(flash_cells_t) :: flash
       type(heat_t) :: heat
       type(heated_contact_t) :: contact
       type(thermal_states_t) :: states
-      real(dp), allocatable :: weights(:, :), rise(:, :), tractions(:, :)
+      real(dp), allocatable :: weights(:, :), tractions(:, :)
       integer :: n
 
       results = not_a_number()
+      allocate (rise(size(pressure, 1), size(pressure, 2)), source=0.0_dp)
       temperature = values(s_temperature)
       call get_heat(values(s_heat:s_last_heat), values(s_thickness), heat)
       n = count(is_contact)
@@ -59,7 +62,7 @@ contains
          temperature = temperature + results(h_background)
          results(h_interface) = 0
          if (n == 0) return
-         allocate (weights(size(pressure, 1), size(pressure, 2)), source=0.0_dp)
+         allocate (weights, source=rise)
          if (speed > 0) call set_flash(heat, values, surface, flash, is_valid)
          if (speed > 0 .and. is_valid) call flash%get_weights(is_contact, weights, is_valid)
          if (.not. is_valid) return
@@ -77,7 +80,6 @@ contains
          results(h_flash) = speed*sum(weights*tractions)
          results([h_peak, h_share]) = [0.0_dp, not_a_number()]
          if (.not. results(h_interface) > 0) return
-         allocate (rise, mold=weights)
          call flash%get_temperature(is_contact, speed*tractions, rise, results(h_share), is_valid)
          results(h_peak) = maxval(rise)
       end associate
@@ -104,36 +106,5 @@ contains
       call new_flash_cells(flash, bodies, surface%n_cells, surface%period, error)
       is_valid = .not. allocated(error)
    end subroutine set_flash
-
-   !> Set the map of the temperature of the surface.
-   subroutine set_temperature_map(values, surface, is_contact, tractions, rise, map)
-      !> Values of the rows of the solid; shape `(n_solid_rows)`.
-      real(dp), intent(in) :: values(:)
-      !> Periods and cells of the surface [m], and the solid with the direction of the motion.
-      type(periodic_surface_t), intent(in) :: surface
-      !> Where the faces touch, and the shear stress [Pa]; shape `(nx, ny)`.
-      logical, intent(in) :: is_contact(:, :)
-      real(dp), intent(in) :: tractions(:, :)
-      !> Rise of the background [K].
-      real(dp), intent(in) :: rise
-      !> Receives the temperature [K]; NaN where it is not known; shape `(nx, ny)`.
-      real(dp), intent(out) :: map(:, :)
-      type(flash_cells_t) :: flash
-      type(heat_t) :: heat
-      real(dp), allocatable :: heat_of_cells(:, :)
-      real(dp) :: share
-      logical :: is_valid
-
-      call get_heat(values(s_heat:s_last_heat), values(s_thickness), heat)
-      map = 0
-      is_valid = .true.
-      if (values(s_velocity) > 0 .and. any(tractions > 0)) then
-         call set_flash(heat, values, surface, flash, is_valid)
-         heat_of_cells = values(s_velocity)*tractions
-         if (is_valid) call flash%get_temperature(is_contact, heat_of_cells, map, share, is_valid)
-      end if
-      map = map + values(s_temperature) + rise
-      if (.not. is_valid) map = not_a_number()
-   end subroutine set_temperature_map
 
 end module adfric_periodic_sliding_heat

@@ -26,7 +26,7 @@ module adfric_periodic_sliding_interface
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_sliding_case, only: poisson_ratio_of_solid
-   use adfric_periodic_sliding_heat, only: find_contact_temperature, set_temperature_map
+   use adfric_periodic_sliding_heat, only: find_contact_temperature
    use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_coupling, s_friction, s_heat, s_last_adhesion, &
       & s_last_heat, s_temperature, s_thickness, s_velocity, out => sliding_output
    use adfric_periodic_variables, only: periodic_output
@@ -114,7 +114,7 @@ contains
    end subroutine check_surface_interface
 
    !> Add the interface to the friction of a point, and its heat.
-   subroutine add_surface_interface(values, spectrum, given, surface, pressure, is_contact, results, is_valid)
+   subroutine add_surface_interface(values, spectrum, given, surface, pressure, is_contact, results, flash, is_valid)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
@@ -126,6 +126,8 @@ contains
       logical, intent(in) :: is_contact(:, :)
       !> In: results of the frictionless contact. Out: with both parts of the friction; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> Receives with heat the flash temperatures [K]; shape `(nx, ny)`.
+      real(dp), allocatable, intent(out) :: flash(:, :)
       !> Does the law hold at this velocity and temperature, and is that of the contact known?
       logical, intent(out) :: is_valid
       type(friction_law_t) :: law
@@ -138,7 +140,7 @@ contains
       friction%hysteretic = results(out%friction_stress)
       temperature = values(s_temperature)
       if (has_surface_heat(values)) call find_contact_temperature(values, law, surface, pressure, is_contact, &
-         & friction%hysteretic, temperature, results(out%heat(1):out%heat(n_heat_results)), is_valid)
+         & friction%hysteretic, temperature, results(out%heat(1):out%heat(n_heat_results)), flash, is_valid)
       if (.not. is_valid) return
       associate (area => results(periodic_output%contact_fraction))
          if (law%depends_on_pressure() .and. area > 0) then
@@ -192,24 +194,22 @@ contains
    end subroutine get_mean_of_cells
 
    !> Set the map of the shear stress, and with heat that of the temperature.
-   subroutine set_interface_maps(values, spectrum, given, surface, results, maps)
+   subroutine set_interface_maps(values, spectrum, given, results, maps)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given
-      !> Periods and cells of the surface [m], and its solid.
-      type(periodic_surface_t), intent(in) :: surface
       !> Results of the point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
-      !> In: pressure [Pa] and gap [m]. Out: with shear stress [Pa] and temperature [K]; shape `(nx, ny, n_profiles)`.
+      !> In: pressure [Pa], gap [m] and flashes [K]. Out: with shear stress [Pa] and temperature [K]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: maps(:, :, :)
       type(friction_law_t) :: law
 
       call law_of_surface(values, spectrum, given, law)
       maps(:, :, p_shear_stress) = interface_tractions(law, values(s_velocity), temperature_of(values, results), maps(:, :, 1), &
          & .not. maps(:, :, 2) > 0)
-      if (size(maps, 3) > p_shear_stress) call set_temperature_map(values, surface, .not. maps(:, :, 2) > 0, &
-         & maps(:, :, p_shear_stress), results(out%heat(h_background)), maps(:, :, p_shear_stress + 1))
+      if (size(maps, 3) > p_shear_stress) maps(:, :, p_shear_stress + 1) = maps(:, :, p_shear_stress + 1) &
+         & + values(s_temperature) + results(out%heat(h_background))
    end subroutine set_interface_maps
 
    !> Temperature of the contact [K]: with heat that of the slip.

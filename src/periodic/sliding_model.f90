@@ -370,7 +370,7 @@ contains
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
       !> Solution of the point; lengths in m, pressures in E0.
-      type(periodic_solution_t), intent(in) :: solution
+      type(periodic_solution_t), intent(inout) :: solution
       !> In: with the results that all these models have. Out: with all; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the friction [-]; where there is none, that of the area.
@@ -384,7 +384,7 @@ contains
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
       end select
       call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, surface, &
-         & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, results, is_valid)
+         & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, results, solution%flash, is_valid)
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
          if (is_valid) call add_left_out(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, solid, &
@@ -419,14 +419,10 @@ contains
       type(profile_axis_t), intent(in) :: axes(:)
       !> Receives the maps of pressure [Pa], gap [m], shear stress [Pa] and temperature [K]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
-      type(periodic_surface_t) :: surface
 
       call self%fill_contact_maps(values, results, state, axes, profiles)
-      if (size(profiles, 3) < p_shear_stress) return
-      call self%get_cells(values, surface)
-      call self%set_solid(values, surface)
-      call set_interface_maps(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, surface, results, &
-         & profiles)
+      if (size(profiles, 3) >= p_shear_stress) call set_interface_maps(values(self%first_of_solid:self%last_of_solid), &
+         & self%spectrum, self%given_law, results, profiles)
    end subroutine fill_profiles
 
    !> See `periodic_model_t`: moduli and shift factor, the frequencies of the surface, and the cells of a wave.

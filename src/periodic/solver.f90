@@ -53,6 +53,8 @@ module adfric_periodic_solver
       real(dp) :: full_pressure = 0
       !> Shares of the cells within the range of adhesion, not allocated without; shape of the cells.
       real(dp), allocatable :: share(:, :)
+      !> Flash temperatures of a surface that slides [K], not allocated without heat; shape of the cells.
+      real(dp), allocatable :: flash(:, :)
       !> Energy of an elastic solid, and of adhesion below 0, per area [E* times the unit of the gap].
       real(dp) :: elastic_energy = 0, adhesion_energy = 0
       !> Pull-off, where it was sought and found [E*]; else the largest number.
