@@ -11,7 +11,7 @@ module adfric_foundation_interface
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, i_pressure_volume, &
       & n_interface_rows, needs_temperature
-   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
+   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_solid_shift_rows, only: time_temperature_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_table, only: variable_t
@@ -89,7 +89,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
       type(given_law_t), intent(in) :: given_law
-      !> Results of the frictionless contact at the velocities of `log_steps`; shape `(n_results, n_steps)`.
+      !> Results of the frictionless contact at the velocities of `near_ratios`; shape `(n_results, n_steps)`.
       real(dp), intent(in) :: others(:, :)
       !> In: results of the frictionless contact. Out: with both parts of the friction; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -107,7 +107,7 @@ contains
       call get_shear(results, friction%interfacial, friction%interfacial_slope, is_valid)
       if (.not. is_valid) return
       friction%neighbours = not_a_number()
-      do k = 1, size(log_steps)
+      do k = 1, size(near_ratios)
          if (.not. ieee_is_finite(others(out%friction_force, k))) cycle
          call get_shear(others(:, k), shear, unused, is_solved)
          friction%neighbours(k) = others(out%friction_force, k) + shear

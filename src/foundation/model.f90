@@ -7,7 +7,7 @@ module adfric_foundation_model
    use adfric_base_unset, only: is_set
    use adfric_interface_friction_law_rows, only: given_law_t, has_interface, take_law_attribute, take_law_table
    use adfric_interface_shear_strength_rows, only: n_shear_rows
-   use adfric_interface_total_friction, only: log_steps
+   use adfric_interface_total_friction, only: near_ratios
    use adfric_describe_derived, only: derived_t
    use adfric_describe_model, only: model_t
    use adfric_describe_rows, only: count_row, set_coordinate
@@ -274,7 +274,7 @@ contains
       integer, intent(out) :: status(:)
       !> Receives the number of strips solved for all points of the block, and of those among them in closed form.
       real(dp), intent(out) :: counts(:)
-      real(dp) :: others(size(results, 1), size(log_steps), size(results, 2)), moved(size(values, 1), size(values, 2))
+      real(dp) :: others(size(results, 1), size(near_ratios), size(results, 2)), moved(size(values, 1), size(values, 2))
       real(dp) :: unused_errors(size(status)), unused_counts(size(counts))
       integer :: unused_status(size(status)), i, k
       logical :: is_valid
@@ -283,11 +283,11 @@ contains
       if (size(status) == 0) return
       if (.not. has_interface(interface_of(values(:, 1)))) return
       others = not_a_number()
-      do k = 1, size(log_steps)
+      do k = 1, size(near_ratios)
          ! what is stepped takes long, and two velocities will do
          if (is_stepped(values(:, 1)) .and. any(k == [1, 4])) cycle
          moved = values
-         moved(in%velocity, :) = moved(in%velocity, :)*exp(log_steps(k))
+         moved(in%velocity, :) = moved(in%velocity, :)*near_ratios(k)
          moved(in%pull_off, :) = 0
          call solve_contacts(self, moved, others(:, k, :), unused_errors, unused_status, unused_counts)
       end do

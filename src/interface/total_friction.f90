@@ -19,12 +19,12 @@ module adfric_interface_total_friction
    implicit none (type, external)
    private
    public :: sliding_friction_t, total_friction_results, get_shear_of_area, interface_tractions, doubt_coupling, coupling_of
-   public :: n_total_results, log_steps
+   public :: n_total_results, near_ratios
 
    !> Number of the results of `total_friction_results`.
    integer, parameter :: n_total_results = 4
-   !> Logarithms of the velocities at which a contact is solved for its slope, over that of the point.
-   real(dp), parameter :: step = 5.0e-3_dp, log_steps(4) = step*[-2, -1, 1, 2]
+   !> Steps of ln v, and velocities at which a contact is solved for its slope, over that of the point.
+   real(dp), parameter :: step = 5.0e-3_dp, near_ratios(4) = exp(step*[-2, -1, 1, 2])
 
    !> Friction of a point, in any unit of a stress or a force.
    type :: sliding_friction_t
@@ -33,13 +33,14 @@ module adfric_interface_total_friction
       !> Of losses, with the sign of the velocity or, on a leading slope, against it; that of the interface, >= 0; and its change by
       !> ln v in this contact.
       real(dp) :: hysteretic = 0, interfacial = 0, interfacial_slope = 0
-      !> Sums of both at the velocities of `log_steps`, with the law at the velocity of the point; NaN where not solved. Of those
+      !> Sums of both at the velocities of `near_ratios`, with the law at the velocity of the point; NaN where not solved. Of those
       !> furthest off both may be left out.
       real(dp) :: neighbours(4) = 0
       !> Are those furthest off there?
       logical :: has_outer = .true.
    contains
       procedure :: get_results
+      procedure :: store
    end type sliding_friction_t
 
 contains
@@ -82,6 +83,22 @@ contains
       end associate
       parts(4) = self%direction*(change + self%interfacial_slope)/total
    end subroutine get_results
+
+   !> Store the friction, its ratio to a load, and what stands in the rows of `total_friction_results`.
+   pure subroutine store(self, velocity, load, total, coefficient, parts)
+      class(sliding_friction_t), intent(in) :: self
+      !> Velocity [m/s], and load in the unit of the friction.
+      real(dp), intent(in) :: velocity, load
+      !> The friction, with the sign of the velocity.
+      real(dp), intent(out) :: total
+      !> Receives friction over load [-] where the load presses.
+      real(dp), intent(inout) :: coefficient
+      !> The results; shape `(n_total_results)`.
+      real(dp), intent(out) :: parts(:)
+
+      call self%get_results(velocity, total, parts)
+      if (load > 0) coefficient = total/load
+   end subroutine store
 
    !> Shear of an interface whose stress is the same in all of the contact but for what goes with the pressure itself.
    pure subroutine get_shear_of_area(law, speed, temperature, area, load, shear, slope, is_valid)

@@ -157,10 +157,8 @@ contains
       if (has_surface_heat(values)) results(out%heat(h_interface)) = values(s_velocity)*friction%interfacial
       ! the slope of a contact on cells is not known
       friction%neighbours = not_a_number()
-      call friction%get_results(values(s_velocity), results(out%friction_stress), &
-         & results(out%hysteretic_friction_stress:out%velocity_slope))
-      if (results(periodic_output%mean_pressure) > 0) results(out%friction_coefficient) = results(out%friction_stress) &
-         & /results(periodic_output%mean_pressure)
+      call friction%store(values(s_velocity), results(periodic_output%mean_pressure), results(out%friction_stress), &
+         & results(out%friction_coefficient), results(out%hysteretic_friction_stress:out%velocity_slope))
    end subroutine add_surface_interface
 
    !> Mean shear stress of the cells in contact.

@@ -6,7 +6,7 @@ module adfric_plane_adhesive_cylinder_interface
    use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_rows, only: get_friction_law, given_law_t
-   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
+   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_adhesive_cylinder_point, only: adhesive_cylinder_point_t, new_cylinder_case
    use adfric_plane_adhesive_cylinder_variables, only: in => adhesive_cylinder_input, out => adhesive_cylinder_output
    use adfric_plane_adhesive_sliding_nodes, only: get_nodes, nodes_t
@@ -56,9 +56,8 @@ contains
          & friction%interfacial_slope, is_valid)
       if (.not. is_valid) return
       call add_neighbours(values, spectrum, law, point, friction%neighbours)
-      call friction%get_results(values(in%velocity), results(out%friction_force), &
+      call friction%store(values(in%velocity), values(in%load), results(out%friction_force), results(out%friction_coefficient), &
          & results(out%hysteretic_friction_force:out%velocity_slope))
-      if (values(in%load) > 0) results(out%friction_coefficient) = results(out%friction_force)/values(in%load)
    end subroutine add_adhesive_cylinder_interface
 
    !> Friction at velocities nearby, each from the state of the point itself; NaN where none is found.
@@ -76,14 +75,13 @@ contains
       logical :: is_solved
 
       sums = not_a_number()
-      if (.not. abs(values(in%velocity)) > 0) return
       associate (z => point%state%zones)
          start%z = [z%middle, log(z%half_width), log(z%leading), log(z%trailing)]
       end associate
-      do k = 1, size(log_steps)
+      do k = 1, size(near_ratios)
          other%material = point%material
          other%prony = point%prony
-         call new_cylinder_case(values, spectrum, values(in%velocity)*exp(log_steps(k)), other, slide)
+         call new_cylinder_case(values, spectrum, values(in%velocity)*near_ratios(k), other, slide)
          if (.not. other%is_possible) cycle
          found = start
          call correct_point(slide, start%z, start%z, found, is_solved, point%load, by_load)

@@ -8,7 +8,7 @@ module adfric_plane_coupled_cylinder_point
    use adfric_interface_friction_law, only: friction_law_t, law_constant
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
    use adfric_interface_shear_coupling, only: is_coupled
-   use adfric_interface_total_friction, only: coupling_of, get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
+   use adfric_interface_total_friction, only: coupling_of, get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
    use adfric_plane_left_out_coupling, only: left_out_of_line
    use adfric_plane_hertz_variables, only: in => hertz_input, out => hertz_output
@@ -146,16 +146,14 @@ contains
       friction%neighbours = 0
       if (law%law /= law_constant) then
          friction%neighbours = not_a_number()
-         do k = 1, size(log_steps)
-            if (.not. speed > 0) exit
-            call find_contact(values, law, speed*exp(log_steps(k)), other, unused, is_solved)
-            if (is_solved) call get_shear(values, law, speed*exp(log_steps(k)), other, shear, unused, is_solved)
+         do k = 1, size(near_ratios)
+            call find_contact(values, law, speed*near_ratios(k), other, unused, is_solved)
+            if (is_solved) call get_shear(values, law, speed*near_ratios(k), other, shear, unused, is_solved)
             if (is_solved) friction%neighbours(k) = other%slope_friction + shear
          end do
       end if
-      call friction%get_results(values(in%velocity), results(out%friction_force), &
+      call friction%store(values(in%velocity), values(in%load), results(out%friction_force), results(out%friction_coefficient), &
          & results(out%hysteretic_friction_force:out%velocity_slope))
-      if (values(in%load) > 0) results(out%friction_coefficient) = results(out%friction_force)/values(in%load)
    end subroutine store_friction
 
    !> Pressure at the nodes of a contact [Pa].

@@ -9,7 +9,7 @@ module adfric_plane_coupled_wave_point
    use adfric_base_unset, only: is_set
    use adfric_interface_friction_law, only: friction_law_t, law_constant
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
-   use adfric_interface_total_friction, only: coupling_of, log_steps, sliding_friction_t
+   use adfric_interface_total_friction, only: coupling_of, near_ratios, sliding_friction_t
    use adfric_plane_contact_conditions, only: largest_violation
    use adfric_plane_coupled_wave_search, only: solve_coupled_wave
    use adfric_plane_sliding_coupling, only: coupled_wave_t, error_of_cut
@@ -222,17 +222,14 @@ contains
       friction%neighbours = 0
       if (law%law /= law_constant) then
          friction%neighbours = not_a_number()
-         do k = 1, size(log_steps)
-            if (.not. speed > 0) exit
-            call find_contact(values, law, speed*exp(log_steps(k)), other, status)
+         do k = 1, size(near_ratios)
+            call find_contact(values, law, speed*near_ratios(k), other, status)
             if (status == status_solved) friction%neighbours(k) = other%slope_friction*pressure_unit(values)*slope_unit(values) &
-               & + shear_of(values, law, speed*exp(log_steps(k)), other)
+               & + shear_of(values, law, speed*near_ratios(k), other)
          end do
       end if
-      call friction%get_results(values(in%velocity), results(out%friction_stress), &
-         & results(out%hysteretic_friction_stress:out%velocity_slope))
-      if (results(out%mean_pressure) > 0) results(out%friction_coefficient) = results(out%friction_stress) &
-         & /results(out%mean_pressure)
+      call friction%store(values(in%velocity), results(out%mean_pressure), results(out%friction_stress), &
+         & results(out%friction_coefficient), results(out%hysteretic_friction_stress:out%velocity_slope))
    end subroutine store_friction
 
    !> Mean shear stress of a contact [Pa].

@@ -8,7 +8,7 @@ module adfric_plane_cylinder_interface
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
    use adfric_interface_heat_rows, only: doubt_heat, h_bulk, h_contact, has_heat, n_heat_results
-   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
+   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
    use adfric_plane_left_out_coupling, only: left_out_of_line, modulus_of_contact
    use adfric_plane_cylinder_heat, only: find_cylinder_temperature
@@ -106,9 +106,8 @@ contains
          & is_valid)
       if (.not. is_valid) return
       friction%neighbours = not_a_number()
-      do k = 1, size(log_steps)
-         if (.not. abs(values(in%velocity)) > 0) exit
-         call new_cylinder_slide(slide, values(in%radius), point%prony, values(in%velocity)*exp(log_steps(k)) &
+      do k = 1, size(near_ratios)
+         call new_cylinder_slide(slide, values(in%radius), point%prony, values(in%velocity)*near_ratios(k) &
             & *shift_factor_of(values(in%material(1):in%temperature), spectrum), is_solved)
          if (is_solved) is_solved = slide%suits_load(point%prony, values(in%load))
          if (.not. is_solved) cycle
@@ -117,9 +116,8 @@ contains
          call get_shear(values, law, temperature, slide, state, shear, unused, is_solved)
          friction%neighbours(k) = friction%direction*state%friction_force + shear
       end do
-      call friction%get_results(values(in%velocity), results(out%friction_force), &
+      call friction%store(values(in%velocity), values(in%load), results(out%friction_force), results(out%friction_coefficient), &
          & results(out%hysteretic_friction_force:out%velocity_slope))
-      if (values(in%load) > 0) results(out%friction_coefficient) = results(out%friction_force)/values(in%load)
       call add_left_out(values, law, spectrum, point, results)
    end subroutine add_cylinder_interface
 

@@ -7,7 +7,7 @@ module adfric_plane_wave_interface
    use adfric_base_unset, only: is_set
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, n_interface_rows
-   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, log_steps, sliding_friction_t
+   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
    use adfric_plane_left_out_coupling, only: left_out_of_line, modulus_of_contact
    use adfric_plane_elastic_wave_point, only: get_elastic_wave_profiles
@@ -57,10 +57,9 @@ contains
       call get_slide_shear(values, law, point%slide, point%contact, friction%interfacial, friction%interfacial_slope, is_valid)
       if (.not. is_valid) return
       friction%neighbours = not_a_number()
-      do k = 1, size(log_steps)
-         if (.not. abs(values(in%velocity)) > 0) exit
+      do k = 1, size(near_ratios)
          call new_wave_slide(slide, values(in%period), values(in%amplitude), point%prony, &
-            & values(in%velocity)*exp(log_steps(k))*shift_factor_of(values(in%material(1):in%temperature), spectrum), is_solved)
+            & values(in%velocity)*near_ratios(k)*shift_factor_of(values(in%material(1):in%temperature), spectrum), is_solved)
          if (.not. is_solved) cycle
          if (is_set(values(in%mean_pressure))) then
             call slide%solve_pressure(values(in%mean_pressure), state, is_solved)
@@ -71,7 +70,8 @@ contains
          call get_slide_shear(values, law, slide, state, shear, unused, is_solved)
          friction%neighbours(k) = friction%direction*state%friction_stress + shear
       end do
-      call store(friction, values, results)
+      call friction%store(values(in%velocity), results(out%mean_pressure), results(out%friction_stress), &
+         & results(out%friction_coefficient), results(out%hysteretic_friction_stress:out%velocity_slope))
       call add_left_out_of_slide(values, law, spectrum, point, results)
    end subroutine add_slide_interface
 
@@ -171,22 +171,9 @@ contains
          call get_shear_of_area(law, abs(values(in%velocity)), values(in%temperature), results(out%contact_fraction), &
             & results(out%mean_pressure) + tension, friction%interfacial, friction%interfacial_slope, is_valid)
       end if
-      if (is_valid) call store(friction, values, results)
+      if (is_valid) call friction%store(values(in%velocity), results(out%mean_pressure), results(out%friction_stress), &
+         & results(out%friction_coefficient), results(out%hysteretic_friction_stress:out%velocity_slope))
    end subroutine add_elastic_interface
-
-   !> Store the friction.
-   pure subroutine store(friction, values, results)
-      type(sliding_friction_t), intent(in) :: friction
-      real(dp), intent(in) :: values(:)
-      !> Receives the friction; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-
-      call friction%get_results(values(in%velocity), results(out%friction_stress), &
-         & results(out%hysteretic_friction_stress:out%velocity_slope))
-      results(out%friction_coefficient) = not_a_number()
-      if (results(out%mean_pressure) > 0) results(out%friction_coefficient) = results(out%friction_stress) &
-         & /results(out%mean_pressure)
-   end subroutine store
 
    !> Shear stress along the wave [Pa].
    pure function wave_tractions(values, spectrum, given, pressure, is_contact) result(stress)
