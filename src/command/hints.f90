@@ -9,15 +9,13 @@ module adfric_command_hints
    use adfric_base_unset, only: is_set
    use adfric_command_rounding, only: show_to_digits
    use adfric_describe_table, only: variable_t
+   use adfric_interface_normal_contact, only: friction_holds
    use adfric_input_run, only: run_input_t
    use adfric_run_plan, only: plan_t
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
    public :: warn_of_sliding, hint_of_state
-
-   !> Forces above mu P by this share are those of sliding, but for round-off.
-   real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
 
 contains
 
@@ -40,11 +38,11 @@ contains
          do k = 1, size(run%plan%axes)
             ratios = times(ratios, ratios_along(run%plan, at, k))
          end do
-         if (.not. ratios(2) > 1 + round_off) return
-         line = 'hint'
-         if (ratios(1) > 1 + round_off) line = 'warning'
+         if (friction_holds(ratios(2), 1.0_dp)) return
+         line = 'warning'
+         if (friction_holds(ratios(1), 1.0_dp)) line = 'hint'
          line = line//': &'//variables(at(1))%group//' '//variables(at(1))%name//': more than mu P'
-         if (.not. ratios(1) > 1 + round_off) line = line//' at some points'
+         if (friction_holds(ratios(1), 1.0_dp)) line = line//' at some points'
          if (ratios(2) < huge(ratios)) line = line//', up to '//show_to_digits(ratios(2), 3)//' times as much'
          line = line//'; there the contact slides, and the point has no equilibrium'//newline
       end associate

@@ -14,6 +14,7 @@ module adfric_interface_coulomb_rows
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_interface_normal_contact, only: friction_holds
    use adfric_solid_contact_modulus, only: contact_modulus_of, poisson_compliance_of
    use adfric_describe_rows, only: choice, number, positive, result_row
    use adfric_describe_table, only: result_t, variable_t
@@ -29,9 +30,6 @@ module adfric_interface_coulomb_rows
    integer, parameter :: along_x = 1, along_y = 2
    !> Number of the results, and their indices: what sticks, displacement, stiffness, energy of a cycle.
    integer, parameter :: n_slip_results = 4
-
-   !> Forces above mu P by this share are those of sliding, but for round-off.
-   real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
 
    !> Friction of a point.
    type :: coulomb_t
@@ -182,7 +180,7 @@ contains
 
       tau = 0
       needed = abs(self%stress)/self%coefficient
-      is_sustained = .not. needed > (1 + round_off)*pressure
+      is_sustained = friction_holds(needed, pressure)
       if (is_sustained .and. pressure > 0) tau = min(needed/pressure, 1.0_dp)
    end subroutine get_share
 

@@ -7,6 +7,7 @@ module adfric_interface_history_path
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: newline, show_count, show_number
    use adfric_base_unset, only: is_set
+   use adfric_interface_normal_contact, only: friction_holds
    use adfric_describe_rows, only: list_row, positive, result_row
    use adfric_describe_table, only: profile_t, result_t, variable_t
    implicit none (type, external)
@@ -31,8 +32,6 @@ module adfric_interface_history_path
 
    !> Most steps of a path.
    integer, parameter :: most_steps = 100000000
-   !> Forces above mu P by this share are those of sliding, but for round-off.
-   real(dp), parameter :: round_off = 16*epsilon(1.0_dp)
 
    !> The numbers of a list of the path; not allocated where it is not given.
    type :: list_t
@@ -203,7 +202,7 @@ contains
       if (.not. all(is_set(values([path_loads, path_tangential_forces, path_coefficient])))) return
       associate (n => self%lists(path_loads)%values, t => self%lists(path_tangential_forces)%values)
          do k = 1, size(n)
-            if (.not. abs(t(k)) > (1 + round_off)*values(path_coefficient)*n(k)) cycle
+            if (friction_holds(t(k), values(path_coefficient)*n(k))) cycle
             line = 'warning: &history tangential_forces: '//show_number(t(k))//' N at step '//show_count(k) &
                & //' is more than mu P; there the contact slides, and the path has no equilibrium'//newline
             return

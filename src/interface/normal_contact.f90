@@ -7,6 +7,7 @@ module adfric_interface_normal_contact
    implicit none (type, external)
    private
    public :: normal_contact_t, normal_state_t, coordinate, find_position, by_force, by_displacement, round_off
+   public :: friction_holds
 
    !> What a step gives, the tangential force or the displacement; the coordinate that goes with it is the load or the approach.
    integer, parameter :: by_force = 1, by_displacement = 2
@@ -49,6 +50,14 @@ module adfric_interface_normal_contact
    end interface
 
 contains
+
+   !> Is a tangential force no more than that of sliding, but for round-off?
+   elemental logical function friction_holds(force, largest)
+      !> The force, of either sign, and mu P, in one unit.
+      real(dp), intent(in) :: force, largest
+
+      friction_holds = abs(force) <= (1 + round_off)*largest
+   end function friction_holds
 
    !> Load or approach.
    pure real(dp) function coordinate(state, kind)

@@ -9,7 +9,8 @@
 !> displacement, with g in place of L. Nothing is followed in small steps.
 module adfric_interface_tangential_history
    use adfric_base_kinds, only: dp
-   use adfric_interface_normal_contact, only: by_displacement, by_force, coordinate, normal_contact_t, normal_state_t, round_off
+   use adfric_interface_normal_contact, only: by_displacement, by_force, coordinate, friction_holds, normal_contact_t, &
+      & normal_state_t, round_off
    use adfric_interface_slip_stack, only: slip_stack_t, step_t
    use adfric_interface_slip_zone, only: slide, slip
    implicit none (type, external)
@@ -48,7 +49,7 @@ contains
       logical, intent(out) :: is_possible
       real(dp) :: target
 
-      is_possible = kind == by_displacement .or. abs(given) <= (1 + round_off)*next%load
+      is_possible = kind == by_displacement .or. friction_holds(given, next%load)
       if (.not. is_possible) return
       target = given
       if (kind == by_force) target = sign(min(abs(given), next%load), given)

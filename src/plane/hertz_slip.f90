@@ -14,6 +14,7 @@ module adfric_plane_hertz_slip
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_interface_normal_contact, only: friction_holds
    use adfric_plane_hertz_ellipse, only: ellipse_shape_t, ellipse_t
    use adfric_plane_hertz_variables, only: axis_minor, kind_elliptical, kind_line, in => hertz_input, out => hertz_output
    use adfric_plane_partial_slip, only: ellipse_slip, line_slip, partial_slip_t, shear_traction
@@ -28,8 +29,6 @@ module adfric_plane_hertz_slip
 
    !> Position of the shear stress among the profiles, behind those that every contact has.
    integer, parameter :: p_shear_stress = 3
-   !> Forces above mu P by this share are those of sliding, but for round-off.
-   real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
 
    !> Slip at a point.
    type :: hertz_slip_t
@@ -107,7 +106,7 @@ contains
       real(dp) :: force, tau
 
       force = abs(values(in%tangential_force))/values(in%coefficient)
-      is_possible = .not. force > (1 + round_off)*load
+      is_possible = friction_holds(force, load)
       if (.not. (is_possible .and. load > 0)) return
       tau = min(force/load, 1.0_dp)
       if (is_line) slip%share = line_slip(tau)

@@ -5,6 +5,7 @@ module adfric_round_friction_point
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_unset, only: is_set
+   use adfric_interface_normal_contact, only: friction_holds
    use adfric_round_case, only: indenter_case_t, tangential_compliance
    use adfric_round_contact_state, only: contact_t
    use adfric_round_profiles, only: pressure_at
@@ -41,13 +42,12 @@ contains
       real(dp), intent(inout) :: results(:)
       !> In: solved. Out: one of `status_...`.
       integer, intent(inout) :: status
-      real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
       real(dp) :: needed, ratio
       logical :: is_converged
 
       associate (mu => values(in%friction_coefficient))
          needed = abs(values(in%tangential_force))/mu
-         if (needed > (1 + round_off)*results(out%load)) then
+         if (.not. friction_holds(needed, results(out%load))) then
             status = status_no_equilibrium
             results(:) = not_a_number()
             return
@@ -75,7 +75,6 @@ contains
       !> In: results of the contact. Out: with those of friction, or all NaN; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       integer, intent(inout) :: status
-      real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
       real(dp) :: radius, force, ratio, unit
       logical :: is_converged
 
@@ -101,7 +100,7 @@ contains
          return
       end if
       if (.not. is_set(values(in%tangential_force))) return
-      if (abs(values(in%tangential_force)) > (1 + round_off)*results(out%friction_force)) then
+      if (.not. friction_holds(values(in%tangential_force), results(out%friction_force))) then
          status = status_no_equilibrium
          results(:) = not_a_number()
          return
