@@ -239,10 +239,10 @@ contains
 
       is_for = .false.
       ! most rules are for something else: a glance is enough
-      if (index(rule, ' '//name(:scan(name//'%', '%') - 1)) == 0) return
+      if (index(rule, name(:scan(name//'%', '%') - 1)) == 0) return
       from = get_word(rule, 2)
       ! a group stands for all its variables
-      is_for = from == name .or. index(name, from) == 1 .and. from(len(from):) == '%'
+      is_for = is_of(from, name) .or. index(name, from) == 1 .and. from(len(from):) == '%'
       if (is_for) is_for = is_of(get_word(rule, 1), solver)
    end function is_for
 
@@ -334,13 +334,13 @@ contains
       new_name = name
    end function likely_name
 
-   !> Is a solver among those of a rule?
-   pure logical function is_of(solvers, solver)
+   !> Is a solver or another name among those of a rule?
+   pure logical function is_of(names, name)
       !> Names, separated by a comma, or `*`.
-      character(*), intent(in) :: solvers
-      character(*), intent(in) :: solver
+      character(*), intent(in) :: names
+      character(*), intent(in) :: name
 
-      is_of = solvers == '*' .or. index(','//solvers//',', ','//solver//',') > 0
+      is_of = names == '*' .or. index(','//names//',', ','//name//',') > 0
    end function is_of
 
    !> Does a scene have the facts that a rule needs?

@@ -4,7 +4,7 @@
 !> Each solver has names of its own; here stands what they are in the one language of scenes. A rule has
 !>
 !> - the solvers that it is for, separated by a comma, or `*`;
-!> - the name in the language of the solver;
+!> - the name in the language of the solver; where it has no meaning there may be several, separated by a comma;
 !> - the name in the language of scenes, or `-` where it has no meaning;
 !> - the facts of a scene that the rule needs (`adfric_describe_scene_facts`), `!` before one that must be absent.
 !>
@@ -43,13 +43,9 @@ module adfric_describe_scene_rules
       & 'surface_sliding layer%poisson_ratio - young', &
       & 'surface_sliding layer%poisson_ratio - !layer', &
       & 'surface_sliding layer% solid%', &
-      & in_elastic//' solid%contact_modulus - relaxing', &
-      & in_elastic//' solid%young_modulus - relaxing', &
-      & in_elastic//' solid%poisson_ratio - relaxing', &
-      & in_elastic//' solid%second_young_modulus - relaxing', &
-      & in_elastic//' solid%second_poisson_ratio - relaxing', &
+      & in_elastic//' solid%contact_modulus,solid%young_modulus,solid%poisson_ratio,solid%second_young_modulus - relaxing', &
+      & in_elastic//' solid%second_poisson_ratio,friction%coupling - relaxing', &
       & in_elastic//' material% - !relaxing', &
-      & in_elastic//' friction%coupling - relaxing', &
       & in_elastic//' material%poisson_ratio - contact_curve', &
       & '* material% solid%', &
       & '* adhesion%surface_energy adhesion%work_of_adhesion', &
@@ -59,9 +55,8 @@ module adfric_describe_scene_rules
       & '* adhesion%turning_pressure operating%turning_pressure', &
       & 'sphere sphere%poisson_ratio - !young', &
       & 'sphere friction%poisson_ratio - young', &
-      & 'sphere friction%poisson_ratio - !shear', &
-      & 'sphere sphere%second_young_modulus - shear', &
-      & 'sphere sphere%second_poisson_ratio - shear', &
+      & 'sphere friction%poisson_ratio,output%events - !shear', &
+      & 'sphere sphere%second_young_modulus,sphere%second_poisson_ratio - shear', &
       & 'sphere friction%poisson_ratio solid%poisson_ratio', &
       & 'sphere sphere%units job%units', &
       & 'sphere sphere%radius surface%radius', &
@@ -72,7 +67,6 @@ module adfric_describe_scene_rules
       & 'sphere sphere%lambda adhesion%lambda', &
       & 'sphere sphere% solid%', &
       & 'sphere numerics%relative_tolerance adhesion%theory_tolerance', &
-      & 'sphere output%events - !shear', &
       & '* model%theory adhesion%theory', &
       & '* friction%coefficient friction%coulomb_coefficient', &
       & '* contact% surface%', &
@@ -101,19 +95,12 @@ module adfric_describe_scene_rules
       & 'wavy_sliding friction_force friction_stress', &
       & 'wavy_sliding load mean_pressure', &
       & 'wavy_sliding contact_area contact_fraction', &
-      & 'wavy_sliding adhesion_area - !adhesion', &
+      & 'wavy_sliding adhesion_area,adhesion_count,edge_loss,pull_off_load,pull_off_penetration - !adhesion', &
       & 'wavy_sliding adhesion_area adhesion_fraction', &
-      & 'wavy_sliding adhesion_count - !adhesion', &
-      & 'wavy_sliding edge_loss - !adhesion', &
       & 'wavy_sliding penetration approach', &
-      & 'wavy_sliding pull_off_load - !adhesion', &
       & 'wavy_sliding pull_off_load pull_off_pressure', &
-      & 'wavy_sliding pull_off_penetration - !adhesion', &
       & 'wavy_sliding pull_off_penetration pull_off_approach', &
-      & 'wavy_sliding contact_count - wave_product', &
-      & 'wavy_sliding adhesion_count - wave_product', &
-      & 'wavy_sliding snap_count - wave_product', &
-      & 'wavy_sliding saturated_share - wave_product', &
+      & 'wavy_sliding contact_count,adhesion_count,snap_count,saturated_share - wave_product', &
       & 'wavy_sliding saturated_share full_contact_fraction_of_strips', &
       & 'wavy_sliding friction_sample_error - !heights', &
       & 'wavy_sliding friction_sample_error friction_standard_error', &
@@ -121,47 +108,24 @@ module adfric_describe_scene_rules
       & 'surface_sliding penetration approach layer', &
       & 'surface_sliding lateral_stress lateral_friction_stress', &
       & 'surface_sliding full_contact_friction full_contact_friction_stress', &
-      & 'surface_sliding adhesion_fraction - !adhesion', &
-      & 'surface_sliding cells_per_zone - !adhesion', &
-      & 'surface_sliding order_margin - !adhesion', &
-      & 'surface_sliding friction_stress_without_adhesion - !adhesion', &
+      & 'surface_sliding adhesion_fraction,cells_per_zone,order_margin,friction_stress_without_adhesion - !adhesion', &
       & 'surface_sliding adhesive_friction_stress - !adhesion', &
-      & 'indenter slip - coulomb', &
-      & 'indenter largest_slip - coulomb', &
-      & 'indenter stick_radius - coulomb', &
-      & round//' slip - slides', &
-      & round//' slip - !tangential', &
+      & 'indenter slip,largest_slip,stick_radius - coulomb', &
+      & round//' slip,largest_slip,stick_radius,sliding_force - slides', &
+      & round//' slip,largest_slip,stick_radius - !tangential', &
       & round//' slip edge_slip', &
-      & round//' largest_slip - slides', &
-      & round//' largest_slip - !tangential', &
       & round//' largest_slip largest_edge_slip', &
-      & round//' stick_radius - slides', &
-      & round//' stick_radius - !tangential', &
-      & round//' adhesion_ratio - !adhesion', &
-      & round//' adhesion_ratio - !shear', &
-      & round//' adhesion_radius - !adhesion', &
-      & round//' friction_radius - !shear', &
-      & round//' friction_area - !shear', &
-      & round//' pull_off_load - !adhesion', &
-      & 'indenter pull_off_approach - !adhesion', &
-      & 'indenter jump_inward_load - !adhesion', &
-      & 'indenter jump_inward_approach - !adhesion', &
-      & 'indenter jump_outward_load - !adhesion', &
-      & 'indenter jump_outward_approach - !adhesion', &
+      & round//' adhesion_ratio,adhesion_radius,pull_off_load,theory_used - !adhesion', &
+      & round//' adhesion_ratio,friction_radius,friction_area - !shear', &
+      & 'indenter pull_off_approach,jump_inward_load,jump_inward_approach,jump_outward_load,jump_outward_approach - !adhesion', &
       & 'indenter loop_energy - !adhesion', &
-      & 'indenter loop_energy - !events', &
+      & 'indenter loop_energy,jump_in_load - !events', &
       & 'indenter loop_energy adhesion_hysteresis', &
-      & 'indenter jump_in_base_approach - !machine', &
-      & 'indenter jump_in_load - !events', &
-      & 'indenter pull_off_base_approach - !machine', &
-      & 'indenter base_approach - !machine', &
-      & 'indenter stress_zz - !position', &
-      & 'indenter stress_rr - !position', &
-      & round//' theory_used - !adhesion', &
+      & 'indenter jump_in_base_approach,pull_off_base_approach,base_approach - !machine', &
+      & 'indenter stress_zz,stress_rr - !position', &
       & 'sphere theory_error - !adhesion', &
-      & round//' peak_force - !lateral', &
+      & round//' peak_force,peak_displacement,sliding_force,force_drop,snap_off_force,snap_off_displacement - !lateral', &
       & round//' peak_force peak_tangential_force', &
-      & round//' peak_displacement - !lateral', &
       & round//' peak_displacement peak_tangential_displacement', &
       & 'sphere friction_force friction_force slides', &
       & 'sphere friction_force - !tangential', &
@@ -171,128 +135,76 @@ module adfric_describe_scene_rules
       & 'indenter tangential_force - moves', &
       & 'indenter tangential_force - !driven', &
       & 'indenter velocity_slope - !moves', &
-      & round//' sliding_force - slides', &
-      & round//' sliding_force - !lateral', &
       & round//' sliding_force friction_force', &
-      & round//' force_drop - !lateral', &
       & round//' force_drop tangential_force_drop', &
-      & round//' snap_off_force - !lateral', &
-      & round//' snap_off_force - !peels', &
+      & round//' snap_off_force,snap_off_displacement - !peels', &
       & round//' snap_off_force snap_off_tangential_force', &
-      & round//' snap_off_displacement - !lateral', &
-      & round//' snap_off_displacement - !peels', &
       & round//' snap_off_displacement snap_off_tangential_displacement', &
       & round//' critical_lateral_stiffness - !lateral', &
-      & round//' jump_base_displacement - !spring', &
+      & round//' jump_base_displacement,jump_displacement,jump_force,arrest_force,jump_energy,jump_period - !spring', &
       & round//' jump_base_displacement stick_slip_base_displacement', &
-      & round//' jump_displacement - !spring', &
       & round//' jump_displacement stick_slip_displacement', &
-      & round//' jump_force - !spring', &
       & round//' jump_force stick_slip_force', &
-      & round//' arrest_force - !spring', &
-      & round//' jump_energy - !spring', &
       & round//' jump_energy stick_slip_energy', &
-      & round//' jump_period - !spring', &
       & round//' jump_period stick_slip_period', &
       & round//' period_work - !spring', &
       & round//' period_work stick_slip_work', &
       & round//',hertz,'//periodic//' tangential_displacement - !tangential', &
-      & slips//' tangential_displacement - slides', &
-      & slips//' stick_fraction - !tangential', &
-      & slips//' stick_fraction - slides', &
-      & slips//' tangential_stiffness - !tangential', &
+      & slips//' tangential_displacement,stick_fraction,cycle_energy - slides', &
+      & slips//' stick_fraction,tangential_stiffness,cycle_energy - !tangential', &
       & slips//' tangential_stiffness - slides', &
-      & slips//' cycle_energy - !tangential', &
-      & slips//' cycle_energy - slides', &
       & slips//' cycle_energy friction_loss_per_cycle', &
       & 'rigid_punch,indenter,hertz mean_pressure mean_contact_pressure', &
       & 'rigid_punch edge_intensity - !face', &
       & 'rigid_punch centre_pressure - wedge', &
       & 'rigid_punch edge_intensity edge_intensity_factor', &
-      & 'hertz approach - cylinder', &
-      & 'hertz minor_half_width - !ellipsoid', &
-      & 'hertz major_axis_angle - !ellipsoid', &
+      & 'hertz approach,contact_area - cylinder', &
+      & 'hertz minor_half_width,major_axis_angle - !ellipsoid', &
       & 'hertz contact_half_width contact_radius paraboloid', &
       & 'hertz contact_half_width major_half_width ellipsoid', &
-      & 'hertz contact_area - cylinder', &
-      & 'hertz friction_force - !slides', &
-      & 'hertz friction_coefficient - !slides', &
-      & 'hertz,wave_1d contact_shift - !slides', &
+      & 'hertz friction_force,friction_coefficient - !slides', &
+      & 'hertz,wave_1d contact_shift,energy_imbalance - !slides', &
       & 'wave_1d dissipation - !slides', &
       & 'wave_1d dissipation - coupled', &
       & 'hertz dissipation - !relaxing', &
       & 'surface_sliding dissipation - coupled layer', &
-      & 'hertz,wave_1d energy_imbalance - !slides', &
-      & 'hertz largest_shear_stress - slides', &
-      & 'hertz largest_shear_depth - slides', &
-      & 'hertz_history major_axis_angle - !ellipsoid', &
-      & 'hertz_history axis_ratio - !ellipsoid', &
-      & 'wave_1d adhesion_fraction - !adhesion', &
-      & 'wave_1d adhesion_energy - relaxing', &
-      & periodic//' adhesion_energy - !adhesion', &
-      & periodic//' adhesion_fraction - !adhesion', &
-      & periodic//' pull_off_pressure - !adhesion', &
+      & 'hertz largest_shear_stress,largest_shear_depth - slides', &
+      & 'hertz_history major_axis_angle,axis_ratio - !ellipsoid', &
+      & 'wave_1d adhesion_fraction,pull_off_penetration,jump_off_penetration,saturation_fold_pressure,order_margin - !adhesion', &
+      & 'wave_1d adhesion_energy,pull_off_penetration,jump_off_penetration,hysteresis_loss - relaxing', &
+      & periodic//' adhesion_energy,adhesion_fraction,pull_off_pressure - !adhesion', &
       & 'wave_2d_elastic,surface_elastic,surface_sliding pull_off_pressure - !pull_off', &
-      & 'wave_1d pull_off_penetration - !adhesion', &
-      & 'wave_1d pull_off_penetration - relaxing', &
-      & 'wave_1d jump_off_penetration - !adhesion', &
-      & 'wave_1d jump_off_penetration - relaxing', &
-      & 'wave_1d hysteresis_loss - relaxing', &
-      & 'wave_1d saturation_fold_pressure - !adhesion', &
-      & 'wave_1d saturation_fold_pressure - !relaxing', &
-      & 'wave_1d end_of_saturation_pressure - !adhesion', &
-      & 'wave_1d end_of_saturation_pressure - !relaxing', &
+      & 'wave_1d saturation_fold_pressure,end_of_saturation_pressure,branches_differ,order_margin,zone_leading - !relaxing', &
+      & 'wave_1d end_of_saturation_pressure,zone_leading,zone_trailing,friction_stress_without_adhesion - !adhesion', &
       & 'wave_1d,surface_sliding branches_differ - !adhesion', &
       & 'surface_sliding branches_differ - !compared', &
-      & 'wave_1d branches_differ - !relaxing', &
-      & 'wave_1d order_margin - !adhesion', &
-      & 'wave_1d order_margin - !relaxing', &
-      & 'wave_1d zone_leading - !adhesion', &
-      & 'wave_1d zone_leading - !relaxing', &
-      & 'wave_1d zone_trailing - !adhesion', &
-      & 'wave_1d zone_trailing - !relaxing', &
-      & 'wave_1d friction_stress_without_adhesion - !adhesion', &
-      & 'wave_1d friction_stress_without_adhesion - !relaxing', &
-      & 'wave_1d adhesive_friction_stress - !adhesion', &
-      & 'wave_1d adhesive_friction_stress - !relaxing', &
+      & 'wave_1d zone_trailing,friction_stress_without_adhesion,adhesive_friction_stress - !relaxing', &
+      & 'wave_1d adhesive_friction_stress,hysteresis_loss - !adhesion', &
       & 'wave_2d_elastic,surface_elastic cells_per_zone - !adhesion', &
-      & 'wave_1d hysteresis_loss - !adhesion', &
       & 'wave_1d hysteresis_loss adhesion_hysteresis', &
       & 'wave_1d elastic_energy - slides', &
-      & periodic//' friction_stress - !interface', &
-      & periodic//' friction_coefficient - !interface', &
+      & periodic//' friction_stress,friction_coefficient - !interface', &
       & 'wave_2d_elastic,surface_elastic friction_force -', &
       & 'wave_2d_elastic,surface_elastic smooth_friction_stress - !interface', &
       & 'wave_2d_elastic,surface_elastic poisson_defect - !tangential', &
       & 'line_load,strip_load stress_yy stress_zz', &
       & 'line_load,strip_load stress_xy stress_xz', &
       & 'line_load displacement_y displacement_z', &
-      & 'wave_1d hysteretic_friction_stress - !relaxing !coupled', &
-      & 'hertz,adhesive_cylinder,wavy_sliding hysteretic_friction_force - !shear', &
-      & 'hertz,adhesive_cylinder,wavy_sliding interfacial_friction_force - !shear', &
-      & 'wave_1d,surface_sliding hysteretic_friction_stress - !shear', &
-      & 'wave_1d,surface_sliding interfacial_friction_stress - !shear', &
-      & 'wave_1d interfacial_share - !relaxing !coupled', &
+      & 'wave_1d hysteretic_friction_stress,interfacial_share - !relaxing !coupled', &
+      & 'hertz,adhesive_cylinder,wavy_sliding hysteretic_friction_force,interfacial_friction_force - !shear', &
+      & 'wave_1d,surface_sliding hysteretic_friction_stress,interfacial_friction_stress - !shear', &
       & 'wavy_sliding hysteretic_friction_force hysteretic_friction_stress', &
       & 'wavy_sliding interfacial_friction_force interfacial_friction_stress', &
       & sums//' interfacial_share - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !shear', &
       & 'surface_sliding velocity_slope -', &
-      & couples//' largest_coupling - !coupled', &
-      & couples//' smallest_stiffness_ratio - !coupled', &
+      & couples//' largest_coupling,smallest_stiffness_ratio - !coupled', &
       & couples//' coupling_left_out - coupled', &
       & couples//' coupling_left_out - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
       & 'hertz velocity_slope - heat', &
-      & heats//' contact_temperature - !heat', &
-      & heats//' flash_temperature - !heat', &
-      & heats//' peak_flash_temperature - !heat', &
-      & heats//' background_temperature_rise - !heat', &
-      & heats//' thermal_gain - !heat', &
-      & heats//' thermal_states - !heat', &
-      & heats//' heat_share - !heat', &
-      & heats//' bulk_heat - !heat', &
-      & heats//' interface_heat - !heat']
+      & heats//' contact_temperature,flash_temperature,peak_flash_temperature,background_temperature_rise - !heat', &
+      & heats//' thermal_gain,thermal_states,heat_share,bulk_heat,interface_heat - !heat']
 
    !> Profiles.
    character(*), parameter :: profile_rules(*) = [character(120) :: &
