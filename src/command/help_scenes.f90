@@ -36,7 +36,7 @@ module adfric_command_help_scenes
    character(*), parameter :: choosing(4, 4) = reshape([character(len(known_surfaces)) :: &
       & 'surface', 'kind', 'shape of the rigid surface', known_surfaces, &
       & 'traction', 'kind', 'where the tractions act', known_tractions, &
-      & 'solid', 'extent', 'deep, a layer on a rigid base, or columns side by side', known_extents, &
+      & 'solid', 'extent', 'half-space, layer on a rigid base, or columns side by side (foundation)', known_extents, &
       & 'solid', 'curve_modulus', 'which modulus the master curve is one of: E, or E/(1 - nu^2)', known_curves], [4, 4])
    !> Width of the column of names.
    integer, parameter :: name_width = 40, surface_width = 18

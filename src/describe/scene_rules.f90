@@ -245,7 +245,7 @@ module adfric_describe_scene_rules
       & 'solid%young_modulus Young''s modulus; with relaxation that of long times', &
       & 'solid%poisson_ratio Poisson''s ratio', &
       & 'adhesion%work_of_adhesion work to part a unit of area: stress times range', &
-      & 'adhesion%adhesion_stress tension that holds the faces together within the range', &
+      & 'adhesion%adhesion_stress tension between the surfaces where their gap is within the range', &
       & 'adhesion%adhesion_range largest gap with adhesion', &
       & 'adhesion%theory theory of adhesion; auto: without a range JKR, with one Maugis and Dugdale''s or its limit', &
       & 'adhesion%theory_tolerance largest error of the theory that auto may choose', &

@@ -107,14 +107,15 @@ contains
 
       call set_stress_rows(v(foundation_input%stress:foundation_input%range))
       v(foundation_input%edge) = choice(group='adhesion', name='edge', &
-         & meaning='the displacement where the stress starts or ends: as published (continuous), as the foundation asks '// &
-         & '(instantaneous), or as in a thin layer (front)', choices='continuous instantaneous front')
+         & meaning='the displacement where the stress starts or ends: it stays (continuous, as published), jumps '// &
+         & '(instantaneous, as of columns alone), or jumps with the range half way (front, as of a thin layer)', &
+         & choices='continuous instantaneous front')
       v(foundation_input%branch) = branch_row()
 
       v(foundation_input%velocity) = any_number(group='operating', name='velocity', unit='m/s', meaning='sliding velocity', &
          & lower=0.0_dp)
       v(foundation_input%temperature) = above_zero(group='operating', name='temperature', unit='K', &
-         & meaning='temperature of the foundation; shift needs it')
+         & meaning='temperature of the solid; shift needs it')
       v(foundation_input%load) = any_number(group='operating', name='load', unit='N/m; N for wave_3d and map', &
          & meaning='load on one period')
       v(foundation_input%mean_pressure) = any_number(group='operating', name='mean_pressure', unit='Pa', &

@@ -82,7 +82,7 @@ contains
       all_rows(i_exponent) = any_number(group=group, name='velocity_exponent', unit='-', meaning='n of the law power', &
          & lower=0.0_dp, upper=1.0_dp)
       all_rows(i_shear_volume) = above_zero(group=group, name='shear_activation_volume', unit='m^3', &
-         & meaning='phi of the law activated: its barrier over the shear stress that takes it away')
+         & meaning='phi of the law activated: its barrier over the shear stress that removes it')
       all_rows(i_pressure_volume) = any_number(group=group, name='pressure_activation_volume', unit='m^3', &
          & meaning='Om of the law activated, by which the pressure raises the barrier; 0 if not given', lower=0.0_dp)
       all_rows(i_attempt_velocity) = positive(group=group, name='attempt_velocity', unit='m/s', &

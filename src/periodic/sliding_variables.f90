@@ -131,7 +131,7 @@ contains
       r(sliding_output%friction_coefficient) = result_row(name='friction_coefficient', unit='-', long_name='friction over load', &
          & is_main=.true.)
       r(sliding_output%lateral_stress) = result_row(name='lateral_stress', unit='Pa', &
-         & long_name='stress across the motion that keeps the body on its way, positive to the left')
+         & long_name='stress across the motion that keeps the body on its path, positive to the left')
       r(sliding_output%full_contact_friction) = result_row(name='full_contact_friction', unit='Pa', &
          & long_name='friction over nominal area in full contact at this velocity, of heights on their cells')
       r(sliding_output%contact_shift) = result_row(name='contact_shift', unit='m', &
@@ -153,7 +153,7 @@ contains
       r(sliding_output%friction_without_adhesion) = result_row(name='friction_stress_without_adhesion', unit='Pa', &
          & long_name='friction over nominal area of the same load and velocity without adhesion')
       r(sliding_output%adhesive_friction_stress) = result_row(name='adhesive_friction_stress', unit='Pa', &
-         & long_name='the rest of the friction stress')
+         & long_name='friction stress less that without adhesion')
       r(sliding_output%order_margin) = result_row(name='order_margin', unit='-', &
          & long_name='least value of the kernel of memory over its largest; where >= 0, branches bound all states on a half-plane')
       r(sliding_output%pull_off_pressure) = pull_off_pressure_row()

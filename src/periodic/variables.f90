@@ -127,7 +127,7 @@ contains
       r([periodic_output%adhesion_fraction, periodic_output%friction_stress, periodic_output%friction_coefficient, &
          & periodic_output%friction_force, periodic_output%stick_fraction])%is_counted = .true.
       r(periodic_output%poisson_defect) = result_row(name='poisson_defect', unit='-', &
-         & long_name='standard deviation over what sticks of the displacement, which nu makes, over the displacement')
+         & long_name='uneven displacement by Poisson''s ratio where it sticks: standard deviation over the displacement')
       r(periodic_output%smooth_fraction) = smooth_fraction_row()
       r(periodic_output%smooth_friction) = result_row(name='smooth_friction_stress', unit='Pa', &
          & long_name='friction stress of a shear strength on the area that varies smoothly')

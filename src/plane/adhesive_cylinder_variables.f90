@@ -104,7 +104,7 @@ contains
          r(out%branches_differ) = result_row(name='branches_differ', unit='-', &
             & long_name='1 where the other branch has another state, 0 where it has none or the same')
          r(out%order_margin) = result_row(name='order_margin', unit='-', &
-            & long_name='order of sliding states M/Einf; >= 0: the branches are proved')
+            & long_name='order of states M/Einf; where >= 0 the branches bound all states')
       end associate
    end subroutine set_adhesion_results
 

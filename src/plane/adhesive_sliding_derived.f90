@@ -28,15 +28,15 @@ contains
       real(dp) :: zone
 
       zone = pi*slide%range/(4*slide%stress)
-      call add_derived(list, 'margin_of_order', '-', 'order of states, M/Einf; >= 0: the branches are proved', order_margin)
+      call add_derived(list, 'margin_of_order', '-', 'order M/Einf; where >= 0 the branches bound all states', order_margin)
       call add_derived(list, 'zone_length', 'm', 'length of a short zone of adhesion at rest, pi E0 d0/(4 p0)', &
          & zone*length)
       if (slide%solid%n_arms == 0) return
       call get_crack_works(slide%compliances, slide%solid%retardation/zone, works, is_converged)
       if (.not. is_converged) return
-      call add_derived(list, 'opening_work', 'J/m^2', 'work that opens a short zone, behind, at this velocity', &
+      call add_derived(list, 'opening_work', 'J/m^2', 'work that opens a short zone behind the contact', &
          & works%opening*stress*range)
-      call add_derived(list, 'closing_work', 'J/m^2', 'work that a closing short zone gives back, ahead', &
+      call add_derived(list, 'closing_work', 'J/m^2', 'work that a closing short zone gives back ahead of it', &
          & works%closing*stress*range)
    end subroutine derive_edges
 

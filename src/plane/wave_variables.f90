@@ -148,7 +148,7 @@ contains
          & long_name='least mean pressure with all of the gap in range at this velocity')
       r(wave_output%branches_differ) = branches_differ_row()
       r(wave_output%order_margin) = result_row(name='order_margin', unit='-', &
-         & long_name='order of sliding states M/Einf; >= 0: the branches are proved')
+         & long_name='order of states M/Einf; where >= 0 the branches bound all states')
       r(wave_output%zone_leading) = result_row(name='zone_leading', unit='m', &
          & long_name='length of the adhesion zone ahead of the contact')
       r(wave_output%zone_trailing) = result_row(name='zone_trailing', unit='m', &
@@ -156,7 +156,7 @@ contains
       r(wave_output%friction_without_adhesion) = result_row(name='friction_stress_without_adhesion', unit='Pa', &
          & long_name='friction over nominal area of the same load and velocity without adhesion')
       r(wave_output%adhesive_friction_stress) = result_row(name='adhesive_friction_stress', unit='Pa', &
-         & long_name='the rest of the friction stress')
+         & long_name='friction stress less that without adhesion')
    end subroutine set_sliding_adhesion_results
 
 end module adfric_plane_wave_variables

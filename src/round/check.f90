@@ -152,7 +152,7 @@ contains
 
       call c%need_one([in%load, in%approach, in%contact_radius, in%face_angle, in%base_approach], .true.)
       call c%need([in%machine_stiffness], c%has(in%base_approach))
-      call c%add(in%machine_stiffness, 'has no meaning without base_approach, the approach of what holds the spring', &
+      call c%add(in%machine_stiffness, 'has no meaning without base_approach, the approach of the base of the spring', &
          & c%has(in%machine_stiffness) .and. .not. c%has(in%base_approach))
       call c%add(in%events, 'has no meaning at a given load or radius, which makes no cycle; give approach ' &
          & //'or base_approach, or at a given load shear_strength', c%values(in%events) > 0 &

@@ -96,7 +96,7 @@ contains
 
       call c%need_one([in%tangential_force, in%base_displacement], .false.)
       call c%add(in%state, 'is ''sliding'' beside a displacement of the base', c%is_choice(in%state, state_sliding))
-      call c%add(in%base_displacement, 'needs a contact that is held; give load, approach or base_approach', &
+      call c%add(in%base_displacement, 'needs a prescribed load or approach; give load, approach or base_approach', &
          & c%has_any([in%contact_radius, in%face_angle]) .and. .not. c%values(in%interaction) > 0)
       call c%add(in%shear_strength, 'is 0 [Pa]; base_displacement needs a number > 0', &
          & .not. c%values(in%shear_strength) > 0 .and. .not. c%values(in%interaction) > 0)
@@ -139,7 +139,7 @@ contains
          call c%add(in%shear_strength, 'is missing [Pa]; interaction needs it', has_interaction)
          call c%add(in%shear_strength, 'is missing [Pa]; sliding needs it', is_sliding)
       else if (has_interaction) then
-         call c%add(in%interaction, 'needs adhesion to act on; give work_of_adhesion', .not. is_adhesive)
+         call c%add(in%interaction, 'needs adhesion, of which friction takes a part; give work_of_adhesion', .not. is_adhesive)
          call c%add(in%shear_strength, 'is 0 [Pa]; interaction needs a number > 0', .not. c%values(in%shear_strength) > 0)
          if (is_sliding .or. has_events(c%values) .or. c%has(in%base_displacement)) &
             & call c%need_one([in%slip_energy_ratio, in%critical_slip], .true.)
@@ -176,7 +176,7 @@ contains
       ratio = slip_energy_ratio_of(c%values(in%interaction:in%slip_energy_ratio), c%values(in%shear_strength), &
          & c%values(in%work_of_adhesion))
       if (ratio < huge(ratio)) call c%add(in%interaction, &
-         & 'would take more than there is of adhesion; allowed: a number <= 1 + 1/(2 g0) [-]', &
+         & 'would take more work of adhesion than there is; allowed: a number <= 1 + 1/(2 g0) [-]', &
          & .not. is_valid_interaction(ratio, c%values(in%interaction)))
    end subroutine check_share
 

@@ -3,6 +3,7 @@
 module adfric_round_sphere_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_solid_contact_modulus, only: check_contact_modulus
    use adfric_interface_shear_strength_rows, only: check_shear
@@ -107,7 +108,7 @@ contains
             if (.not. is_static .or. values(in%events) > 0 .or. c%has(in%base_displacement)) &
                & call c%need_one([in%slip_energy_ratio, in%critical_slip], .true.)
             ! where work_of_adhesion itself is missing that has been said
-            call c%add(in%interaction, 'needs adhesion to act on', nint(values(in%units)) == units_si &
+            call c%add(in%interaction, 'needs adhesion, of which friction takes a part', nint(values(in%units)) == units_si &
                & .and. (.not. values(in%work_of_adhesion) > 0 .or. &
                & .not. c%has(in%work_of_adhesion) .and. nint(values(in%theory)) - 2 == theory_hertz))
          end if
@@ -142,33 +143,61 @@ contains
          do k = 1, size(values)
             if (variables(k)%kind /= kind_real .or. .not. is_set(values(k))) cycle
             if (any(of_units == k) .and. abs(values(k)) > 0) then
-               if (.not. is_plain(values(k))) call c%add(k, 'is beyond all spheres')
+               if (.not. is_plain(values(k))) call c%add(k, 'is too large or too small for a sphere, given '// &
+                  & shown(values(k))//', allowed: 1e-30 to 1e30 ['//variables(k)%unit//']')
             else if (.not. abs(values(k)) < largest**3) then
-               call c%add(k, 'is beyond all spheres')
+               call c%add(k, 'is too large for a sphere, given '//shown(values(k))//', allowed: below 1e90')
             end if
          end do
          if (problems%count() > before) return
          call resolve_case(values, resolved)
-         if (.not. is_plain(resolved%lambda)) call c%add(in%lambda, 'is beyond all spheres, given the stress or the range')
-         if (resolved%control == control_radius .and. .not. is_plain(resolved%value)) then
-            call c%add(in%contact_radius, 'is beyond all spheres')
-         else if (.not. abs(resolved%value) < largest) then
-            call c%add(prescribed(resolved%control), 'is too large for this sphere')
+         call need_plain(in%lambda, resolved%lambda, .true.)
+         if (resolved%control == control_radius) then
+            call need_plain(in%contact_radius, resolved%value, .true.)
+         else
+            call need_small(prescribed(resolved%control), resolved%value)
          end if
-         if (resolved%has_friction .and. .not. is_plain(resolved%strength)) call c%add(in%shear_strength, 'is beyond all spheres')
-         if (c%has(in%lateral_stiffness) .and. .not. is_plain(resolved%stiffness)) call c%add(in%lateral_stiffness, &
-            & 'is beyond all spheres')
+         call need_plain(in%shear_strength, resolved%strength, resolved%has_friction)
+         call need_plain(in%lateral_stiffness, resolved%stiffness, c%has(in%lateral_stiffness))
          if (resolved%pressure_factor > 0 .and. (resolved%theory == theory_auto .or. resolved%theory == theory_maugis_dugdale)) then
             call check_shear(variables(in%shear_strength:in%pressure_factor), [resolved%strength, resolved%pressure_factor], &
                & resolved%lambda, problems)
          end if
-         if (.not. abs(resolved%tangential) < largest) call c%add(in%tangential_force - 1 + findloc([resolved%is_force_given, &
-            & resolved%is_displacement_given, resolved%is_base_given], .true., 1), 'is too large for this sphere')
+         call need_small(in%tangential_force - 1 + findloc([resolved%is_force_given, resolved%is_displacement_given, &
+            & resolved%is_base_given], .true., 1), resolved%tangential)
          if (resolved%interaction > 0 .and. resolved%slip_energy_ratio < huge(1.0_dp)) then
-            call c%add(in%interaction, 'would take more than there is of adhesion; allowed: a number <= 1 + 1/(2 g0) [-]', &
+            call c%add(in%interaction, 'would take more work of adhesion than there is; allowed: a number <= 1 + 1/(2 g0) [-]', &
                & .not. is_valid_interaction(resolved%slip_energy_ratio, resolved%interaction))
          end if
       end subroutine check_reduced
+
+      !> A reduced number is to be neither too large nor too small.
+      subroutine need_plain(index, value, is_needed)
+         integer, intent(in) :: index
+         real(dp), intent(in) :: value
+         logical, intent(in) :: is_needed
+
+         if (is_needed .and. .not. is_plain(value)) call c%add(index, 'is too large or too small for this sphere, given '// &
+            & shown(value)//' in reduced units, allowed: 1e-30 to 1e30')
+      end subroutine need_plain
+
+      !> A reduced number is not to be too large.
+      subroutine need_small(index, value)
+         integer, intent(in) :: index
+         real(dp), intent(in) :: value
+
+         if (.not. abs(value) < largest) call c%add(index, 'is too large for this sphere, given '//shown(value)// &
+            & ' in reduced units, allowed: -1e30 to 1e30')
+      end subroutine need_small
+
+      !> A number, which may be infinite.
+      function shown(value) result(text)
+         real(dp), intent(in) :: value
+         character(:), allocatable :: text
+
+         text = 'no finite number'
+         if (abs(value) <= huge(value)) text = show_number(value)
+      end function shown
 
    end subroutine check_sphere_values
 

@@ -138,9 +138,9 @@ contains
       r(sphere_output%tangential_displacement) = result_row(name='tangential_displacement', unit='m', &
          & long_name='tangential displacement of distant points; none once sliding')
       r(sphere_output%pull_off_load) = result_row(name='pull_off_load', unit='N', &
-         & long_name='load at which the contact separates in this control', is_main=.true.)
+         & long_name='load at which the contact separates', is_main=.true.)
       r(sphere_output%stable) = result_row(name='stable', unit='-', &
-         & long_name='is the state stable under the control that is given?', &
+         & long_name='is the state stable while the load, approach or radius is as prescribed?', &
          & flag_meanings='unstable stable')
       r(sphere_output%theory_used) = result_row(name='theory_used', unit='-', long_name='theory that was used', &
          & flag_meanings='hertz jkr dmt maugis_dugdale')

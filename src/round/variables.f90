@@ -117,7 +117,7 @@ contains
       v(indenter_input%position_z) = above_zero(group='position', name='position_z', unit='m', &
          & meaning='depth below the middle of the contact where the stresses on the axis are')
       v(indenter_input%base_approach) = any_number(group='operating', name='base_approach', unit='m', &
-         & meaning='approach + load/machine_stiffness, instead of the load: that of what holds the spring')
+         & meaning='approach of the base of the spring, approach + load/machine_stiffness, instead of the load')
       v(indenter_input%machine_stiffness) = above_zero(group='operating', name='machine_stiffness', unit='N/m', &
          & meaning='k of the spring (a cantilever, a machine) between the indenter and its base')
       v(indenter_input%events) = switch(group='output', name='events', &
@@ -208,9 +208,9 @@ contains
          & long_name='change of load with approach, along the states of contact')
       r(indenter_output%elastic_energy) = result_row(name='elastic_energy', unit='J', long_name='elastic energy of the solids')
       r(indenter_output%pull_off_load) = result_row(name='pull_off_load', unit='N', &
-         & long_name='load at which the contact separates in this control, the least one of all stable states', is_main=.true.)
+         & long_name='load at which the contact separates, the least one of all stable states', is_main=.true.)
       r(indenter_output%pull_off_approach) = result_row(name='pull_off_approach', unit='m', &
-         & long_name='approach at which the contact separates in this control')
+         & long_name='approach at which the contact separates')
       r(indenter_output%jump_inward_load) = result_row(name='jump_inward_load', unit='N', &
          & long_name='load at which retraction makes the contact jump to a smaller one')
       r(indenter_output%jump_inward_approach) = result_row(name='jump_inward_approach', unit='m', &
@@ -220,7 +220,7 @@ contains
       r(indenter_output%jump_outward_approach) = result_row(name='jump_outward_approach', unit='m', &
          & long_name='approach before that jump')
       r(indenter_output%stable) = result_row(name='stable', unit='-', &
-         & long_name='is the state stable under the control that is given?', &
+         & long_name='is the state stable while the load, approach or radius is as prescribed?', &
          & flag_meanings='unstable stable')
       r(indenter_output%theory_used) = result_row(name='theory_used', unit='-', long_name='theory that was used', &
          & flag_meanings='none jkr dmt maugis_dugdale')
@@ -295,18 +295,18 @@ contains
          r(o%peak_displacement - before) = result_row(name='peak_displacement', unit='m', &
             & long_name='tangential displacement at the largest force')
          r(o%sliding_force - before) = result_row(name='sliding_force', unit='N', &
-            & long_name='tangential force of sliding under what is held')
+            & long_name='tangential force of sliding at the prescribed load, approach or radius')
          r(o%force_drop - before) = result_row(name='force_drop', unit='N', long_name='force that is lost at the onset of sliding')
          r(o%snap_off_force - before) = result_row(name='snap_off_force', unit='N', &
             & long_name='tangential force at which the contact snaps off, or jumps to a smaller one')
          r(o%snap_off_displacement - before) = result_row(name='snap_off_displacement', unit='m', &
-            & long_name='tangential displacement at that place')
+            & long_name='tangential displacement where the contact snaps off')
          r(o%critical_lateral_stiffness - before) = result_row(name='critical_lateral_stiffness', unit='N/m', &
             & long_name='lateral stiffness from which on there is no stick-slip; 0: never any, none: at every stiffness')
          r(o%jump_base_displacement - before) = result_row(name='jump_base_displacement', unit='m', &
             & long_name='displacement of the base of a lateral spring from rest where the contact jumps')
          r(o%jump_displacement - before) = result_row(name='jump_displacement', unit='m', &
-            & long_name='tangential displacement of the contact at that place')
+            & long_name='tangential displacement of the contact where it jumps')
          r(o%jump_force - before) = result_row(name='jump_force', unit='N', long_name='tangential force at the onset of the jump')
          r(o%arrest_force - before) = result_row(name='arrest_force', unit='N', long_name='tangential force right after the jump')
          r(o%jump_energy - before) = result_row(name='jump_energy', unit='J', long_name='energy that the jump takes')
