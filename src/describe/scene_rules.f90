@@ -281,7 +281,7 @@ module adfric_describe_scene_rules
       & couples//' largest_coupling - !coupled', &
       & couples//' smallest_stiffness_ratio - !coupled', &
       & couples//' coupling_left_out - coupled', &
-      & couples//' coupling_left_out - !shear', &
+      & couples//',wave_2d_elastic,surface_elastic coupling_left_out - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
       & 'hertz velocity_slope - heat', &
       & heats//' contact_temperature - !heat', &

@@ -275,7 +275,7 @@ contains
       end if
       call law_of_surface(values, spectrum, given, law)
       call set_tractions(law, values(s_velocity), temperature_of(values, results), pressure, is_contact, shear)
-      results(out%coupling_left_out) = change_on_cells(solid%kernel, coupling, pressure, shear, period/period(1)) &
+      results(out%coupling_left_out) = change_on_cells(solid%kernel, coupling, pressure, shear, period/period(1), .false.) &
          & /solid%modulus/abs(results(out%friction_stress))
    end subroutine add_left_out
 
