@@ -19,6 +19,7 @@ CONDUCTIVITY, DIFFUSIVITY = 0.2, 1e-7
 HEAT = "&heat conductivity = 0.2, density = 1e3, heat_capacity = 2e3, second_conductivity = 0.0 /\n"
 SOLID = "&solid young_modulus = 1e8, poisson_ratio = 0.5 /\n"
 BALL = "&surface kind = 'paraboloid', radius = 1e-2 /\n" + SOLID
+CYLINDER = "&surface kind = 'cylinder', radius = 1e-2 /\n" + SOLID
 LAW = ("&friction law = 'log_gaussian', peak_shear_strength = {}, peak_velocity = 0.01, log_width_factor = 0.1, shift = 'wlf', "
        "reference_temperature = 293.15, wlf_c1 = 8.86, wlf_c2 = 101.6 /\n")
 
@@ -127,6 +128,48 @@ class Heat(Runs):
         self.assertEqual(apart["interface_heat"], 0)
         self.assertTrue(np.isnan(apart["contact_temperature"]))
 
+    def test_cylinder_sources(self):
+        """The largest flash of a band of constant shear stress on an elastic solid, against the table."""
+        n = 0
+        for row in table("int_heat_sources"):
+            if row["source"] != "band_uniform" or row["quantity"] != "max":
+                continue
+            first, _ = self.run_scene(CYLINDER + "&friction shear_strength = 1e5 /\n&operating load = 10.0, velocity = 1.0 /\n")
+            half_width = float(first["contact_half_width"])
+            velocity = 2*DIFFUSIVITY*float(row["peclet"])/half_width
+            found, model = self.run_scene(CYLINDER + "&friction shear_strength = 1e5 /\n" + HEAT
+                                          + f"&operating load = 10.0, velocity = {velocity:.17g}, temperature = 300.0 /\n")
+            self.assertEqual(model, "hertz")
+            np.testing.assert_allclose(found["peak_flash_temperature"], 1e5*velocity*half_width/CONDUCTIVITY*float(row["T_over_qa_lambda"]),
+                                       rtol=1e-8)
+            np.testing.assert_allclose(found["interface_heat"], found["friction_force"]*velocity, rtol=1e-12)
+            self.assertEqual(found["bulk_heat"], 0)
+            n += 1
+        self.assertEqual(n, 9)
+
+    def test_cylinder(self):
+        """A cylinder on an elastic solid: as on a solid that has relaxed, its own fixed point, both directions, and other units."""
+        operating = "&operating load = 10.0, velocity = 0.05, temperature = 283.15 /\n"
+        for friction in (LAW.format(2e6), "&friction shear_strength = 1e5, pressure_factor = 0.4 /\n"):
+            found, _ = self.run_scene(CYLINDER + friction + HEAT + operating)
+            relaxed, _ = self.run_scene(CYLINDER.replace("0.5 /", "0.5, young_moduli = 1e8, relaxation_times = 1e-12 /")
+                                        + friction + HEAT + operating)
+            for key in ("contact_temperature", "flash_temperature", "peak_flash_temperature", "interface_heat", "friction_force"):
+                np.testing.assert_allclose(found[key], relaxed[key], rtol=1e-6, err_msg=key)
+            back, _ = self.run_scene(CYLINDER + friction + HEAT + operating.replace("0.05", "-0.05"))
+            for key in found:
+                signed = key in ("friction_force", "friction_coefficient", "interfacial_friction_force", "velocity")
+                np.testing.assert_allclose(back[key], -found[key] if signed else found[key], rtol=1e-12, err_msg=key)
+            large, _ = self.run_scene(CYLINDER.replace("1e-2", "1e1") + friction + HEAT.replace("= 0.2", "= 200.0")
+                                      + operating.replace("10.0", "1e4"))
+            np.testing.assert_allclose(large["contact_temperature"], found["contact_temperature"], rtol=1e-10)
+        unit, _ = self.run_scene(CYLINDER + "&friction shear_strength = 1e6 /\n" + HEAT + operating)
+        found, _ = self.run_scene(CYLINDER + LAW.format(2e6) + HEAT + operating)
+        strength = found["friction_force"]/(2*found["contact_half_width"])
+        warm, shift = found["contact_temperature"], lambda t: -8.86*(t - 293.15)/(101.6 + t - 293.15)
+        np.testing.assert_allclose(warm, 283.15 + unit["flash_temperature"]*strength/1e6, rtol=1e-12)
+        np.testing.assert_allclose(strength, 2e6*np.exp(-0.1*(np.log10(5.0) + shift(warm))**2), rtol=1e-10)
+
     def test_profile(self):
         """The shear stress of the profile is that of the contact's own temperature."""
         found, _ = self.run_scene(BALL + LAW.format(6.5e6) + HEAT + "&operating load = 1e-2, velocity = 0.02, temperature = 283.15 /\n"
@@ -154,6 +197,9 @@ class Heat(Runs):
                 (BALL + adhesion + law.replace(" /", ", interaction = 0.5 /") + HEAT + operating, "depend on its own temperature"),
                 (BALL + constant + HEAT + operating.replace("velocity = 0.02, ", "state = 'sliding', "), "&operating velocity: is missing"),
                 (BALL + law + HEAT + operating.replace(", temperature = 283.15", ""), "temperature"),
+                (CYLINDER.replace("0.5", "0.3") + constant.replace(" /", ", coupling = .true. /") + HEAT + operating,
+                 "depend on its own temperature"),
+                (CYLINDER + constant + HEAT + operating.replace("velocity = 0.02, ", "state = 'sliding', "), "velocity"),
                 (BALL + HEAT + operating, "nothing solves")):
             with self.subTest(text=text):
                 self.write("&job output = 'run.h5' /\n" + text)
