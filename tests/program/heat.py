@@ -170,6 +170,35 @@ class Heat(Runs):
         np.testing.assert_allclose(warm, 283.15 + unit["flash_temperature"]*strength/1e6, rtol=1e-12)
         np.testing.assert_allclose(strength, 2e6*np.exp(-0.1*(np.log10(5.0) + shift(warm))**2), rtol=1e-10)
 
+    def test_heat_of_coulomb(self):
+        """A shear stress that goes with the pressure cycles the solid: of a line mu^2 of the losses by the pressure, of directions
+        what the proof of each wave says. With what the interface takes it is the work of the friction."""
+        mu, velocity = 0.8, 0.02
+        friction = f"&friction shear_strength = 0.0, pressure_factor = {mu} /\n"
+        solid = "&solid young_modulus = 1e8, poisson_ratio = {}, young_moduli = 9e8, relaxation_times = 1e-2 /\n"
+        period, amplitude = 1e-3, 1e-5
+        wave = f"&surface kind = 'wave_{{}}d', period = {period}, amplitude = {amplitude} /\n&numerics cells = 128 /\n"
+        operating = f"&operating mean_pressure = {{}}, velocity = {velocity}, temperature = 300.0{{}} /\n"
+        for nu in (0.5, 0.3):
+            scene = wave.format(1) + solid.format(nu) + friction + HEAT
+            found, _ = self.run_scene(scene + operating.format(2e6, ""))
+            np.testing.assert_allclose(found["bulk_heat"], (1 + mu**2)*velocity*found["dissipation"], rtol=1e-6)
+            np.testing.assert_allclose(found["bulk_heat"] + found["interface_heat"], velocity*found["friction_stress"], rtol=1e-12)
+            # both waves at 45 degrees, in full contact, within the square of the cells over the wave
+            turned, _ = self.run_scene(wave.format(2).replace("128", "512") + solid.format(nu) + friction + HEAT
+                                       + operating.format(2e9, f", direction = {np.pi/4:.17g}"))
+            factor = 1 + mu**2*(1 - nu/2)/(1 - nu)
+            np.testing.assert_allclose(turned["bulk_heat"], factor*velocity*turned["hysteretic_friction_stress"],
+                                       rtol=(2*np.pi/512)**2/8)
+            np.testing.assert_allclose(turned["bulk_heat"] + turned["interface_heat"], velocity*turned["friction_stress"], rtol=1e-12)
+            roller, _ = self.run_scene("&surface kind = 'cylinder', radius = 1e-2 /\n" + solid.format(nu) + friction + HEAT
+                                       + f"&operating load = 1e2, velocity = {velocity}, temperature = 300.0 /\n")
+            np.testing.assert_allclose(roller["bulk_heat"], (1 + mu**2)*velocity*roller["hysteretic_friction_force"], rtol=1e-10)
+            np.testing.assert_allclose(roller["bulk_heat"] + roller["interface_heat"], velocity*roller["friction_force"], rtol=1e-10)
+        # another shear stress keeps the losses by the pressure
+        other, _ = self.run_scene(scene.replace("shear_strength = 0.0", "shear_strength = 1e5") + operating.format(2e6, ""))
+        np.testing.assert_allclose(other["bulk_heat"], velocity*other["hysteretic_friction_stress"], rtol=1e-12)
+
     def test_profile(self):
         """The shear stress of the profile is that of the contact's own temperature."""
         found, _ = self.run_scene(BALL + LAW.format(6.5e6) + HEAT + "&operating load = 1e-2, velocity = 0.02, temperature = 283.15 /\n"
