@@ -87,7 +87,7 @@ AREAS = {
     "Indenters": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
         one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial"), one("indenter_slip"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"), one("indenter_peeling", options="--y contact_radius tangential_displacement"), one("indenter_hysteresis"), one("indenter_fretting"), one("indenter_spring"), one("indenter_pull_off"),
-        one("indenter_range")),
+        one("indenter_range"), one("ball_flash_temperature", options="--y friction_force contact_temperature")),
     "The half-space": (
         one("hertz_axes"), one("hertz_ratio"), one("hertz_slip"), one("hertz_hysteresis"), one("hertz_line_sliding"),
         one("cylinder_adhesive_sliding", options="--x velocity --y friction_force friction_force_without_adhesion pull_off_load"),

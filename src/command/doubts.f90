@@ -96,7 +96,7 @@ contains
       end do
    end subroutine name_bounds
 
-   !> A line for each bound of the theory beyond which trial points lie.
+   !> A line for each bound of the theory beyond which trial points lie, and one where they leave out a coupling that counts.
    function describe_trials(estimate) result(text)
       type(time_estimate_t), intent(in) :: estimate
       character(:), allocatable :: text
@@ -108,6 +108,9 @@ contains
             & //show_count(estimate%by_doubt(i))//' of '//show_count(estimate%n_trials)//' trial points, '//quantity_of(i) &
             & //' >= '//show_number(doubt_limits(i))//newline
       end do
+      if (estimate%n_uncoupled > 0) text = text//'coupling left out at '//show_count(estimate%n_uncoupled)//' of ' &
+         & //show_count(estimate%n_trials)//' trial points: to first order it changes the friction by more than the error ' &
+         & //'(coupling_left_out)'//newline
    end function describe_trials
 
 end module adfric_command_doubts

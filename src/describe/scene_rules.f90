@@ -21,7 +21,7 @@ module adfric_describe_scene_rules
    character(*), parameter :: in_elastic = 'hertz,wave_1d', &
       & slips = 'hertz,indenter,wave_1d,wave_2d_elastic,surface_elastic', with_depth = 'rigid_punch,line_load,strip_load', &
       & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter', &
-      & sums = 'hertz,adhesive_cylinder,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,surface_sliding'
+      & sums = 'hertz,adhesive_cylinder,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,indenter,surface_sliding'
 
    !> Solvers of contacts that shear stress may move.
    character(*), parameter :: couples = 'hertz,wave_1d,surface_sliding'
@@ -200,9 +200,10 @@ module adfric_describe_scene_rules
       & 'surface_sliding velocity_slope -', &
       & couples//' largest_coupling,smallest_stiffness_ratio - !coupled', &
       & couples//' coupling_left_out - coupled', &
-      & couples//' coupling_left_out - !shear', &
+      & couples//',wave_2d_elastic,surface_elastic coupling_left_out - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
-      & 'hertz velocity_slope - heat', &
+      & 'hertz,indenter velocity_slope - heat', &
+      & 'indenter bulk_heat -', &
       & heats//' contact_temperature,flash_temperature,peak_flash_temperature,background_temperature_rise - !heat', &
       & heats//' thermal_gain,thermal_states,heat_share,bulk_heat,interface_heat - !heat']
 

@@ -58,6 +58,7 @@ module adfric_interface_friction_law
    contains
       procedure :: get_stress
       procedure :: depends_on_pressure
+      procedure :: is_coulomb
    end type friction_law_t
 
 contains
@@ -98,6 +99,13 @@ contains
       stress = max(without + self%pressure_factor*pressure, 0.0_dp)
       if (stress > 0) slope = slope*(without/stress)
    end subroutine get_stress
+
+   !> Is the stress proportional to the pressure?
+   pure logical function is_coulomb(self)
+      class(friction_law_t), intent(in) :: self
+
+      is_coulomb = self%law == law_constant .and. self%pressure_factor > 0 .and. .not. self%strength > 0
+   end function is_coulomb
 
    !> Does the stress depend on the pressure?
    pure logical function depends_on_pressure(self)

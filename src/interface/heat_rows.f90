@@ -101,7 +101,7 @@ contains
    end function background_of
 
    !> Add to `problems` what is missing, or has no meaning.
-   subroutine check_heat(table, values_of_table, first, of_temperature, has_friction, thickness, is_line, problems)
+   subroutine check_heat(table, values_of_table, first, of_temperature, has_friction, thickness, is_single, problems)
       !> Rows with those of the heat among them; their names stand in the messages.
       type(variable_t), intent(in) :: table(:)
       !> Values of the rows; shape of `table`.
@@ -112,8 +112,8 @@ contains
       logical, intent(in) :: has_friction
       !> Thickness of the layer [m], or unset.
       real(dp), intent(in) :: thickness
-      !> Is the contact a single one along a line, which has no nominal area?
-      logical, intent(in) :: is_line
+      !> Is the contact a single one, a line or a circle, which has no nominal area?
+      logical, intent(in) :: is_single
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
@@ -130,9 +130,9 @@ contains
             & //'background = ''slab''')
          if (is_set(values(time)) .and. background_of(values) /= of_time) call refuse(time, 'has no meaning without ' &
             & //'background = ''time''')
-         if (background_of(values) == of_slab .and. .not. is_set(thickness) .and. .not. is_line) call require(table, &
+         if (background_of(values) == of_slab .and. .not. is_set(thickness) .and. .not. is_single) call require(table, &
             & values_of_table, [first - 1 + slab], problems)
-         if (background_of(values) == of_time .and. .not. (is_line .or. is_set(thickness))) call require(table, &
+         if (background_of(values) == of_time .and. .not. (is_single .or. is_set(thickness))) call require(table, &
             & values_of_table, [first - 1 + time], problems)
          if (is_set(thickness)) then
             if (background_of(values) == of_time) call refuse(background, 'is ''time'', which is for a half-space; ' &
@@ -140,14 +140,15 @@ contains
             if (is_set(values(slab))) call refuse(slab, 'stands beside the thickness of the layer, which is ' &
                & //'that of the slab')
          end if
-         if (is_line .and. background_of(values) /= as_prescribed) then
-            call refuse(background, 'is not ''prescribed''; one line on a half-space has no nominal area whose heat would count')
+         if (is_single .and. background_of(values) /= as_prescribed) then
+            call refuse(background, 'is not ''prescribed''; a single contact on a half-space has no nominal area whose heat ' &
+               & //'would count')
          else if (background_of(values) /= as_prescribed .and. values(second) > 0 .and. is_set(values(second))) then
             call refuse(background, 'is not ''prescribed'' beside a second_conductivity above 0; how the mean heat is shared ' &
                & //'is not known')
          end if
-         if (is_line .and. values(second) > 0 .and. is_set(values(second))) call refuse(second, 'is above 0; a body that rests ' &
-            & //'under a line of heat has no steady temperature')
+         if (is_single .and. values(second) > 0 .and. is_set(values(second))) call refuse(second, 'is above 0; how a single ' &
+            & //'contact shares its heat with the body is not in closed form')
       end associate
 
    contains

@@ -80,8 +80,8 @@ contains
          call problems%add(row%group, row%name, 'stands beside a law of the velocity; on cells it takes shear_strength = 0 ' &
             & //'and pressure_factor')
       else if (friction(i_strength) > 0 .or. .not. is_set(friction(i_pressure_factor))) then
-         call problems%add(row%group, row%name, 'stands beside a shear_strength above 0; on cells it takes shear_strength = 0 ' &
-            & //'and pressure_factor')
+         call problems%add(row%group, row%name, 'stands beside a shear_strength above 0, which jumps at the edge of contact, ' &
+            & //'so that no cells there keep their state; on cells it takes shear_strength = 0 and pressure_factor')
       end if
    end subroutine check_coupling
 

@@ -39,24 +39,26 @@ module adfric_periodic_coupled_losses
 contains
 
    !> The waves of a map on a solid; an error means that there is no memory.
-   subroutine new_waves(self, kernel, n_cells, period, error)
+   subroutine new_waves(self, kernel, n_cells, period, is_quarter, error)
       type(waves_t), intent(out) :: self
       class(kernel_t), intent(in) :: kernel
       !> Number of cells along x and along y.
       integer, intent(in) :: n_cells(2)
       !> Periods along x and y, in the unit of all lengths of the kernel.
       real(dp), intent(in) :: period(2)
+      !> Are the cells a quarter of the period, whose modes are cosines?
+      logical, intent(in) :: is_quarter
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
-      call new_spectral_filter(self%filter, n_cells(1), n_cells(2), .false., .false., error)
+      call new_spectral_filter(self%filter, n_cells(1), n_cells(2), is_quarter, .false., error)
       if (allocated(error)) return
       associate (n_modes => self%filter%n_modes)
          self%n_x = [((i - 1)/period(1), i=1, n_modes(1))]
-         self%n_y = [(wave_number(i - 1, n_cells(2), .false.)/period(2), i=1, n_modes(2))]
+         self%n_y = [(wave_number(i - 1, n_cells(2), is_quarter)/period(2), i=1, n_modes(2))]
          allocate (self%stiffness(n_modes(2), n_modes(1)))
       end associate
-      call kernel%get_stiffness(self%n_x, self%n_y, period/n_cells, self%stiffness)
+      call kernel%get_stiffness(self%n_x, self%n_y, period/(n_cells*merge(2, 1, is_quarter)), self%stiffness)
    end subroutine new_waves
 
    !> Energy lost in a half-space per nominal area and distance, in the unit of the pressure; NaN where there is no memory.
@@ -74,7 +76,7 @@ contains
       integer :: i, j
 
       heat = not_a_number()
-      call new_waves(waves, kernel%solid, shape(pressure), period, error)
+      call new_waves(waves, kernel%solid, shape(pressure), period, .false., error)
       if (allocated(error)) return
       allocate (product, mold=pressure)
       allocate (factors(size(waves%n_y), size(waves%n_x)), source=0.0_dp)
@@ -94,7 +96,7 @@ contains
    end function heat_of_half_space
 
    !> Change of the friction over nominal area by a coupling, to first order, in the unit of the pressure; NaN where there is no memory.
-   real(dp) function change_on_cells(kernel, coupling, pressure, shear, period) result(change)
+   real(dp) function change_on_cells(kernel, coupling, pressure, shear, period, is_quarter) result(change)
       !> The solid below frictionless faces.
       class(kernel_t), intent(in) :: kernel
       !> Poisson's ratio, layer and direction of sliding, with a friction coefficient of 1.
@@ -103,6 +105,8 @@ contains
       real(dp), intent(in), contiguous :: pressure(:, :), shear(:, :)
       !> Periods along x and y, in the unit of all lengths of the kernel.
       real(dp), intent(in) :: period(2)
+      !> Are the cells a quarter of the period, over which the solid has no losses?
+      logical, intent(in) :: is_quarter
       type(waves_t) :: waves
       type(error_t), allocatable :: error
       real(dp), allocatable :: factors(:, :), product(:, :)
@@ -110,7 +114,7 @@ contains
       integer :: i, j
 
       change = not_a_number()
-      call new_waves(waves, kernel, shape(pressure), period, error)
+      call new_waves(waves, kernel, shape(pressure), period, is_quarter, error)
       if (allocated(error)) return
       allocate (product, mold=pressure)
       allocate (factors(size(waves%n_y), size(waves%n_x)), source=0.0_dp)

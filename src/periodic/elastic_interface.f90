@@ -12,14 +12,19 @@ module adfric_periodic_elastic_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_interface, has_law_of_speed, &
       & i_pressure_volume, n_law_rows, needs_temperature, set_law_rows
    use adfric_interface_shear_strength_rows, only: get_friction_of_area, n_shear_rows, shear_stress
-   use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions
+   use adfric_interface_total_friction, only: coupling_of, get_shear_of_area, interface_tractions
    use adfric_solid_time_temperature, only: time_temperature_t
    use adfric_describe_rows, only: above_zero, number
    use adfric_describe_table, only: variable_t
+   use adfric_periodic_coupled_kernel, only: shear_coupling_t
+   use adfric_periodic_coupled_losses, only: change_on_cells
+   use adfric_periodic_elastic_kernel, only: elastic_kernel_t
+   use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables, only: out => periodic_output
    implicit none (type, external)
    private
-   public :: set_motion_rows, check_elastic_friction, has_law, store_friction, tractions_of_friction
+   public :: set_motion_rows, check_elastic_friction, has_friction, has_law, store_friction, store_left_out, tractions_of_friction
    public :: n_motion_rows, n_friction_rows
 
    !> Rows behind that of the pull-off, and all from the shear strength on, with that of the pull-off.
@@ -42,6 +47,14 @@ contains
       rows(n_motion_rows) = number(group='operating', name='velocity', unit='m/s', &
          & meaning='sliding velocity, for laws of friction that depend on it')
    end subroutine set_motion_rows
+
+   !> Is there friction of the interface?
+   pure logical function has_friction(values)
+      !> Values of the rows; shape `(n_friction_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      has_friction = has_interface(values(of_interface))
+   end function has_friction
 
    !> Is there a law of the velocity?
    pure logical function has_law(values)
@@ -150,6 +163,39 @@ contains
       if (stress > 0) slope = slope/stress
       stress = sign(1.0_dp, values(velocity))*stress
    end subroutine get_law_friction
+
+   !> Store the change of the friction by a coupling that is left out, of a body that slides along x; nothing without friction.
+   subroutine store_left_out(values, given, poisson_ratio, surface, solution, results)
+      !> Values of the rows; shape `(n_friction_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_law_t), intent(in) :: given
+      !> Poisson's ratio of the half-space below a rigid body [-].
+      real(dp), intent(in) :: poisson_ratio
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solution of the point; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: with the friction. Out: with what is left out; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      type(elastic_kernel_t) :: kernel
+      type(shear_coupling_t) :: coupling
+      real(dp), allocatable :: shear(:, :)
+      integer :: j
+
+      if (.not. abs(results(out%friction_stress)) > 0) return
+      ! an incompressible half-space has no coupling
+      results(out%coupling_left_out) = 0
+      if (.not. abs(coupling_of(poisson_ratio)) > 0) return
+      coupling%friction_coefficient = 1
+      coupling%poisson_ratio = poisson_ratio
+      allocate (shear, mold=solution%pressure)
+      do j = 1, size(shear, 2)
+         shear(:, j) = abs(tractions_of_friction(values, given, surface%solid%modulus*solution%pressure(:, j), &
+            & .not. solution%gap(:, j) > 0))
+      end do
+      results(out%coupling_left_out) = change_on_cells(kernel, coupling, solution%pressure, shear, &
+         & surface%period/surface%period(1), surface%is_quarter)/abs(results(out%friction_stress))
+   end subroutine store_left_out
 
    !> Shear stress of cells [Pa].
    pure function tractions_of_friction(values, given, pressure, is_contact) result(stress)

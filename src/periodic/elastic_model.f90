@@ -3,15 +3,17 @@
 module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
    use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion, has_adhesion, &
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
-      & has_poisson_ratio, n_two_bodies, set_modulus_rows
+      & has_poisson_ratio, n_one_body, n_two_bodies, set_modulus_rows
    use adfric_interface_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
       & resolve_coulomb, set_coulomb_rows
    use adfric_interface_friction_law_rows, only: given_law_t, take_law_attribute, take_law_table
    use adfric_interface_shear_strength_rows, only: has_shear, n_shear_rows, p_shear_stress, set_shear_rows, &
       & shear_profiles
+   use adfric_interface_total_friction, only: doubt_coupling
    use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_rows, only: positive
@@ -21,7 +23,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_elastic_interface, only: check_elastic_friction, has_law, n_friction_rows, n_motion_rows, &
-      & set_motion_rows, store_friction, tractions_of_friction
+      & has_friction, set_motion_rows, store_friction, store_left_out, tractions_of_friction
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_slip, only: periodic_slip_t
@@ -52,7 +54,7 @@ module adfric_periodic_elastic_model
       procedure :: count_profiles
       procedure :: fill_profiles
       procedure :: describe_doubts
-      procedure :: doubt_adhesion
+      procedure :: doubt_interface
       procedure, private :: adhesion_of
    end type elastic_model_t
 
@@ -112,6 +114,17 @@ contains
 
       friction = values(pull_off_index(self) - n_shear_rows:self%last_of_solid)
    end function friction_values
+
+   !> Poisson's ratio of the half-space below a rigid body [-]; unset where it is not known, or both bodies are elastic.
+   pure real(dp) function poisson_ratio_of(self, values) result(ratio)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      ! the last row of one body, and behind it the modulus of the other one
+      associate (rows => values(self%first_of_solid + n_one_body - 1:self%first_of_solid + n_one_body))
+         ratio = merge(unset, rows(1), is_set(rows(2)))
+      end associate
+   end function poisson_ratio_of
 
    !> See `model_t`: the table of a law of friction. A model that has other datasets calls it, too.
    subroutine take_dataset(self, index, values, problems)
@@ -308,6 +321,8 @@ contains
          call store_friction(friction_values(self, values), self%given_law, law%stress*results(out%adhesion_fraction), &
             & modulus*solution%pressure, results, is_valid)
          if (.not. is_valid) error_estimate = huge(error_estimate)
+         if (is_valid .and. is_set(poisson_ratio_of(self, values))) call store_left_out(friction_values(self, values), &
+            & self%given_law, poisson_ratio_of(self, values), surface, solution, results)
          if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)
          if (.not. law%stress > 0) return
          results(out%cells_per_zone) = cells_per_zone(law, surface)
@@ -347,8 +362,7 @@ contains
       real(dp), intent(in) :: values(:)
 
       count_profiles = p_shear_stress - 1
-      if (has_shear(values(pull_off_index(self) - n_shear_rows:pull_off_index(self) - 1)) &
-         & .or. has_law(friction_values(self, values)) .or. has_coulomb(coulomb_values(self, values))) &
+      if (has_friction(friction_values(self, values)) .or. has_coulomb(coulomb_values(self, values))) &
          & count_profiles = p_shear_stress
    end function count_profiles
 
@@ -369,17 +383,18 @@ contains
          & .not. profiles(:, :, 2) > 0)
    end subroutine fill_profiles
 
-   !> See `model_t`: zones of adhesion that the cells do not see.
+   !> See `model_t`.
    function describe_doubts(self, values) result(text)
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
-      text = self%doubt_adhesion(values)
+      text = self%doubt_interface(values)
    end function describe_doubts
 
-   !> Zones of adhesion that the cells do not see, in a line; empty if there is nothing to say.
-   function doubt_adhesion(self, values) result(text)
+   !> Shear stress that would move the contact, and zones of adhesion that the cells do not see, a line each; empty if there is
+   !> nothing to say.
+   function doubt_interface(self, values) result(text)
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
@@ -387,12 +402,13 @@ contains
       type(adhesion_law_t) :: law
 
       text = ''
+      if (has_friction(friction_values(self, values))) text = doubt_coupling(poisson_ratio_of(self, values))
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
-      text = doubt_zone(law, surface)
-   end function doubt_adhesion
+      text = text//doubt_zone(law, surface)
+   end function doubt_interface
 
    !> See `periodic_model_t`: the contact modulus, and lengths of adhesion.
    function derive_solid(self, values, surface) result(derived)

@@ -12,7 +12,8 @@ module adfric_periodic_sliding_interface
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_interface, n_interface_rows, needs_temperature
-   use adfric_interface_heat_rows, only: check_heat, doubt_heat, h_background, h_contact, h_interface, has_heat, n_heat_results
+   use adfric_interface_heat_rows, only: check_heat, doubt_heat, h_background, h_bulk, h_contact, h_interface, has_heat, &
+      & n_heat_results
    use adfric_interface_shear_coupling, only: is_coupled
    use adfric_interface_shear_strength_rows, only: p_shear_stress
    use adfric_interface_total_friction, only: coupling_of, doubt_coupling, get_shear_of_area, interface_tractions, &
@@ -21,8 +22,8 @@ module adfric_periodic_sliding_interface
    use adfric_solid_spectrum_rows, only: n_spectrum_rows, solid_shift_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_table, only: variable_t
-   use adfric_periodic_coupled_kernel, only: coupling_of_layer, shear_coupling_t
-   use adfric_periodic_coupled_losses, only: change_on_cells
+   use adfric_periodic_coupled_kernel, only: coupled_kernel_t, coupling_of_layer, shear_coupling_t
+   use adfric_periodic_coupled_losses, only: change_on_cells, heat_of_half_space
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_sliding_case, only: poisson_ratio_of_solid
@@ -159,7 +160,43 @@ contains
       friction%neighbours = not_a_number()
       call friction%store(values(s_velocity), results(periodic_output%mean_pressure), results(out%friction_stress), &
          & results(out%friction_coefficient), results(out%hysteretic_friction_stress:out%velocity_slope))
+      if (.not. (has_surface_heat(values) .and. law%is_coulomb())) return
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         call share_heat(values, law, solid, pressure, surface%period, results)
+      end select
    end subroutine add_surface_interface
+
+   !> Share the heat of a shear stress that is proportional to the pressure: a part of its work is lost in the solid.
+   subroutine share_heat(values, law, solid, pressure, period, results)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t), intent(in) :: law
+      type(viscoelastic_solid_t), intent(in) :: solid
+      !> Pressure in the cells [Pa]; shape `(nx, ny)`.
+      real(dp), intent(in), contiguous :: pressure(:, :)
+      !> Periods along x and y [m].
+      real(dp), intent(in) :: period(2)
+      !> In: with the friction, and the heat of pressure and slip. Out: with that of solid and interface; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      type(coupled_kernel_t) :: kernel
+      real(dp) :: losses
+
+      ! what a layer loses by shear stress is not known
+      if (is_set(values(s_thickness))) return
+      kernel%coupling%friction_coefficient = law%pressure_factor
+      kernel%coupling%direction = solid%motion%direction()
+      ! along a line it counts for nothing
+      if (is_set(poisson_ratio_of_solid(values))) then
+         kernel%coupling%poisson_ratio = poisson_ratio_of_solid(values)
+      else if (size(pressure, 2) > 1) then
+         return
+      end if
+      allocate (kernel%solid, source=solid%kernel)
+      losses = heat_of_half_space(kernel, pressure, period/period(1))/solid%modulus
+      results(out%heat(h_bulk)) = values(s_velocity)*losses
+      results(out%heat(h_interface)) = values(s_velocity)*results(out%friction_stress) - results(out%heat(h_bulk))
+   end subroutine share_heat
 
    !> Mean shear stress of the cells in contact.
    pure subroutine get_mean_of_cells(law, speed, temperature, pressure, is_contact, mean, is_valid)
@@ -274,7 +311,7 @@ contains
       call law_of_surface(values, spectrum, given, law)
       allocate (shear, mold=pressure)
       shear(:, :) = interface_tractions(law, values(s_velocity), temperature_of(values, results), pressure, is_contact)
-      results(out%coupling_left_out) = change_on_cells(solid%kernel, coupling, pressure, shear, period/period(1)) &
+      results(out%coupling_left_out) = change_on_cells(solid%kernel, coupling, pressure, shear, period/period(1), .false.) &
          & /solid%modulus/abs(results(out%friction_stress))
    end subroutine add_left_out
 

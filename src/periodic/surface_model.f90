@@ -155,14 +155,14 @@ contains
       text = self%given%describe(.false.)
    end function describe_surface
 
-   !> See `model_t`: edges that do not meet, and what cells do not see of adhesion.
+   !> See `model_t`: edges that do not meet, and what is left out of the interface.
    function describe_doubts(self, values) result(text)
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
-      text = self%given%doubt()//self%doubt_adhesion(values)
+      text = self%given%doubt()//self%doubt_interface(values)
    end function describe_doubts
 
    !> See `model_t`: the mean slope of the heights.

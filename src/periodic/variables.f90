@@ -9,7 +9,8 @@ module adfric_periodic_variables
    use adfric_solid_contact_modulus, only: n_two_bodies
    use adfric_interface_coulomb_rows, only: n_coulomb_rows, slip_results
    use adfric_interface_friction_law_rows, only: n_law_rows
-   use adfric_interface_total_friction, only: n_total_results, total_friction_results
+   use adfric_interface_shear_coupling, only: coupling_results
+   use adfric_interface_total_friction, only: total_friction_results
    use adfric_interface_shear_strength_rows, only: n_shear_rows
    use adfric_describe_rows, only: number, switch, result_row, any_number
    use adfric_describe_table, only: variable_t, result_t
@@ -38,7 +39,7 @@ module adfric_periodic_variables
          & elastic_energy = 0, adhesion_energy = 0, pull_off_pressure = 0, cells_per_zone = 0, friction_stress = 0, &
          & friction_coefficient = 0, friction_force = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0, &
-         & velocity_slope = 0
+         & velocity_slope = 0, coupling_left_out = 0
    end type periodic_output_t
    type(periodic_output_t), parameter, public :: periodic_output = transfer(counting, periodic_output_t())
    integer, parameter, public :: n_periodic_results = periodic_output%contact_violation
@@ -132,15 +133,16 @@ contains
       r(periodic_output%smooth_friction) = result_row(name='smooth_friction_stress', unit='Pa', &
          & long_name='friction stress of a shear strength on the area that varies smoothly')
       r(periodic_output%smooth_friction)%has_bends = .true.
-      r(periodic_output%velocity_slope:) = last_of_rows(total_friction_results('stress', 'Pa'))
+      r(periodic_output%velocity_slope:periodic_output%velocity_slope) = last_of_rows(total_friction_results('stress', 'Pa'))
+      r(periodic_output%coupling_left_out:) = last_of_rows(coupling_results())
    end function get_elastic_results
 
-   !> Of the results of friction as a sum the last one, the slope over the velocity.
+   !> The last one of some results: of friction as a sum the slope over the velocity, of a coupling what is left out.
    function last_of_rows(rows) result(last)
       type(result_t), intent(in) :: rows(:)
       type(result_t) :: last(1)
 
-      last = rows(n_total_results:)
+      last = rows(size(rows):)
    end function last_of_rows
 
    !> The row of the area by chords.

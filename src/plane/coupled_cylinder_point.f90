@@ -4,12 +4,14 @@
 module adfric_plane_coupled_cylinder_point
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_interface_friction_law, only: friction_law_t, law_constant
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
+   use adfric_interface_heat_rows, only: doubt_heat, h_bulk, has_heat, n_heat_results
    use adfric_interface_shear_coupling, only: is_coupled
    use adfric_interface_total_friction, only: coupling_of, get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
+   use adfric_plane_cylinder_heat, only: find_cylinder_temperature
    use adfric_plane_left_out_coupling, only: left_out_of_line
    use adfric_plane_hertz_variables, only: in => hertz_input, out => hertz_output
    use adfric_plane_coupled_line, only: coupled_cylinder, coupled_cylinder_t
@@ -20,15 +22,19 @@ module adfric_plane_coupled_cylinder_point
    use adfric_describe_status, only: status_solved, status_not_converged
    implicit none (type, external)
    private
-   public :: coupled_cylinder_point_t, solve_coupled_cylinder, get_coupled_cylinder_profiles
+   public :: coupled_cylinder_point_t, solve_coupled_cylinder, get_coupled_cylinder_profiles, doubt_coupled_cylinder_heat
 
    !> What the closed forms leave of the digits.
    real(dp), parameter :: closed_form = 100*epsilon(1.0_dp)
+   !> Cells of a contact in which the largest temperature is looked for, where the heat goes with the pressure.
+   integer, parameter :: n_fine = 400
 
    !> The contact of a point.
    type, extends(point_state_t) :: coupled_cylinder_point_t
       !> The contact.
       type(coupled_cylinder_t) :: contact
+      !> Its temperature [K], or unset.
+      real(dp) :: temperature = unset
    end type coupled_cylinder_point_t
 
 contains
@@ -56,7 +62,7 @@ contains
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       type(friction_law_t) :: law
-      real(dp) :: stress, speed, slope
+      real(dp) :: stress, speed, slope, warm(size(values))
       logical :: is_valid
 
       error_estimate = closed_form
@@ -85,7 +91,11 @@ contains
          end if
       end associate
       is_valid = status == status_solved
-      if (is_valid) call store_friction(values, law, state%contact, results, is_valid)
+      state%temperature = values(in%temperature)
+      if (is_valid .and. has_heat(values(in%heat))) call find_temperature(values, law, state, results, is_valid)
+      warm = values
+      warm(in%temperature) = state%temperature
+      if (is_valid) call store_friction(warm, law, state%contact, results, is_valid)
       if (.not. is_valid) then
          status = status_not_converged
          results(:) = not_a_number()
@@ -93,10 +103,47 @@ contains
          return
       end if
       if (is_coupled(values(in%coupling)) .or. is_set(values(in%second_young_modulus))) return
-      if (values(in%load) > 0) results(out%coupling_left_out) = left_out_of_line(law, speed, values(in%temperature), &
+      if (values(in%load) > 0) results(out%coupling_left_out) = left_out_of_line(law, speed, state%temperature, &
          & node_pressures(state%contact), state%contact%half_width, 0.0_dp, values(in%poisson_ratio), state%contact%modulus, &
          & results(out%friction_force))
    end subroutine solve_coupled_cylinder
+
+   !> The temperature of the contact, and the results of heat.
+   pure subroutine find_temperature(values, law, state, results, is_valid)
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t), intent(in) :: law
+      !> In: the contact, and the temperature without heat. Out: with its own temperature.
+      type(coupled_cylinder_point_t), intent(inout) :: state
+      !> Receives the heat; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Is it known?
+      logical, intent(out) :: is_valid
+      real(dp) :: fine_pressure(n_fine)
+      integer :: i
+
+      associate (contact => state%contact)
+         fine_pressure = [(contact%cylinder_pressure_at(contact%centre + contact%half_width*(2*i - 1 - n_fine)/n_fine), &
+            & i=1, n_fine)]
+         results(out%heat(h_bulk)) = 0
+         call find_cylinder_temperature(values(in%heat), law, values(in%velocity), state%temperature, contact%half_width, &
+            & node_pressures(contact), fine_pressure, results(out%heat(1):out%heat(n_heat_results)), is_valid)
+      end associate
+   end subroutine find_temperature
+
+   !> A line on the velocity above which heat matters; nothing without heat.
+   subroutine doubt_coupled_cylinder_heat(values, given, state, text)
+      real(dp), intent(in) :: values(:)
+      type(given_law_t), intent(in) :: given
+      !> The point, which has been solved.
+      type(coupled_cylinder_point_t), intent(in) :: state
+      character(:), allocatable, intent(out) :: text
+      type(friction_law_t) :: law
+
+      text = ''
+      if (.not. (has_heat(values(in%heat)) .and. state%contact%half_width > 0)) return
+      call law_of_cylinder(values, given, law)
+      call doubt_heat(values(in%heat), law, values(in%temperature), state%contact%half_width, text)
+   end subroutine doubt_coupled_cylinder_heat
 
    !> The contact at a speed.
    pure subroutine find_contact(values, law, speed, contact, stress, is_valid)
@@ -204,7 +251,7 @@ contains
          profiles(i, :, 2) = state%contact%cylinder_gap_at(position)
       end do
       call law_of_cylinder(values, given, law)
-      profiles(:, :, 3) = interface_tractions(law, values(in%velocity), values(in%temperature), profiles(:, :, 1), &
+      profiles(:, :, 3) = interface_tractions(law, values(in%velocity), state%temperature, profiles(:, :, 1), &
          & profiles(:, :, 1) > 0)
    end subroutine get_coupled_cylinder_profiles
 

@@ -7,7 +7,7 @@ module adfric_plane_cylinder_interface
    use adfric_base_unset, only: is_set
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
-   use adfric_interface_heat_rows, only: doubt_heat, h_bulk, h_contact, has_heat, n_heat_results
+   use adfric_interface_heat_rows, only: doubt_heat, h_bulk, h_contact, h_interface, has_heat, n_heat_results
    use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
    use adfric_plane_left_out_coupling, only: left_out_of_line, modulus_of_contact
@@ -59,6 +59,12 @@ contains
          results(out%heat(h_bulk)) = abs(values(in%velocity)*contact%friction_force)
          call find_cylinder_temperature(values(in%heat), law, values(in%velocity), temperature, contact%half_width, &
             & node_pressures(slide, contact), fine_pressure, results(out%heat(1):out%heat(n_heat_results)), is_valid)
+         if (.not. (is_valid .and. law%is_coulomb())) return
+         ! of the work of a shear stress mu p the solid, which it cycles, loses mu^2 of what it loses by the pressure
+         associate (by_shear => law%pressure_factor**2*results(out%heat(h_bulk)))
+            results(out%heat(h_interface)) = results(out%heat(h_interface)) - by_shear
+            results(out%heat(h_bulk)) = results(out%heat(h_bulk)) + by_shear
+         end associate
       end associate
    end subroutine set_temperature
 

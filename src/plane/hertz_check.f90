@@ -74,11 +74,18 @@ contains
       if (has_interface(values(in%friction))) then
          call check_sliding_cylinder(variables, values, given_law, problems)
          others(in%velocity) = unset
-         if (needs_temperature(values(in%friction))) others(in%temperature) = unset
+         if (needs_temperature(values(in%friction)) .or. has_heat(values(in%heat))) others(in%temperature) = unset
       end if
       call refuse_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), problems)
+      if (.not. has_heat(values(in%heat))) return
       k = findloc(is_set(values(in%heat)), .true., 1)
-      if (k > 0) call problems%add('heat', variables(in%heat(k))%name, 'has no meaning without &material and a velocity')
+      if (is_coupled(values(in%coupling))) then
+         call problems%add('heat', variables(in%heat(k))%name, 'stands beside coupling, with which the contact would depend on ' &
+            & //'its own temperature')
+         return
+      end if
+      if (has_interface(values(in%friction))) call require(variables, values, [in%velocity], problems)
+      call check_heat(variables, values, in%heat(1), in%temperature, has_interface(values(in%friction)), unset, .true., problems)
    end subroutine check_solid
 
    !> Add to `problems` what does not go with a law of the interface between a cylinder and an elastic solid.

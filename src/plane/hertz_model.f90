@@ -11,7 +11,8 @@ module adfric_plane_hertz_model
    use adfric_interface_friction_law_rows, only: has_interface
    use adfric_interface_shear_coupling, only: doubt_left_out
    use adfric_interface_shear_strength_rows, only: n_shear_rows
-   use adfric_plane_coupled_cylinder_point, only: coupled_cylinder_point_t, get_coupled_cylinder_profiles, solve_coupled_cylinder
+   use adfric_plane_coupled_cylinder_point, only: coupled_cylinder_point_t, doubt_coupled_cylinder_heat, &
+      & get_coupled_cylinder_profiles, solve_coupled_cylinder
    use adfric_plane_cylinder_interface, only: add_cylinder_interface, doubt_cylinder_heat, set_cylinder_tractions
    use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
    use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
@@ -182,6 +183,9 @@ contains
       select type (state)
       type is (cylinder_point_t)
          call doubt_cylinder_heat(values, self%given, self%given_law, state, of_heat)
+         text = text//of_heat
+      type is (coupled_cylinder_point_t)
+         call doubt_coupled_cylinder_heat(values, self%given_law, state, of_heat)
          text = text//of_heat
       end select
    end function describe_doubts

@@ -16,8 +16,8 @@ module adfric_plane_left_out_coupling
 contains
 
    !> Change of the friction over the friction [-], without a sign of the velocity; NaN without Poisson's ratio or friction.
-   pure function left_out_of_line(law, speed, temperature, pressure, half_width, period, poisson_ratio, modulus, friction) &
-      & result(change)
+   pure function left_out_of_line(law, speed, temperature, pressure, half_width, period, poisson_ratio, modulus, friction, &
+      & tension) result(change)
       type(friction_law_t), intent(in) :: law
       !> Speed [m/s], and temperature [K].
       real(dp), intent(in) :: speed, temperature
@@ -29,6 +29,8 @@ contains
       real(dp), intent(in) :: poisson_ratio, modulus
       !> The friction, over nominal area or per length [Pa, or N/m].
       real(dp), intent(in) :: friction
+      !> Tension of adhesion outside contact, over nominal area [Pa]; none if absent.
+      real(dp), intent(in), optional :: tension
       real(dp) :: change, shear(n_contact_nodes), slope, means(3)
       logical :: is_valid
       integer :: i
@@ -42,6 +44,7 @@ contains
       means = [integrate_over_contact(half_width, pressure*shear), 0.0_dp, 0.0_dp]
       if (period > 0) means = [means(1), integrate_over_contact(half_width, pressure), &
          & integrate_over_contact(half_width, shear)]/period
+      if (present(tension)) means(2) = means(2) - tension
       change = change_by_coupling(poisson_ratio, modulus, means(1), means(2), means(3), .true.)/abs(friction)
    end function left_out_of_line
 

@@ -9,6 +9,7 @@ module adfric_plane_wave_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, n_interface_rows
    use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
+   use adfric_plane_adhesive_wave_point, only: adhesive_point_t, get_adhesive_profiles
    use adfric_plane_left_out_coupling, only: left_out_of_line, modulus_of_contact
    use adfric_plane_elastic_wave_point, only: get_elastic_wave_profiles
    use adfric_plane_sliding_wave_point, only: slide_point_t
@@ -100,24 +101,32 @@ contains
       end associate
    end subroutine add_left_out_of_slide
 
-   !> Add what a wave on an elastic half-plane without adhesion leaves out by a contact of frictionless faces.
-   pure subroutine add_left_out(values, given, results)
+   !> Add what a wave on an elastic half-plane leaves out by a contact of frictionless faces.
+   pure subroutine add_left_out(values, given, results, adhesive)
       real(dp), intent(in) :: values(:)
       type(given_law_t), intent(in) :: given
       !> In: with the friction. Out: with what is left out; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> The point, where there is adhesion.
+      type(adhesive_point_t), intent(in), optional :: adhesive
       type(friction_law_t) :: law
       type(time_temperature_t) :: none
-      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), gap(n_contact_nodes)
+      real(dp) :: x(n_contact_nodes), pressure(n_contact_nodes), gap(n_contact_nodes), tension
 
       if (.not. (results(out%contact_fraction) > 0 .and. is_set(values(in%poisson_ratio)))) return
       if (is_set(values(in%second_young_modulus))) return
       call get_friction_law(interface_of(values), given, none, law)
       x = contact_nodes(0.0_dp, results(out%contact_width)/2)
-      call get_elastic_wave_profiles(values, results, x, pressure, gap)
+      tension = 0
+      if (present(adhesive)) then
+         call get_adhesive_profiles(adhesive, x, pressure, gap)
+         tension = values(in%adhesion)*results(out%adhesion_fraction)
+      else
+         call get_elastic_wave_profiles(values, results, x, pressure, gap)
+      end if
       results(out%coupling_left_out) = left_out_of_line(law, abs(values(in%velocity)), values(in%temperature), pressure, &
          & results(out%contact_width)/2, values(in%period), values(in%poisson_ratio), &
-         & contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio)), results(out%friction_stress))
+         & contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio)), results(out%friction_stress), tension)
    end subroutine add_left_out
 
    !> Shear of a sliding wave over nominal area [Pa].

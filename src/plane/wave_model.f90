@@ -197,7 +197,7 @@ contains
       if (status == status_solved .and. .not. (is_sliding(values) .or. is_coupled(values(in%coupling)))) &
          & call store_friction(self, values, results, status)
       if (status == status_solved .and. has_interface(interface_of(values)) .and. .not. (is_sliding(values) .or. &
-         & is_adhesive(values) .or. is_coupled(values(in%coupling)))) call add_left_out(values, self%given_law, results)
+         & is_coupled(values(in%coupling)))) call store_left_out(self, values, state, results)
       if (status == status_solved .and. has_coulomb(values(in%tangential_stress:in%coefficient))) then
          call add_slip(values, results, is_sustained)
          if (.not. is_sustained) status = status_no_equilibrium
@@ -206,6 +206,25 @@ contains
       associate (unused => counts)
       end associate
    end subroutine solve_point
+
+   !> What a wave on an elastic half-plane leaves out by a contact of frictionless faces.
+   pure subroutine store_left_out(self, values, state, results)
+      type(wave_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> The state of an adhesive wave; else not allocated.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> In: with the friction. Out: with what is left out; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+
+      if (.not. is_adhesive(values)) then
+         call add_left_out(values, self%given_law, results)
+         return
+      end if
+      select type (state)
+      type is (adhesive_point_t)
+         call add_left_out(values, self%given_law, results, state)
+      end select
+   end subroutine store_left_out
 
    !> Friction of the interface with an elastic half-plane.
    pure subroutine store_friction(self, values, results, status)

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `indenter`: an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR, Maugis-Dugdale).
 module adfric_round_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
@@ -10,6 +12,7 @@ module adfric_round_model
    use adfric_round_contact, only: branch_stable, find_contact, part_bodies
    use adfric_round_contact_state, only: contact_t
    use adfric_round_survey, only: ends_t, survey_t, survey_curve
+   use adfric_round_contact_heat, only: find_contact_temperature, has_contact_heat
    use adfric_round_curve, only: stability_control
    use adfric_round_edge_slope, only: measure_edge
    use adfric_round_friction_point, only: add_friction, add_slip, round_friction_t, shear_at
@@ -19,9 +22,11 @@ module adfric_round_model
    use adfric_round_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
    use adfric_round_profiles, only: pressure_at, gap_at
    use adfric_round_variables, only: get_indenter_profiles, get_indenter_results, get_indenter_variables, &
-      & indenter_unit_of, law_peeling, n_indenter_variables, p_gap, p_pressure, p_shear_stress, radius_axis, state_sliding, &
-      & state_static, theory_maugis_dugdale, in => indenter_input, out => indenter_output
-   use adfric_round_velocity_law, only: check_velocity_law, has_velocity_law, take_strength
+      & indenter_unit_of, law_peeling, n_indenter_results, n_indenter_variables, p_gap, p_pressure, p_shear_stress, radius_axis, &
+      & state_sliding, state_static, theory_maugis_dugdale, in => indenter_input, out => indenter_output
+   use adfric_round_velocity_law, only: check_velocity_law, is_in_motion, law_of_contact, take_strength
+   use adfric_interface_friction_law, only: friction_law_t
+   use adfric_interface_heat_rows, only: doubt_heat, h_contact, n_heat_results
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
@@ -41,6 +46,7 @@ module adfric_round_model
       procedure :: count_profiles
       procedure :: fill_profiles
       procedure :: derive_quantities
+      procedure :: describe_doubts
       procedure :: unit_of
       procedure :: measure
    end type indenter_model_t
@@ -100,7 +106,7 @@ contains
       before = problems%count()
       call check_velocity_law(self%variables, values, self%given_law, problems)
       if (problems%count() > before) return
-      call take_strength(values, self%given_law, constant, slope, is_valid)
+      call take_strength(values, self%given_law, values(in%temperature), constant, slope, is_valid)
       call check_indenter_values(self%variables, constant, is_swept, problems)
    end subroutine check_values
 
@@ -154,24 +160,58 @@ contains
       integer, intent(out) :: status
       !> This model counts nothing; size 0.
       real(dp), intent(inout) :: counts(:)
-      real(dp) :: constant(n_indenter_variables), slope
+      real(dp) :: constant(n_indenter_variables), slope, temperature
       logical :: is_valid
 
       error_estimate = 0
       status = status_not_converged
-      call take_strength(values, self%given_law, constant, slope, is_valid)
+      temperature = values(in%temperature)
+      call take_strength(values, self%given_law, temperature, constant, slope, is_valid)
       if (.not. is_valid) return
       call solve_contact(constant, state, results, error_estimate, status)
       associate (unused => counts)
       end associate
-      if (status /= status_solved .or. .not. has_velocity_law(values)) return
+      if (status /= status_solved .or. .not. is_in_motion(values)) return
+      if (has_contact_heat(values)) call add_heat(self, values, state, results, error_estimate, status)
+      if (status /= status_solved) return
       associate (force => results(out%friction_force))
          ! where adhesion depends on the shear strength, the area does, too
-         if (force > 0 .and. abs(values(in%velocity)) > 0 .and. .not. is_set(values(in%critical_slip))) &
+         if (force > 0 .and. abs(values(in%velocity)) > 0 .and. .not. is_set(values(in%critical_slip)) .and. .not. &
+            & has_contact_heat(values)) &
             & results(out%velocity_slope) = slope*constant(in%shear_strength)*results(out%friction_area)/force
          force = sign(force, values(in%velocity))
       end associate
    end subroutine solve_point
+
+   !> Find the temperature of a contact, and solve it again with the shear strength there.
+   subroutine add_heat(self, values, state, results, error_estimate, status)
+      class(indenter_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> In: the contact at the given temperature. Out: that at its own.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: results at the given temperature. Out: those at its own, with heat, or all NaN; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Relative error of radius, load and approach, the largest of them, estimated.
+      real(dp), intent(inout) :: error_estimate
+      !> In: solved. Out: one of `status_...`.
+      integer, intent(inout) :: status
+      type(friction_law_t) :: law
+      real(dp) :: constant(n_indenter_variables), slope, temperature, heat(n_heat_results)
+      logical :: is_valid
+
+      heat = not_a_number()
+      call law_of_contact(values, self%given_law, law)
+      call find_contact_temperature(values, law, results(out%friction_area), results(out%load), temperature, heat, is_valid)
+      if (is_valid) call take_strength(values, self%given_law, temperature, constant, slope, is_valid)
+      results(:) = not_a_number()
+      if (is_valid) then
+         call solve_contact(constant, state, results, error_estimate, status)
+         if (status == status_solved) results(out%heat) = heat
+      else
+         status = status_not_converged
+         error_estimate = 0
+      end if
+   end subroutine add_heat
 
    !> Solve a point of a constant shear strength.
    subroutine solve_contact(values, state, results, error_estimate, status)
@@ -313,7 +353,7 @@ contains
       real(dp), intent(in) :: values(:)
 
       count_profiles = merge(p_shear_stress, p_gap, is_set(values(in%friction_coefficient)) .or. is_set(values(in%shear_strength)) &
-         & .or. nint(values(in%law)) == law_peeling .or. has_velocity_law(values))
+         & .or. nint(values(in%law)) == law_peeling .or. is_in_motion(values))
       associate (unused => self)
       end associate
    end function count_profiles
@@ -322,18 +362,21 @@ contains
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       class(indenter_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Results of the point, of which none is needed; shape `(n_results)`.
+      !> Results of the point, of which the temperature of the contact is needed; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
       !> The contact of the point.
       class(point_state_t), allocatable, intent(in) :: state
       !> The axis r.
       type(profile_axis_t), intent(in) :: axes(:)
       real(dp), intent(inout) :: profiles(:, :, :)
-      real(dp) :: r, constant(n_indenter_variables), slope
+      real(dp) :: r, constant(n_indenter_variables), slope, temperature
       logical :: is_valid
       integer :: k
 
-      call take_strength(values, self%given_law, constant, slope, is_valid)
+      temperature = values(in%temperature)
+      if (has_contact_heat(values) .and. .not. ieee_is_nan(results(out%heat(h_contact)))) &
+         & temperature = results(out%heat(h_contact))
+      call take_strength(values, self%given_law, temperature, constant, slope, is_valid)
       if (.not. is_valid) return
       select type (state)
       type is (indenter_state_t)
@@ -348,10 +391,7 @@ contains
             end do
          end associate
       end select
-      if (has_velocity_law(values)) profiles(:, 1, p_shear_stress) = sign(1.0_dp, values(in%velocity)) &
-         & *profiles(:, 1, p_shear_stress)
-      associate (unused_results => results)
-      end associate
+      if (is_in_motion(values)) profiles(:, 1, p_shear_stress) = sign(1.0_dp, values(in%velocity))*profiles(:, 1, p_shear_stress)
    end subroutine fill_profiles
 
    !> See `model_t`.
@@ -364,6 +404,25 @@ contains
          derived = derive_contact_modulus(self%variables(first:last), values(first:last))
       end associate
    end function derive_quantities
+
+   !> See `model_t`: the velocity from which on heat matters.
+   function describe_doubts(self, values) result(text)
+      class(indenter_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      class(point_state_t), allocatable :: state
+      type(friction_law_t) :: law
+      real(dp) :: results(n_indenter_results), error_estimate, counts(0)
+      integer :: status
+
+      text = ''
+      if (.not. has_contact_heat(values)) return
+      results = not_a_number()
+      call self%solve_point(values, state, results, error_estimate, status, counts)
+      if (status /= status_solved .or. .not. results(out%friction_area) > 0) return
+      call law_of_contact(values, self%given_law, law)
+      call doubt_heat(values(in%heat), law, values(in%temperature), sqrt(results(out%friction_area)/pi), text)
+   end function describe_doubts
 
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
    function unit_of(self, values, index) result(unit)

@@ -8,6 +8,7 @@ module adfric_round_variables
    use adfric_base_unset, only: is_set
    use adfric_solid_contact_modulus, only: set_modulus_rows
    use adfric_interface_friction_law_rows, only: n_law_rows, set_law_rows
+   use adfric_interface_heat_rows, only: heat_results, n_heat_results, n_heat_rows, set_heat_rows
    use adfric_interface_interaction_rows, only: set_interaction_rows
    use adfric_interface_shear_strength_rows, only: set_shear_rows, shear_profiles, p_shear_stress
    use adfric_describe_rows, only: positive, number, any_number, above_zero, choice, switch, whole_number, result_row
@@ -28,7 +29,7 @@ module adfric_round_variables
          & n_r = 0, r_max = 0, tangential_force = 0, friction_coefficient = 0, shear_strength = 0, pressure_factor = 0, &
          & edge_fraction = 0, position_z = 0, base_approach = 0, machine_stiffness = 0, events = 0, law = 0, state = 0, &
          & interaction = 0, critical_slip = 0, slip_energy_ratio = 0, lateral_stiffness = 0, base_displacement = 0, &
-         & velocity_law(n_law_rows - 1) = 0, temperature = 0, velocity = 0
+         & velocity_law(n_law_rows - 1) = 0, temperature = 0, velocity = 0, heat(n_heat_rows) = 0
    end type indenter_input_t
    type(indenter_input_t), parameter, public :: indenter_input = transfer(counting, indenter_input_t())
    integer, parameter, public :: n_indenter_variables = storage_size(indenter_input)/storage_size(1)
@@ -54,7 +55,7 @@ module adfric_round_variables
          & largest_slip = 0, peak_force = 0, peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, &
          & snap_off_displacement = 0, critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, &
          & jump_force = 0, arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0, tangential_force = 0, &
-         & velocity_slope = 0
+         & velocity_slope = 0, heat(n_heat_results) = 0
    end type indenter_output_t
    type(indenter_output_t), parameter, public :: indenter_output = transfer(counting, indenter_output_t())
    integer, parameter, public :: n_indenter_results = storage_size(indenter_output)/storage_size(1)
@@ -138,7 +139,7 @@ contains
       call set_velocity_rows(v)
    end function get_indenter_variables
 
-   !> The rows of the law of velocity and temperature, and of both.
+   !> The rows of the law of velocity and temperature, of both, and of heat.
    subroutine set_velocity_rows(v)
       !> The table of variables.
       type(variable_t), intent(inout) :: v(:)
@@ -153,7 +154,8 @@ contains
       v(indenter_input%temperature) = above_zero(group='operating', name='temperature', unit='K', &
          & meaning='temperature of the interface, for laws of friction that depend on it')
       v(indenter_input%velocity) = number(group='operating', name='velocity', unit='m/s', &
-         & meaning='sliding velocity, for laws of friction that depend on it')
+         & meaning='sliding velocity, for laws of friction that depend on it, and for heat')
+      call set_heat_rows(v(indenter_input%heat(1):))
    end subroutine set_velocity_rows
 
    !> The rows of the shape.
@@ -255,7 +257,7 @@ contains
       call set_peeling_results(r)
    end function get_indenter_results
 
-   !> The results of what friction does to adhesion.
+   !> The results of what friction does to adhesion, and of heat.
    subroutine set_peeling_results(r)
       !> The table of results, whose last rows are set.
       type(result_t), intent(inout) :: r(:)
@@ -268,6 +270,7 @@ contains
          & long_name='tangential force at a given displacement of the base of a lateral spring')
       r(indenter_output%velocity_slope) = result_row(name='velocity_slope', unit='-', long_name='d ln T/d ln v of the friction T ' &
          & //'over the velocity v at this temperature; below 0 steady sliding may be unstable')
+      r(indenter_output%heat(1):) = heat_results('W')
    end subroutine set_peeling_results
 
    !> The rows of slip at the edge, from X to the largest slip.

@@ -9,12 +9,13 @@ module adfric_round_velocity_law
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_law_of_speed, i_law, i_pressure_volume, &
       & n_interface_rows, n_law_rows, needs_temperature, set_law_rows
+   use adfric_round_contact_heat, only: check_contact_heat, has_contact_heat
    use adfric_round_variables, only: law_peeling, law_shear_strength, state_sliding, in => indenter_input
    use adfric_solid_time_temperature, only: time_temperature_t
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
-   public :: has_velocity_law, check_velocity_law, take_strength, law_row_of
+   public :: has_velocity_law, is_in_motion, check_velocity_law, law_of_contact, take_strength, law_row_of
 
    !> Indices of the interface in the table.
    integer, parameter :: of_interface(n_interface_rows) = [in%shear_strength, in%pressure_factor, in%law, in%velocity_law]
@@ -38,6 +39,14 @@ contains
       has_velocity_law = nint(values(in%law)) /= law_peeling
       if (has_velocity_law) has_velocity_law = has_law_of_speed(interface_of(values))
    end function has_velocity_law
+
+   !> Does the body slide at a velocity, by a law or for its heat?
+   pure logical function is_in_motion(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      is_in_motion = has_velocity_law(values) .or. has_contact_heat(values)
+   end function is_in_motion
 
    !> Index among the rows of the law; of another variable one that no row of a table has.
    pure integer function law_row_of(index) result(row)
@@ -63,10 +72,12 @@ contains
       real(dp) :: numbers(size(values))
       integer :: k
 
+      call check_contact_heat(variables, values, problems)
       if (.not. has_velocity_law(values)) then
          do k = 1, size(in%velocity_law)
             if (is_set(values(in%velocity_law(k)))) call refuse(in%velocity_law(k), 'has no meaning for this law of friction')
          end do
+         if (has_contact_heat(values)) return
          if (is_set(values(in%velocity))) call refuse(in%velocity, 'has no meaning without a law of the velocity in &friction; ' &
             & //'over an elastic solid nothing else rubs')
          if (is_set(values(in%temperature))) call refuse(in%temperature, 'has no meaning without a law of the velocity in ' &
@@ -79,7 +90,8 @@ contains
       numbers = values
       numbers(of_interface) = interface_of(values)
       call check_interface(table, numbers, of_interface, [in%temperature, in%velocity], given, none, 0.0_dp, problems)
-      if (is_set(values(in%temperature)) .and. .not. needs_temperature(interface_of(values))) call refuse(in%temperature, &
+      if (is_set(values(in%temperature)) .and. .not. (needs_temperature(interface_of(values)) .or. has_contact_heat(values))) &
+         & call refuse(in%temperature, &
          & 'has no meaning for this law of friction without shift')
       if (is_set(values(of_interface(i_pressure_volume)))) call refuse(of_interface(i_pressure_volume), &
          & 'has no meaning for round bodies; over their pressure the law is not integrated')
@@ -98,12 +110,27 @@ contains
 
    end subroutine check_velocity_law
 
-   !> The values of a body that slides against the shear strength of the law; without a law those that are given.
-   pure subroutine take_strength(values, given, constant, slope, is_valid)
+   !> The law of a body that is in motion.
+   pure subroutine law_of_contact(values, given, law)
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The table of the law.
       type(given_law_t), intent(in) :: given
+      !> Receives the law.
+      type(friction_law_t), intent(out) :: law
+      type(time_temperature_t) :: none
+
+      call get_friction_law(interface_of(values), given, none, law)
+   end subroutine law_of_contact
+
+   !> The values of a body that slides against the shear strength of the law at a temperature; at rest those that are given.
+   pure subroutine take_strength(values, given, temperature, constant, slope, is_valid)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The table of the law.
+      type(given_law_t), intent(in) :: given
+      !> Temperature of the contact [K], or unset.
+      real(dp), intent(in) :: temperature
       !> Receives the values with a constant shear strength [Pa]; shape `(n_variables)`.
       real(dp), intent(out) :: constant(:)
       !> d ln/d ln v of this strength [-].
@@ -111,19 +138,18 @@ contains
       !> Does the law hold at this velocity and temperature?
       logical, intent(out) :: is_valid
       type(friction_law_t) :: law
-      type(time_temperature_t) :: none
 
       constant = values
       slope = 0
       is_valid = .true.
-      if (.not. has_velocity_law(values)) return
-      call get_friction_law(interface_of(values), given, none, law)
+      if (.not. is_in_motion(values)) return
+      call law_of_contact(values, given, law)
       law%pressure_factor = 0
       constant(in%velocity_law) = unset
-      constant([in%temperature, in%velocity]) = unset
+      constant([in%temperature, in%velocity, in%heat]) = unset
       constant(in%law) = law_shear_strength
       constant(in%state) = state_sliding
-      call law%get_stress(abs(values(in%velocity)), 0.0_dp, values(in%temperature), constant(in%shear_strength), slope, is_valid)
+      call law%get_stress(abs(values(in%velocity)), 0.0_dp, temperature, constant(in%shear_strength), slope, is_valid)
    end subroutine take_strength
 
 end module adfric_round_velocity_law

@@ -22,6 +22,9 @@ module adfric_run_time_estimate
    !> A trial that takes longer has enough points [s].
    real(dp), parameter :: long_trial = 0.02_dp
 
+   !> Name of the result that tells by how much a coupling that is left out changes the friction, over the friction.
+   character(*), parameter :: coupling_name = 'coupling_left_out'
+
    !> What is known of the time of a run.
    type :: time_estimate_t
       !> Time of all points with the threads that there are [s].
@@ -34,6 +37,8 @@ module adfric_run_time_estimate
       logical :: is_known = .false.
       !> Number of trial points, and of those beyond each bound of the theory.
       integer :: n_trials = 0, by_doubt(n_doubts) = 0
+      !> Trial points of which a coupling that is left out changes the friction by more than its error.
+      integer :: n_uncoupled = 0
    end type time_estimate_t
 
    !> Takes profiles and forgets them.
@@ -54,7 +59,7 @@ contains
       real(dp), intent(in), optional :: patience
       type(blocks_t) :: blocks
       type(child_process_t) :: child
-      real(dp) :: start, trial(2 + n_doubts), points, seconds, seconds_of_all, waited, longest
+      real(dp) :: start, trial(3 + n_doubts), points, seconds, seconds_of_all, waited, longest
       logical :: is_there
 
       longest = longest_trial
@@ -76,7 +81,8 @@ contains
          points = points + trial(1)
          seconds = seconds + trial(2)
          estimate%n_trials = estimate%n_trials + nint(trial(1))
-         estimate%by_doubt = estimate%by_doubt + nint(trial(3:))
+         estimate%n_uncoupled = estimate%n_uncoupled + nint(trial(3))
+         estimate%by_doubt = estimate%by_doubt + nint(trial(4:))
       end do
       waited = wall_clock() - start
       call child%stop(seconds_of_all)
@@ -118,7 +124,7 @@ contains
       type(child_process_t), intent(in) :: child
       real(dp) :: start, seconds
       integer(i8) :: n_done
-      integer :: k, n, n_solved, largest, by_doubt(n_doubts)
+      integer :: k, n, n_solved, largest, of_trial(1 + n_doubts)
       logical :: is_told
 
       start = wall_clock()
@@ -128,20 +134,20 @@ contains
       k = 0
       n_solved = 0
       seconds = 0
-      by_doubt = 0
+      of_trial = 0
       is_told = .false.
       do while (wall_clock() - start < time_for_trials .and. n_done < 2*blocks%n_points_of_run)
          k = k + 1
-         call try_block(run, blocks, block_of_trial(blocks, k), n, seconds, n_solved, by_doubt)
+         call try_block(run, blocks, block_of_trial(blocks, k), n, seconds, n_solved, of_trial)
          n_done = n_done + n_solved
          if (seconds < long_trial .and. n < largest) then
             n = min(2*n, largest)
          else
-            call child%send([real(n_solved, dp), seconds, real(by_doubt, dp)])
+            call child%send([real(n_solved, dp), seconds, real(of_trial, dp)])
             is_told = .true.
          end if
       end do
-      if (.not. is_told) call child%send([real(n_solved, dp), seconds, real(by_doubt, dp)])
+      if (.not. is_told) call child%send([real(n_solved, dp), seconds, real(of_trial, dp)])
    end subroutine try_points
 
    !> The block of a trial: the first one in the middle, the others where the run is tried least so far.
@@ -166,7 +172,7 @@ contains
    end function block_of_trial
 
    !> Solve the first points of a block.
-   subroutine try_block(run, blocks, block, n_wanted, seconds, n, by_doubt)
+   subroutine try_block(run, blocks, block, n_wanted, seconds, n, of_trial)
       class(run_t), intent(in) :: run
       !> The blocks of the run, which say where this one begins and ends.
       type(blocks_t), intent(in) :: blocks
@@ -178,14 +184,14 @@ contains
       real(dp), intent(out) :: seconds
       !> Number of points that were solved.
       integer, intent(out) :: n
-      !> Receives how many of them lie beyond each bound of the theory.
-      integer, intent(out) :: by_doubt(n_doubts)
+      !> Receives how many of them leave out a coupling that counts, and how many lie beyond each bound of the theory.
+      integer, intent(out) :: of_trial(1 + n_doubts)
       real(dp), allocatable :: values(:, :), results(:, :), errors(:), profiles(:, :, :)
       integer, allocatable :: status(:)
       real(dp) :: counts(size(run%model%counts))
       type(waste_t) :: waste
       real(dp) :: start, finish
-      integer :: shape(3), i, k
+      integer :: shape(3)
 
       n = min(n_wanted, blocks%n_points_of(block))
       allocate (values(size(run%model%variables), n), results(size(run%model%results), n), errors(n), status(n))
@@ -200,17 +206,32 @@ contains
       end if
       call cpu_time(finish)
       seconds = finish - start
-      by_doubt = 0
+      call count_doubts(run, results, errors, status, of_trial)
+   end subroutine try_block
+
+   !> Count the points that leave out a coupling that counts, and those beyond each bound of the theory.
+   subroutine count_doubts(run, results, errors, status, of_trial)
+      class(run_t), intent(in) :: run
+      !> Results of the points, shape `(n_results, n)`, and their estimated relative errors; shape `(n)`.
+      real(dp), intent(in) :: results(:, :), errors(:)
+      !> Status of the points; shape `(n)`.
+      integer, intent(in) :: status(:)
+      !> Receives the counts; shape `(1 + n_doubts)`.
+      integer, intent(out) :: of_trial(:)
+      integer :: i, k
+
+      of_trial = 0
       do k = 1, size(run%model%results)
-         if (run%model%results(k)%name /= doubt_name) cycle
-         do i = 1, n
+         do i = 1, size(status)
             if (status(i) /= status_solved) cycle
+            if (run%model%results(k)%name == coupling_name .and. abs(results(k, i)) > errors(i)) of_trial(1) = of_trial(1) + 1
+            if (run%model%results(k)%name /= doubt_name) cycle
             associate (doubt => nint(results(k, i)))
-               if (doubt > doubt_none) by_doubt(doubt) = by_doubt(doubt) + 1
+               if (doubt > doubt_none) of_trial(1 + doubt) = of_trial(1 + doubt) + 1
             end associate
          end do
       end do
-   end subroutine try_block
+   end subroutine count_doubts
 
    !> Forget the profiles of a point.
    subroutine take_waste(self, index, profiles, goes_on)

@@ -1,0 +1,194 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Heat of a round body that slides: the mean temperature of its contact, which the law of friction has.
+!>
+!> A shear stress that is the same in all of the contact is a uniform disc of heat. What goes with the pressure of a paraboloid without
+!> adhesion is Hertz's source. Both have closed forms of P = v a/(2 kappa), so the temperature is that of one contact,
+!>
+!>     T = T0 + (v a/lambda) [M_disc tau(v, T) + M_Hertz alpha p],
+!>
+!> with the mean pressure p. All heat goes into the solid, and none leaves its surface beside the contact. The contact itself does not
+!> depend on the shear stress here.
+module adfric_round_contact_heat
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
+   use adfric_interface_friction_law, only: friction_law_t
+   use adfric_interface_heat_rows, only: check_heat, get_heat, h_background, h_contact, h_flash, h_gain, h_interface, h_peak, &
+      & h_share, h_states, has_heat, heat_t
+   use adfric_interface_heat_sources, only: find_largest_temperature, mean_temperature, source_disc, source_hertz, temperature_at
+   use adfric_interface_thermal_states, only: heated_contact_t, thermal_states_t
+   use adfric_round_variables, only: kind_paraboloid, law_peeling, in => indenter_input
+   use adfric_describe_check, only: require
+   use adfric_describe_table, only: variable_t
+   implicit none (type, external)
+   private
+   public :: has_contact_heat, check_contact_heat, find_contact_temperature
+
+   !> Golden section, and its steps between the warmest points of both sources.
+   real(dp), parameter :: golden = 0.618033988749894848_dp
+   integer, parameter :: n_steps = 30
+
+contains
+
+   !> Does heat count?
+   pure logical function has_contact_heat(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      has_contact_heat = has_heat(values(in%heat))
+   end function has_contact_heat
+
+   !> Add to `problems` what heat needs, and what does not go with it.
+   subroutine check_contact_heat(variables, values, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: before, first
+
+      if (.not. has_contact_heat(values)) return
+      before = problems%count()
+      first = in%heat(findloc(is_set(values(in%heat)), .true., 1))
+      if (nint(values(in%law)) == law_peeling .or. is_set(values(in%friction_coefficient))) then
+         call refuse(first, 'has no meaning without a shear stress of sliding, whose work is the heat')
+      else if (values(in%interaction) > 0) then
+         call refuse(first, 'stands beside interaction, with which the contact would depend on its own temperature')
+      else if (values(in%pressure_factor) > 0 .and. is_set(values(in%pressure_factor)) .and. .not. is_hertzian(values)) then
+         call refuse(first, 'stands beside pressure_factor; heat that goes with the pressure is in closed form for a ' &
+            & //'paraboloid without adhesion alone')
+      end if
+      if (problems%count() > before) return
+      call require(variables, values, [in%velocity], problems)
+      call check_heat(variables, values, in%heat(1), in%temperature, .true., unset, .true., problems)
+
+   contains
+
+      !> Add a problem of one variable to the list.
+      subroutine refuse(index, text)
+         !> Index in the table.
+         integer, intent(in) :: index
+         !> What is wrong; the name is put before this.
+         character(*), intent(in) :: text
+
+         call problems%add(variables(index)%group, variables(index)%name, text)
+      end subroutine refuse
+
+   end subroutine check_contact_heat
+
+   !> Is the pressure that of Hertz's contact?
+   pure logical function is_hertzian(values)
+      real(dp), intent(in) :: values(:)
+
+      is_hertzian = nint(values(in%kind)) == kind_paraboloid
+      if (is_set(values(in%work_of_adhesion))) is_hertzian = is_hertzian .and. .not. values(in%work_of_adhesion) > 0
+   end function is_hertzian
+
+   !> The temperature of the contact, and the results of heat but that of the bulk.
+   pure subroutine find_contact_temperature(values, law, area, load, temperature, results, is_valid)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The law of the interface, with the factor of the pressure.
+      type(friction_law_t), intent(in) :: law
+      !> Area where the shear stress acts [m^2], and the load [N].
+      real(dp), intent(in) :: area, load
+      !> Mean temperature of the contact [K].
+      real(dp), intent(out) :: temperature
+      !> Receives the results; shape `(n_heat_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Were the states found?
+      logical, intent(out) :: is_valid
+      type(heat_t) :: heat
+      type(heated_contact_t) :: contact
+      type(thermal_states_t) :: states
+      type(friction_law_t) :: without
+      real(dp) :: peclet, unit, pressure, stress, slope, means(2)
+      integer :: i
+
+      temperature = values(in%temperature)
+      results([h_background, h_interface]) = 0
+      is_valid = .true.
+      if (.not. area > 0) return
+      call get_heat(values(in%heat), unset, heat)
+      associate (speed => abs(values(in%velocity)), radius => sqrt(area/pi))
+         peclet = speed*radius/(2*heat%diffusivity)
+         unit = speed*radius/heat%conductivity
+         pressure = load/area
+         means = 1
+         if (peclet > 0) means(1) = mean_temperature(source_disc, peclet, .false.)
+         if (peclet > 0 .and. law%pressure_factor > 0) means(2) = mean_temperature(source_hertz, peclet, .false.)
+         contact = heated_contact_t(law=law, speed=speed, base=temperature, pressure=[pressure*means(2)/means(1)], &
+            & weights=[unit*means(1)])
+         call contact%find_states(states, is_valid)
+         if (.not. is_valid) return
+         i = merge(states%n, 1, heat%is_hot)
+         temperature = states%temperature(i)
+         without = law
+         without%pressure_factor = 0
+         call without%get_stress(speed, 0.0_dp, temperature, stress, slope, is_valid)
+         results([h_contact, h_gain, h_states]) = [temperature, states%gain(i), real(states%n, dp)]
+         results(h_flash) = temperature - contact%base
+         results(h_interface) = speed*area*(stress + law%pressure_factor*pressure)
+         results([h_peak, h_share]) = [0.0_dp, not_a_number()]
+         if (.not. results(h_interface) > 0) return
+         results(h_share) = 1
+         results(h_peak) = unit*largest_of_both(peclet, stress, law%pressure_factor*pressure)
+      end associate
+   end subroutine find_contact_temperature
+
+   !> Largest temperature under a uniform source and Hertz's, in the unit of their fluxes. It lies between the warmest points of both.
+   pure real(dp) function largest_of_both(peclet, of_disc, of_hertz) result(largest)
+      !> P of the contact [-], > 0.
+      real(dp), intent(in) :: peclet
+      !> Fluxes of both, >= 0.
+      real(dp), intent(in) :: of_disc, of_hertz
+      real(dp) :: ends(2), inner(2), values(2)
+      integer :: i
+
+      largest = 0
+      if (of_disc > 0) then
+         call find_largest_temperature(source_disc, peclet, ends(1), largest)
+         largest = of_disc*largest
+      end if
+      if (.not. of_hertz > 0) return
+      call find_largest_temperature(source_hertz, peclet, ends(2), values(1))
+      if (.not. of_disc > 0) then
+         largest = of_hertz*values(1)
+         return
+      end if
+      ends = [minval(ends), maxval(ends)]
+      inner = [ends(2) - golden*(ends(2) - ends(1)), ends(1) + golden*(ends(2) - ends(1))]
+      values = [sum_at(inner(1)), sum_at(inner(2))]
+      do i = 1, n_steps
+         if (values(1) > values(2)) then
+            ends(2) = inner(2)
+            inner(2) = inner(1)
+            values(2) = values(1)
+            inner(1) = ends(2) - golden*(ends(2) - ends(1))
+            values(1) = sum_at(inner(1))
+         else
+            ends(1) = inner(1)
+            inner(1) = inner(2)
+            values(1) = values(2)
+            inner(2) = ends(1) + golden*(ends(2) - ends(1))
+            values(2) = sum_at(inner(2))
+         end if
+      end do
+      largest = maxval(values)
+
+   contains
+
+      !> Temperature of both at a position on the middle line.
+      pure real(dp) function sum_at(x)
+         !> Position, in the radius of the contact.
+         real(dp), intent(in) :: x
+
+         sum_at = of_disc*temperature_at(source_disc, peclet, x) + of_hertz*temperature_at(source_hertz, peclet, x)
+      end function sum_at
+
+   end function largest_of_both
+
+end module adfric_round_contact_heat
