@@ -28,7 +28,7 @@ module adfric
 
 contains
 
-   !> Make the model of a name.
+   !> Make the model of a name. It is long by one case for each model.
    subroutine new_model(model, name, error)
       !> Receives the model with its tables; not allocated if the name is unknown.
       class(model_t), allocatable, intent(out) :: model

@@ -2,7 +2,8 @@
 !> What the program knows of a model: its namelist variables, its results, and how to solve points.
 !>
 !> A model declares its variables and results in tables. Input, help, sweeps and the results file are
-!> driven by these tables, so a new model needs no change in any of them.
+!> driven by these tables, so a new model needs no change in any of them. The file is long by its interface, whose every argument
+!> is described for all models.
 module adfric_describe_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t

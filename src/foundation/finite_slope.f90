@@ -26,7 +26,8 @@ contains
       shear = pressure*slope*sin(xi)/hypot(1.0_dp, slope*sin(xi))
    end function shear_of_pressure
 
-   !> Integral of the shear stress over a period, over the slope: in the units of `balance_t%friction`.
+   !> Integral of the shear stress over a period, over the slope: in the units of `balance_t%friction`. It is long by its integrands,
+   !> which share the strip and its state.
    pure subroutine get_finite_slope_friction(strip, state, slope, friction, small_slope)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state

@@ -31,7 +31,7 @@ module adfric_foundation_stepped_check
 
 contains
 
-   !> Add to `problems` what is wrong with the values together.
+   !> Add to `problems` what is wrong with the values together. It is long by its procedures, one a group, which share the checks.
    subroutine check_stepped_values(variables, values, given, is_swept, problems)
       !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in), target :: variables(:)

@@ -7,7 +7,7 @@
 !>
 !> Time is in periods, and runs along the pieces of the heights; theta is its share in a piece. An arm is fast if it relaxes in less
 !> than a piece; of the others the lengths of the dashpots are kept as what they have grown by since the period began, so that
-!> slow arms lose no digits.
+!> slow arms lose no digits. The file is long: apart from each other, its procedures compile to other last digits.
 module adfric_foundation_stepping_path
    use adfric_base_kinds, only: dp
    use adfric_numerics_exact_pairs, only: get_sum

@@ -52,41 +52,7 @@ contains
       type(variable_t), allocatable :: v(:)
 
       allocate (v(n_variables))
-      v(foundation_input%kind) = choice(group='surface', name='kind', &
-         & meaning='one wave (wave_2d), waves in both directions (wave_3d), a line of heights (profile), a sum of waves ' &
-         & //'(cosines), or heights over x and y, whose rows are strips (map); forces are per width but for wave_3d and map', &
-         & choices='wave_2d wave_3d profile cosines map')
-      v(foundation_input%period) = above_zero(group='surface', name='period', unit='m', meaning='period of waves and cosines')
-      v(foundation_input%height) = above_zero(group='surface', name='height', unit='m', meaning='peak-to-valley height of a wave')
-      v(foundation_input%slope) = choice(group='surface', name='slope', &
-         & meaning='shear stress p f'' (small) or p sin(arctan f'') (finite)', &
-         & choices='small finite', default='small')
-      v(foundation_input%heights) = dataset(group='surface', name='heights', unit='m', &
-         & meaning='heights of a profile (x) or a map (y, x), summits positive', largest_rank=2, least_count=1, &
-         & attributes='dx dy', attribute_units='m m')
-      v(foundation_input%spacing) = above_zero(group='surface', name='spacing', unit='m', &
-         & meaning='distance of samples along x, instead of the attribute dx of the heights')
-      v(foundation_input%strip_spacing) = above_zero(group='surface', name='strip_spacing', unit='m', &
-         & meaning='distance of the rows of a map, instead of the attribute dy of the heights')
-      v(foundation_input%amplitudes) = list_row(group='surface', name='amplitudes', unit='m', &
-         & meaning='amplitudes of cosines with 1, 2, ... waves in a period', least_count=1, most_count=512)
-      v(foundation_input%phases) = list_row(group='surface', name='phases', unit='rad', &
-         & meaning='phases of the cosines at x = 0, a cos(2 pi n x/period + phase)', least_count=1, most_count=512)
-      v(foundation_input%interpolation) = choice(group='surface', name='interpolation', &
-         & meaning='between samples: periodic spline (cubic, if not given) or chords (linear)', choices='linear cubic')
-      v(foundation_input%detrend) = choice(group='surface', name='detrend', &
-         & meaning='what is subtracted from heights first; line, of a map a plane, if not given', choices='none mean line')
-      v(foundation_input%periodise) = choice(group='surface', name='periodise', &
-         & meaning='how the ends of heights meet: the last part goes over into the first (blend, if not given), the heights ' &
-         & //'follow backwards (mirror), fall to the mean at both ends (taper), or stay (none)', choices='none blend mirror taper')
-      v(foundation_input%blend_share) = any_number(group='surface', name='blend_share', unit='-', &
-         & meaning='share of the length that a blend or a taper changes; 0.05 if not given', lower=0.0_dp, upper=0.5_dp)
-      v(foundation_input%shortest_wavelength) = any_number(group='surface', name='shortest_wavelength', unit='m', &
-         & meaning='shorter waves are taken out of the heights; 0 or not given: none', lower=0.0_dp)
-      v(foundation_input%reverse) = switch(group='surface', name='reverse', meaning='the heights are crossed the other way')
-      v(foundation_input%height_factor) = above_zero(group='surface', name='height_factor', unit='-', &
-         & meaning='factor of all heights or amplitudes; 1 if not given')
-
+      call set_surface_rows(v)
       v(foundation_input%stiffness) = above_zero(group='foundation', name='stiffness', unit='Pa/m', &
          & meaning='long-time stiffness E/((1 - nu^2) H)')
       v(foundation_input%young_modulus) = above_zero(group='foundation', name='young_modulus', unit='Pa', &
@@ -143,6 +109,47 @@ contains
       call set_shear_rows(v(foundation_input%friction(1):foundation_input%friction(n_shear_rows)))
       call set_law_rows(v(foundation_input%friction(n_shear_rows + 1):foundation_input%friction(n_interface_rows)))
    end function get_wavy_variables
+
+   !> The rows of the surface.
+   subroutine set_surface_rows(v)
+      !> Table of the variables; receives these rows.
+      type(variable_t), intent(inout) :: v(:)
+
+      v(foundation_input%kind) = choice(group='surface', name='kind', &
+         & meaning='one wave (wave_2d), waves in both directions (wave_3d), a line of heights (profile), a sum of waves ' &
+         & //'(cosines), or heights over x and y, whose rows are strips (map); forces are per width but for wave_3d and map', &
+         & choices='wave_2d wave_3d profile cosines map')
+      v(foundation_input%period) = above_zero(group='surface', name='period', unit='m', meaning='period of waves and cosines')
+      v(foundation_input%height) = above_zero(group='surface', name='height', unit='m', meaning='peak-to-valley height of a wave')
+      v(foundation_input%slope) = choice(group='surface', name='slope', &
+         & meaning='shear stress p f'' (small) or p sin(arctan f'') (finite)', &
+         & choices='small finite', default='small')
+      v(foundation_input%heights) = dataset(group='surface', name='heights', unit='m', &
+         & meaning='heights of a profile (x) or a map (y, x), summits positive', largest_rank=2, least_count=1, &
+         & attributes='dx dy', attribute_units='m m')
+      v(foundation_input%spacing) = above_zero(group='surface', name='spacing', unit='m', &
+         & meaning='distance of samples along x, instead of the attribute dx of the heights')
+      v(foundation_input%strip_spacing) = above_zero(group='surface', name='strip_spacing', unit='m', &
+         & meaning='distance of the rows of a map, instead of the attribute dy of the heights')
+      v(foundation_input%amplitudes) = list_row(group='surface', name='amplitudes', unit='m', &
+         & meaning='amplitudes of cosines with 1, 2, ... waves in a period', least_count=1, most_count=512)
+      v(foundation_input%phases) = list_row(group='surface', name='phases', unit='rad', &
+         & meaning='phases of the cosines at x = 0, a cos(2 pi n x/period + phase)', least_count=1, most_count=512)
+      v(foundation_input%interpolation) = choice(group='surface', name='interpolation', &
+         & meaning='between samples: periodic spline (cubic, if not given) or chords (linear)', choices='linear cubic')
+      v(foundation_input%detrend) = choice(group='surface', name='detrend', &
+         & meaning='what is subtracted from heights first; line, of a map a plane, if not given', choices='none mean line')
+      v(foundation_input%periodise) = choice(group='surface', name='periodise', &
+         & meaning='how the ends of heights meet: the last part goes over into the first (blend, if not given), the heights ' &
+         & //'follow backwards (mirror), fall to the mean at both ends (taper), or stay (none)', choices='none blend mirror taper')
+      v(foundation_input%blend_share) = any_number(group='surface', name='blend_share', unit='-', &
+         & meaning='share of the length that a blend or a taper changes; 0.05 if not given', lower=0.0_dp, upper=0.5_dp)
+      v(foundation_input%shortest_wavelength) = any_number(group='surface', name='shortest_wavelength', unit='m', &
+         & meaning='shorter waves are taken out of the heights; 0 or not given: none', lower=0.0_dp)
+      v(foundation_input%reverse) = switch(group='surface', name='reverse', meaning='the heights are crossed the other way')
+      v(foundation_input%height_factor) = above_zero(group='surface', name='height_factor', unit='-', &
+         & meaning='factor of all heights or amplitudes; 1 if not given')
+   end subroutine set_surface_rows
 
    !> The table of results.
    function get_wavy_results(is_3d) result(r)

@@ -7,7 +7,7 @@
 !>
 !> The field passes memory three times: rows there; columns there, times the symbol, and back; rows back. Lines are transformed one
 !> by one, each as any other, by as many threads as OpenMP gives: the result has the same bits for any number of them. A filter
-!> owns its plans and its buffers; one field goes through it at a time.
+!> owns its plans and its buffers; one field goes through it at a time. The file is long by two kinds of fields, which share the passes.
 module adfric_numerics_spectral_filter
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t
    use adfric_base_kinds, only: dp

@@ -103,7 +103,6 @@ contains
    !> Find the shares of a gap, and let them change with it in a straight line from there.
    subroutine follow(self, gap)
       class(cohesion_t), intent(inout) :: self
-      !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
       integer :: k
 
@@ -149,7 +148,6 @@ contains
    !> What the squares of the band add to the shares.
    pure subroutine get_band_share(self, gap, share)
       class(cohesion_t), intent(in) :: self
-      !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
       !> Receives the shares that come from the band; shape of the cells.
       real(dp), intent(out), contiguous :: share(:, :)
@@ -191,7 +189,6 @@ contains
    pure subroutine add_shares(range, gap, square, share)
       !> Range h0.
       real(dp), intent(in) :: range
-      !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
       type(square_t), intent(in) :: square
       !> Receives the shares; shape of the cells.
@@ -220,7 +217,6 @@ contains
 
    !> Gap at the corners of a square, round it.
    pure function corners_of(gap, square) result(corner)
-      !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
       type(square_t), intent(in) :: square
       real(dp) :: corner(4)
@@ -234,7 +230,6 @@ contains
    pure function shares_of(corner, range) result(shares)
       !> Gap at the corners.
       real(dp), intent(in) :: corner(3)
-      !> Range h0.
       real(dp), intent(in) :: range
       real(dp) :: shares(3), part(2)
       integer :: order(3)
@@ -259,7 +254,6 @@ contains
 
    !> Corners from the lowest gap to the highest.
    pure function order_of(corner) result(order)
-      !> Gap at the corners.
       real(dp), intent(in) :: corner(3)
       integer :: order(3)
 
@@ -272,7 +266,6 @@ contains
    !> Keep the triangles of a square that the edge of the zone passes.
    subroutine add_slopes(self, gap, square)
       type(cohesion_t), intent(inout) :: self
-      !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
       type(square_t), intent(in) :: square
       real(dp) :: corner(4)
@@ -311,7 +304,6 @@ contains
    pure function slopes_of(corner, range) result(slopes)
       !> Gap at the corners, not all on one side of the range.
       real(dp), intent(in) :: corner(3)
-      !> Range h0.
       real(dp), intent(in) :: range
       real(dp) :: slopes(6), part(2), rate
       real(dp) :: ends(3, 3)
@@ -372,7 +364,6 @@ contains
    !> Energy of adhesion per area, less than 0 where there is any: the mean of Phi [E* times the unit of the gap].
    pure real(dp) function energy_of(self, gap) result(energy)
       class(cohesion_t), intent(in) :: self
-      !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
       type(square_t) :: square
       real(dp) :: corner(4), total
@@ -394,9 +385,7 @@ contains
 
    !> Mean of the way from the gap up to the range, over a triangle.
    pure real(dp) function depth_of(corner, range) result(depth)
-      !> Gap at the corners.
       real(dp), intent(in) :: corner(3)
-      !> Range h0.
       real(dp), intent(in) :: range
       integer :: order(3)
 

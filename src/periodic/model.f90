@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the models of a periodic surface share; a model says what its surface and its solid are.
+!> What the models of a periodic surface share; a model says what its surface and its solid are. The file is long by the interfaces
+!> of what a model says, and by the answers of those that say nothing.
 module adfric_periodic_model
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, file_failure
@@ -81,7 +82,6 @@ module adfric_periodic_model
          implicit none (type, external)
          !> The model whose surface is wanted.
          class(periodic_model_t), intent(in) :: self
-         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
          !> Receives all but the map `shape`, which stays as it is.
          type(periodic_surface_t), intent(inout) :: surface
@@ -91,9 +91,7 @@ module adfric_periodic_model
       subroutine get_shape_i(self, values, shape)
          import :: periodic_model_t, dp
          implicit none (type, external)
-         !> The model whose surface is wanted.
          class(periodic_model_t), intent(in) :: self
-         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
          !> In: the map of the point before, not allocated at the first one. Out: that of this point, which is not copied again
          !> where it is the same [m].
@@ -104,13 +102,9 @@ module adfric_periodic_model
       subroutine check_solid_i(self, values, is_swept, problems)
          import :: periodic_model_t, dp, problems_t
          implicit none (type, external)
-         !> The model; its tables give the variables their names.
          class(periodic_model_t), intent(in) :: self
-         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Is the variable swept? Shape `(n_variables)`.
          logical, intent(in) :: is_swept(:)
-         !> Receives what is wrong with the input; nothing is removed.
          type(problems_t), intent(inout) :: problems
       end subroutine check_solid_i
 
@@ -120,7 +114,6 @@ module adfric_periodic_model
          implicit none (type, external)
          !> The model whose solid is wanted.
          class(periodic_model_t), intent(in) :: self
-         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
          !> In: with periods and cells. Out: also with `solid`.
          type(periodic_surface_t), intent(inout) :: surface
@@ -132,7 +125,6 @@ module adfric_periodic_model
          implicit none (type, external)
          !> The model whose pressure of full contact is wanted.
          class(periodic_model_t), intent(in) :: self
-         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
          !> The solid of the point.
          class(periodic_solid_t), intent(in) :: solid
@@ -146,7 +138,6 @@ module adfric_periodic_model
          implicit none (type, external)
          !> The model whose largest pressure is wanted.
          class(periodic_model_t), intent(in) :: self
-         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
          !> Pressure in the middles of the cells; shape `(nx, ny)`.
          real(dp), intent(in) :: pressure(:, :)
@@ -398,7 +389,6 @@ contains
    !> Adhesion and friction of a point: none. A model may override it.
    subroutine set_interface(self, values, modulus, goal)
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       !> Contact modulus E* [Pa], not used here.
       real(dp), intent(in) :: modulus
@@ -415,7 +405,6 @@ contains
    subroutine store_slip(self, values, surface, slip, results)
       class(periodic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
       !> Slip of the point; lengths in m, stresses in E*.
       type(periodic_slip_t), intent(in) :: slip
@@ -431,7 +420,6 @@ contains
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
       class(periodic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
       !> Solution of the point; lengths in m, pressures in E*.
       type(periodic_solution_t), intent(inout) :: solution
@@ -481,9 +469,7 @@ contains
    !> Quantities that follow from the rows of the solid: none. A model may override it.
    function derive_solid(self, values, surface) result(derived)
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
-      !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
       type(derived_t), allocatable :: derived(:)
 
@@ -495,7 +481,6 @@ contains
    !> See `model_t`.
    function describe_case(self, values) result(text)
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 

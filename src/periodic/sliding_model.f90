@@ -3,7 +3,7 @@
 !> or layer, with adhesion or without.
 !>
 !> The frame moves with the body, in which all is steady. Friction is the pressure on the slopes, and pays for the energy that is lost
-!> in the solid (`adfric_periodic_friction`).
+!> in the solid (`adfric_periodic_friction`). The file is long by its answers to `periodic_model_t`, one procedure each.
 module adfric_periodic_sliding_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
@@ -125,13 +125,11 @@ contains
    subroutine take_attribute(self, index, name, value, problems)
       !> The model, which keeps the temperature of the master curve.
       class(sliding_model_t), intent(inout) :: self
-      !> Index of the dataset in `variables`.
       integer, intent(in) :: index
       !> Name of the attribute.
       character(*), intent(in) :: name
       !> Its value in SI units.
       real(dp), intent(in) :: value
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call take_spectrum_attribute(self%spectrum, self%variables(index), index - self%first_of_solid + 1, name, value, problems)
@@ -155,7 +153,6 @@ contains
       real(dp), intent(in) :: values(:)
       !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call check_sliding_surface(self%variables, values, self%heights, is_swept, self%wants_profiles(values), problems)
@@ -165,11 +162,8 @@ contains
    subroutine check_solid(self, values, is_swept, problems)
       !> The model with its spectrum; its tables give the variables their names.
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(periodic_surface_t) :: surface
       type(adhesion_law_t) :: law
@@ -199,7 +193,6 @@ contains
    !> See `periodic_model_t`.
    subroutine get_cells(self, values, surface)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the periods and the cells.
       type(periodic_surface_t), intent(inout) :: surface
@@ -216,7 +209,6 @@ contains
    !> See `periodic_model_t`.
    subroutine get_shape(self, values, shape)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the gap of the undeformed surfaces; that of heights is not copied again [m].
       real(dp), allocatable, intent(inout) :: shape(:, :)
@@ -233,7 +225,6 @@ contains
    !> See `periodic_model_t`.
    subroutine set_solid(self, values, surface)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: with periods and cells. Out: also with `solid`.
       type(periodic_surface_t), intent(inout) :: surface
@@ -246,7 +237,6 @@ contains
    !> See `periodic_model_t`: of a wave in closed form, of heights that of the cells as they are.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The solid of the point.
       class(periodic_solid_t), intent(in) :: solid
@@ -274,7 +264,6 @@ contains
    !> See `periodic_model_t`: that of the cells, of a wave with a parabola between them.
    real(dp) function get_peak_pressure(self, values, pressure)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Pressure in the middles of the cells; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
@@ -291,7 +280,6 @@ contains
    !> See `periodic_model_t`: a wave in full contact, which adhesion leaves as it is.
    subroutine solve_in_closed_form(self, values, surface, goal, solution, is_known)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -321,7 +309,6 @@ contains
    !> See `periodic_model_t`.
    subroutine set_interface(self, values, modulus, goal)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Contact modulus E0 of the relaxed solid [Pa].
       real(dp), intent(in) :: modulus
@@ -365,9 +352,7 @@ contains
    !> See `periodic_model_t`: friction, and its error.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
       !> Solution of the point; lengths in m, pressures in E0.
       type(periodic_solution_t), intent(inout) :: solution
@@ -397,7 +382,6 @@ contains
    !> See `model_t`: the shear stress belongs to friction of the interface, the temperature to heat.
    pure integer function count_profiles(self, values)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       count_profiles = merge(p_shear_stress, p_shear_stress - 1, &
@@ -409,7 +393,6 @@ contains
    !> of the temperature.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
@@ -428,7 +411,6 @@ contains
    !> See `periodic_model_t`: moduli and shift factor, the frequencies of the surface, and the cells of a wave.
    function derive_solid(self, values, surface) result(derived)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The surface, not used here.
       type(periodic_surface_t), intent(in) :: surface
@@ -441,7 +423,6 @@ contains
    !> See `model_t`: the arms, and what is not estimated.
    function describe_case(self, values) result(text)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -452,7 +433,6 @@ contains
    !> See `model_t`: edges that do not meet, a solid that loses nothing, frequencies beyond the master curve.
    function describe_doubts(self, values) result(text)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text, of_heat
       type(periodic_surface_t) :: surface
@@ -473,7 +453,6 @@ contains
    !> See `model_t`: the steepest slope of waves, the mean one of heights.
    subroutine measure(self, values, results, measures)
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point, NaN where they are not known; shape `(n_results)`.
       real(dp), intent(in) :: results(:)

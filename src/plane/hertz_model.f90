@@ -96,7 +96,6 @@ contains
    !> See `model_t`: forces on a line are those per length.
    function unit_of(self, values, index) result(unit)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Index of the variable in `variables`.
       integer, intent(in) :: index
@@ -110,7 +109,6 @@ contains
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point, NaN where they are not known; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
@@ -126,7 +124,6 @@ contains
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
@@ -137,7 +134,6 @@ contains
    !> See `model_t`.
    function derive_quantities(self, values) result(list)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
 
@@ -152,7 +148,6 @@ contains
    !> See `model_t`.
    function describe_case(self, values) result(text)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -163,7 +158,6 @@ contains
    !> See `model_t`.
    function describe_doubts(self, values) result(text)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text, of_heat
       class(point_state_t), allocatable :: state
@@ -200,7 +194,6 @@ contains
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What the point before has left; receives what this point leaves.
       class(point_state_t), allocatable, intent(inout) :: state
@@ -249,11 +242,8 @@ contains
       real(dp), intent(in) :: values(:)
       !> In: the unit contact of the point before. Out: that of this point, and its contact.
       type(hertz_state_t), intent(inout) :: state
-      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
-      !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       real(dp) :: misfit
       logical :: is_sustained
@@ -281,13 +271,9 @@ contains
    !> Solve the contact on an ellipse or a circle.
    subroutine solve_ellipse(values, state, results, error_estimate, status)
       real(dp), intent(in) :: values(:)
-      !> In: the unit contact of the point before. Out: that of this point, and its contact.
       type(hertz_state_t), intent(inout) :: state
-      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
-      !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       real(dp) :: direction, misfit
       logical :: is_sustained
@@ -338,7 +324,6 @@ contains
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       count_profiles = merge(p_shear_stress, p_shear_stress - 1, has_slip(values) .or. has_interface(values(in%friction)))
@@ -349,7 +334,6 @@ contains
    !> See `pointwise_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       class(hertz_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point.
       real(dp), intent(in) :: results(:)

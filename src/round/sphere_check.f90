@@ -23,7 +23,7 @@ module adfric_round_sphere_check
 
 contains
 
-   !> Add to `problems` what is wrong with the values together.
+   !> Add to `problems` what is wrong with the values together. It is long by its procedures, one a group, which share the checks.
    subroutine check_sphere_values(variables, values, problems)
       type(variable_t), intent(in), target :: variables(:)
       real(dp), intent(in), target :: values(:)
