@@ -196,8 +196,10 @@ contains
       type(data_set_t), intent(in) :: data_sets(:)
       type(curve_points_t), allocatable :: curves(:)
       real(dp), allocatable :: usual(:)
-      integer :: c, n_before
+      integer :: c, g, n_before
 
+      ! the points of a stack are not read yet, and have none
+      if (.not. any([(has_others(data_sets(g)), g=1, size(data_sets))])) return
       n_before = r%problems%count()
       call list_curves(data_sets, curves)
       do c = 1, size(curves)
