@@ -83,7 +83,7 @@ AREAS = {
         one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"), one("lecture_jkr"),
         one("sphere_pull_off_edge"), one("sphere_sample"), one("sphere_uncertain")),
     "Fits of measured data": (
-        one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_interface"), one("fit_map"), one("force_map")),
+        one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_interface"), one("fit_interface_all"), one("fit_map"), one("force_map")),
     "Indenters": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
         one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial"), one("indenter_slip"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"), one("indenter_peeling", options="--y contact_radius tangential_displacement"), one("indenter_hysteresis"), one("indenter_fretting"), one("indenter_spring"), one("indenter_pull_off"),
@@ -99,7 +99,7 @@ AREAS = {
         one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
         one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"),
         one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),
-        one("wave_1d_interface"),
+        one("wave_1d_interface"), one("rubber_all_parts"),
         one("wave_1d_coupling", options="--y friction_coefficient hysteretic_friction_stress contact_shift"),
         one("wave_1d_adhesive_sliding", options="--x velocity --y friction_stress friction_stress_without_adhesion pull_off_pressure"),
         one("wave_2d_elastic"), one("wave_2d_contact"),

@@ -85,6 +85,7 @@ def unit_of(column, options, model):
              options.get("abscissa_sigma_column"): options.get("abscissa"),
              options.get("ordinate_column") or options.get("ordinate"): options.get("ordinate"),
              options.get("sigma_column") or "sigma": options.get("ordinate")}
+    names.update(variable_columns(options))
     wanted = names.get(column)
     if wanted is not None and hasattr(model, "unit"):
         return model.unit(wanted)
@@ -93,6 +94,17 @@ def unit_of(column, options, model):
     if wanted == options.get("ordinate") and wanted in known.results and column != options.get("abscissa_column"):
         return known.results[wanted].unit
     return known.variables[wanted].unit if wanted in known.variables else "1"
+
+
+def variable_columns(options):
+    """Columns of the variables that have a value for each point, and the names of these."""
+    variables, columns = (words_of(options.get(name) or ()) for name in ("variables", "variable_columns"))
+    return dict(zip(columns or variables, variables))
+
+
+def words_of(given):
+    """One word, or several."""
+    return [given] if isinstance(given, str) else list(given)
 
 
 def columns_of_dataset(given, options, name):
@@ -104,7 +116,7 @@ def columns_of_dataset(given, options, name):
     if not dimensions:
         raise InputError(f"{name}: {key} is a single number, allowed: an array")
     wanted = {options.get(option) or (options.get(usual) or usual) for option, usual in NAMED.items()
-              if options.get(option) or usual} | {"contact"}
+              if options.get(option) or usual} | {"contact"} | set(variable_columns(options))
     columns = {}
     for column in wanted:
         if column not in given or not given[column].dims:

@@ -11,7 +11,7 @@ import numpy as np
 from . import library as _library
 from .cases import Case
 from .errors import InputError
-from .fit_data import group_of
+from .fit_data import group_of, words_of
 from .fit_text import block, free_blocks, free_names, variable_blocks
 from .library import library, text_for, text_of
 from .scenes import split_scene, write_arrays
@@ -43,7 +43,8 @@ def fit(*given, abscissa=None, ordinate=None, free=(), data_options=None, events
     free : list of str, or dict
         What is to be found: names, or names with `start`, `minimum`, `maximum`, `scale`, `prior`, `prior_sigma` in a dictionary.
     data_options : dict
-        Other variables of `&data` for every table, such as `sigma`, `relative_sigma`, `abscissa_sigma`, `loss`, `load_offset`.
+        Other variables of `&data` for every table, such as `sigma`, `relative_sigma`, `abscissa_sigma`, `loss`, `load_offset`, or
+        `variables`: names of further variables that have a column, and so a value for each point.
     events : list of dict
         `&event` groups, such as {"kind": "pull_off_load", "value": -125e-9, "sigma": 1e-9}.
     intervals, levels, starts, theories, derived, curves, relative_tolerance, refits, seed
@@ -118,7 +119,7 @@ class SceneOfFit:
 
     def __init__(self, groups, free, options):
         self._groups = groups
-        self._names = [*free_names(free), *(options[name] for name in ("abscissa",) if options.get(name))]
+        self._names = [*free_names(free), *(options[name] for name in ("abscissa",) if options.get(name)), *words_of(options.get("variables") or ())]
 
     @functools.cached_property
     def _case(self):

@@ -16,6 +16,8 @@ MOST_EXCESS = 8.0
 POINT = {"marker": "o", "markersize": 2.6, "linestyle": "none", "linewidth": 0.6, "elinewidth": 0.5, "capsize": 0, "zorder": 1}
 CURVE = {"color": COLOURS[1], "zorder": 3}
 SECOND = {"color": COLOURS[2], "linestyle": (0, (4, 2)), "linewidth": 1.0, "zorder": 4}
+# values of a variable that have a colour each
+MOST_VALUES = 8
 CONTACT, FREE, LEFT_OUT = "0.25", "0.65", "#c00000"
 # abscissas of the events, by their kind
 EVENT_AXES = {"pull_off_load": "load", "jump_in_approach": "approach", "pull_off_approach": "approach"}
@@ -40,6 +42,17 @@ class DataSet:
     def __getitem__(self, name):
         column = self.columns.get(name + self.suffix)
         return None if column is None else column.values
+
+    def variable(self):
+        """Of the variables that have a value for each point that of most values, if these are few; None if there is none."""
+        counts = {}
+        for name in self.columns:
+            if name.startswith("point_") and name.endswith(self.suffix):
+                points = self[name.removesuffix(self.suffix)]
+                if points.dtype.kind == "f" and np.any(np.isfinite(points)):
+                    counts[name.removeprefix("point_").removesuffix(self.suffix)] = len(np.unique(points[np.isfinite(points)]))
+        counts = {name: count for name, count in counts.items() if count <= MOST_VALUES}
+        return max(counts, key=counts.get) if counts else None
 
     def about(self, name):
         """Name and unit of what is measured."""
@@ -129,7 +142,10 @@ def _draw_points(axes, data, columns, number):
         if np.any(here & np.isfinite(x * y)):
             axes.errorbar(x[here] * x_factor, y[here] * y_factor, sigma[here] * y_factor, x_sigma[here] * x_factor, color=colour,
                           label=label, **POINT)
-    if data["curve"] is not None:
+    several = data.variable()
+    if several is not None:
+        _draw_curves(axes, data, several, x_factor, y_factor)
+    elif data["curve"] is not None:
         curve_x = data["curve_x"] * x_factor
         axes.fill_between(curve_x, data["band_low"] * y_factor, data["band_high"] * y_factor, color=CURVE["color"], alpha=0.25,
                           linewidth=0, zorder=2.5)
@@ -138,11 +154,27 @@ def _draw_points(axes, data, columns, number):
             excess = columns["minima_chi2"].values
             axes.plot(curve_x, data["second_curve"] * y_factor, label=f"second minimum, {excess[1] - excess[0]:+.2g}", **SECOND)
     _draw_events(axes, columns, number, x_name, y_name, x_factor, y_factor)
-    if is_logarithmic(x[used]):
+    if is_logarithmic(x[used] if several is None else np.unique(x[used])):
         axes.set_xscale("log")
     axes.set_ylabel(axis_label(y_name, y_unit))
     axes.legend(loc="best")
     axes.tick_params(labelbottom=False)
+
+
+def _draw_curves(axes, data, name, x_factor, y_factor):
+    """The points and curves of each value of a variable in a colour of its own."""
+    points, unit = data[f"point_{name}"], data.columns[f"point_{name}{data.suffix}"].unit
+    factor, unit = scale_of(points, unit)
+    values = np.unique(points[np.isfinite(points)])
+    colours = plt.get_cmap("viridis")(np.linspace(0, 0.85, len(values)))
+    for value, colour in zip(values, colours):
+        here = points == value
+        axes.plot(data["abscissa"][here] * x_factor, data["ordinate"][here] * y_factor, color=colour, marker="o", markersize=2.6, linestyle="none",
+                  zorder=2)
+        if data["curve"] is not None:
+            # curves of other values are left out, and so are the points between two
+            curve = np.where(data[f"curve_{name}"] == value, data["curve"], np.nan) * y_factor
+            axes.plot(data["curve_x"] * x_factor, curve, color=colour, linewidth=1.0, label=f"{value * factor:.5g} {unit}", zorder=3)
 
 
 def _draw_events(axes, columns, number, x_name, y_name, x_factor, y_factor):

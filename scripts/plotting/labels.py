@@ -19,6 +19,7 @@ SYMBOLS = {
     "contact_modulus": "E^*",
     "contact_radius": "a",
     "contact_temperature": "T_c",
+    "flash_temperature": r"\Delta T",
     "contact_width": "a + b",
     "crest_contact_width": "a + b",
     "coulomb_coefficient": r"\mu",

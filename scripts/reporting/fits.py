@@ -80,7 +80,7 @@ def _draw_data(data, columns, number):
     x_factor, x_unit = scale_of(x, x_unit)
     y_factor, y_unit = scale_of(y, y_unit)
     used = data["used"] == "true" if data["used"] is not None else np.isfinite(x * y)
-    is_log = is_logarithmic(x[used])
+    is_log = is_logarithmic(x[used] if data.variable() is None else np.unique(x[used]))
     above = _figure(words_of(x_name, x_unit), words_of(y_name, y_unit), 380, is_log, name=f"data {number}")
     sigma = data["sigma"] if data["sigma"] is not None else np.zeros_like(y)
     residual = data["residual"] if data["residual"] is not None else np.full(y.shape, np.nan)

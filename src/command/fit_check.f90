@@ -10,6 +10,7 @@ module adfric_command_fit_check
    use adfric_command_fit_doubts, only: describe_fit_doubts
    use adfric_command_rounding, only: show_to_digits
    use adfric_fit_base_line, only: mark_base_lines
+   use adfric_fit_parts, only: has_others, number_curves
    use adfric_fit_problem, only: data_set_t, event_names, fit_t, interval_names, loss_gauss, loss_names, nuisance_names, &
       & n_nuisances, nuisance_lateral_gain, nuisance_spring_stiffness
    use adfric_fit_solution, only: solution_t, fit_solved
@@ -49,11 +50,32 @@ contains
             lines = lines//pad('data['//show_count(g)//']', name_width)//model%fit%model%results(set%ordinate)%name//' against '// &
                model%fit%model%variables(set%abscissa)%name//newline
             lines = lines//pad('', name_width)//describe_points(details%loaded%counts(g), group%x_unit, group%y_unit)//newline
+            lines = lines//other_lines(model%fit, model%fit%data_sets(g))
             lines = lines//pad('', name_width)//describe_errors(model, details, g)//newline
             lines = lines//nuisance_line(set)
          end associate
       end do
    end function data_lines
+
+   !> The further variables of the points, and how many curves these are.
+   function other_lines(fit, set) result(lines)
+      type(fit_t), intent(in) :: fit
+      !> The points of a `&data`.
+      type(data_set_t), intent(in) :: set
+      character(:), allocatable :: lines
+      logical :: is_used(size(set%x))
+      integer :: k
+
+      lines = ''
+      if (.not. has_others(set)) return
+      is_used = number_curves(set) > 0
+      do k = 1, size(set%others)
+         lines = lines//pad('', name_width)//fit%model%variables(set%others(k))%name//' of each point, '// &
+            show_to_digits(minval(set%at(k, :), is_used), 5)//' to '//show_to_digits(maxval(set%at(k, :), is_used), 5)// &
+            show_unit(fit%model%unit_of(fit%base, set%others(k)))//newline
+      end do
+      lines = lines//pad('', name_width)//show_count(maxval(number_curves(set)))//' curves'//newline
+   end function other_lines
 
    !> The counts of points in words.
    pure function describe_points(counts, x_unit, y_unit) result(text)

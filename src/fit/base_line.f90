@@ -12,6 +12,7 @@ module adfric_fit_base_line
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: find_word
    use adfric_fit_order, only: order_of, sort
+   use adfric_fit_parts, only: has_others
    use adfric_fit_problem, only: fit_t, data_set_t
    implicit none (type, external)
    private
@@ -43,7 +44,8 @@ contains
       end do
    end subroutine mark_base_lines
 
-   !> Which data sets may have a base line that no column marks: loads against approaches, where something adheres.
+   !> Which data sets may have a base line that no column marks: loads against approaches, where something adheres. One with further
+   !> variables has none: its points are no passes of one curve.
    function wants_marks(fit) result(wants)
       type(fit_t), intent(in) :: fit
       logical :: wants(size(fit%data_sets))
@@ -54,7 +56,7 @@ contains
       if (.not. adheres(fit)) return
       do k = 1, size(fit%data_sets)
          associate (data => fit%data_sets(k))
-            if (allocated(data%is_contact)) cycle
+            if (allocated(data%is_contact) .or. has_others(data)) cycle
             if (fit%model%results(data%ordinate)%name /= 'load') cycle
             wants(k) = any(fit%model%variables(data%abscissa)%name == [character(13) :: 'approach', 'base_approach'])
          end associate

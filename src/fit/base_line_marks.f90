@@ -62,8 +62,8 @@ contains
       if (.not. marks%is_known) return
       do k = 1, size(wants)
          if (.not. wants(k)) cycle
-         associate (at => contact%number(k))
-            if (contact%is_sphere(k)) then
+         associate (at => contact%number(contact%first_curve(k)))
+            if (contact%is_sphere(contact%first_curve(k))) then
                call choose_marks(contact%spheres(at), apart%spheres(at), self%fit%data_sets(k), contact%loss(k), &
                   & contact%loss_width(k), self%course%variance, marks, k)
             else

@@ -81,14 +81,8 @@ contains
 
       slopes = 1
       do k = 1, size(objective%events)
-         associate (event => objective%events(k), of => objective%events(k)%data_set)
-            if (objective%is_sphere(of)) then
-               call objective%spheres(objective%number(of))%find_event(event%kind, objective%values, objective%nuisance(:, of), &
-                  & slopes, value, gradient, is_valid)
-            else
-               call objective%others(objective%number(of))%find_event(event%kind, objective%values, objective%nuisance(:, of), &
-                  & slopes, value, gradient, is_valid)
-            end if
+         associate (event => objective%events(k))
+            call objective%find_event(event, slopes, value, gradient, is_valid)
             if (is_valid) event%value = value
          end associate
       end do

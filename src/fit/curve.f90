@@ -2,16 +2,21 @@
 !> A measured curve beside its model: residuals in standard errors with their derivatives by the free variables.
 module adfric_fit_curve
    use adfric_base_kinds, only: dp
+   use adfric_fit_parts, only: has_others
    use adfric_fit_problem, only: data_set_t, free_t, n_nuisances
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    implicit none (type, external)
    private
-   public :: fit_curve_t, take_points, nuisance_slopes
+   public :: fit_curve_t, take_points, abscissas_of, nuisance_slopes
 
    !> A measured curve. Only points that are used are kept.
    type, abstract :: fit_curve_t
       !> Number of the data set, and of points that are used.
       integer :: data_set = 0, n = 0
+      !> Variables of the model that the curve has values of its own for, as positions, and these values; not allocated: none.
+      integer, allocatable :: others(:)
+      !> See `others`.
+      real(dp), allocatable :: at(:)
       !> Does a point have a standard error of the abscissa?
       logical :: is_latent = .false.
       !> The points in the data set; shape `(n)`.
@@ -28,6 +33,7 @@ module adfric_fit_curve
       procedure(evaluate_i), deferred :: evaluate
       procedure(find_event_i), deferred :: find_event
       procedure(most_rows_i), deferred :: most_rows
+      procedure :: values_of
    end type fit_curve_t
 
    abstract interface
@@ -81,14 +87,29 @@ module adfric_fit_curve
 
 contains
 
-   !> Take the points of a data set that are used.
-   subroutine take_points(self, number, data, unit)
+   !> Values of all variables of the model on a curve.
+   pure function values_of(self, values)
+      class(fit_curve_t), intent(in) :: self
+      !> Those that all curves have.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: values_of(size(values))
+
+      values_of = values
+      if (allocated(self%others)) values_of(self%others) = self%at
+   end function values_of
+
+   !> Take the points of a curve that are used.
+   subroutine take_points(self, number, data, points, unit)
       class(fit_curve_t), intent(inout) :: self
       integer, intent(in) :: number
+      !> The points of the curve alone.
       type(data_set_t), intent(in) :: data
+      !> Their indices in the data set.
+      integer, intent(in) :: points(:)
       !> The standard error of all ordinates where none is given.
       real(dp), intent(in) :: unit
       logical :: is_used(size(data%x))
+      integer, allocatable :: used(:)
       integer :: i
 
       do i = 1, size(data%x)
@@ -98,21 +119,44 @@ contains
          if (allocated(data%x_sigma)) is_used(i) = is_used(i) .and. ieee_is_finite(data%x_sigma(i))
       end do
       self%data_set = number
-      self%index = pack([(i, i=1, size(data%x))], is_used)
-      self%n = size(self%index)
-      self%x = data%x(self%index)
-      self%y = data%y(self%index)
+      used = pack([(i, i=1, size(data%x))], is_used)
+      self%index = points(used)
+      self%n = size(used)
+      self%x = data%x(used)
+      self%y = data%y(used)
+      if (has_others(data) .and. size(points) > 0) then
+         self%others = data%others
+         self%at = data%at(:, 1)
+      end if
       allocate (self%sigma(self%n), source=unit)
-      if (allocated(data%sigma)) self%sigma = data%sigma(self%index)
+      if (allocated(data%sigma)) self%sigma = data%sigma(used)
       allocate (self%x_sigma(self%n), source=0.0_dp)
-      if (allocated(data%x_sigma)) self%x_sigma = data%x_sigma(self%index)
+      if (allocated(data%x_sigma)) self%x_sigma = data%x_sigma(used)
       self%is_latent = any(self%x_sigma > 0)
       allocate (self%is_contact(self%n), source=.true.)
-      if (allocated(data%is_contact)) self%is_contact = data%is_contact(self%index)
+      if (allocated(data%is_contact)) self%is_contact = data%is_contact(used)
       allocate (self%fitted(self%n), self%residual(self%n), source=0.0_dp)
       self%foot = self%x
       allocate (self%is_beyond(self%n), self%is_apart(self%n), source=.false.)
    end subroutine take_points
+
+   !> Abscissas in contact that tell how well the abscissa is resolved: those of the curve, or of its data set where a curve has few.
+   pure function abscissas_of(self, whole) result(x)
+      class(fit_curve_t), intent(in) :: self
+      !> The data set with all its curves.
+      type(data_set_t), intent(in) :: whole
+      real(dp), allocatable :: x(:)
+      logical :: is_used(size(whole%x))
+
+      if (.not. has_others(whole)) then
+         x = pack(self%x, self%is_contact)
+         return
+      end if
+      is_used = ieee_is_finite(whole%x)
+      if (allocated(whole%is_used)) is_used = is_used .and. whole%is_used
+      if (allocated(whole%is_contact)) is_used = is_used .and. whole%is_contact
+      x = pack(whole%x, is_used)
+   end function abscissas_of
 
    !> Derivatives of the nuisances of a data set by the numbers that are fitted.
    pure subroutine nuisance_slopes(frees, data_set, slopes, of_nuisance)

@@ -12,6 +12,7 @@ module adfric_fit_curve_starts
    use adfric_fit_model_points, only: fold_t, model_points_t, new_model_points
    use adfric_fit_objective, only: objective_t
    use adfric_fit_order, only: order_of
+   use adfric_fit_parts, only: has_others
    use adfric_fit_problem, only: fit_t, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
       & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_curve, only: is_plain_sphere
@@ -53,7 +54,7 @@ contains
       associate (data => fit%data_sets(1))
          has_curve_starts = fit%model%results(data%ordinate)%name == 'load' .and. index(fit%model%variables(data%abscissa)%name, &
             & 'approach') > 0 .and. .not. is_set(data%nuisance(nuisance_spring_stiffness)) &
-            & .and. .not. any(fit%frees%nuisance == nuisance_spring_stiffness) &
+            & .and. .not. any(fit%frees%nuisance == nuisance_spring_stiffness) .and. .not. has_others(data) &
             & .and. (fit%model%name == 'indenter' .or. is_plain_sphere(fit, data))
       end associate
    end function has_curve_starts

@@ -3,7 +3,8 @@
 module adfric_fit_data_extras
    use adfric_base_kinds, only: dp
    use adfric_fit_extra_list, only: extra_list_t
-   use adfric_fit_names, only: suffix_of
+   use adfric_fit_names, only: name_of_other, suffix_of
+   use adfric_fit_parts, only: has_others
    use adfric_fit_problem, only: fit_t, data_set_t
    use adfric_fit_solution, only: solution_t, data_solution_t
    use adfric_describe_table, only: result_t
@@ -46,6 +47,12 @@ contains
       if (allocated(data_set%sigma)) call list%add('sigma'//suffix, y_unit, 'standard error of the ordinate', point, data_set%sigma)
       if (allocated(data_set%x_sigma)) call list%add('abscissa_sigma'//suffix, x_unit, 'standard error of the abscissa', point, &
          data_set%x_sigma)
+      if (has_others(data_set)) then
+         do i = 1, size(data_set%others)
+            call list%add('point_'//name_of_other(fit, data_set, i)//suffix, fit%model%unit_of(fit%base, data_set%others(i)), &
+               fit%model%variables(data_set%others(i))%name//' of the point', point, data_set%at(i, :))
+         end do
+      end if
       if (allocated(data_set%is_contact)) call list%add('branch'//suffix, '-', 'branch of the point', point, &
          merge(1.0_dp, 0.0_dp, data_set%is_contact), flag_meanings='free contact')
       if (allocated(data_set%segment)) call list%add('segment'//suffix, '-', 'segment of the point', point, &
@@ -62,6 +69,7 @@ contains
       character(*), intent(in) :: suffix
       type(extra_list_t), intent(inout) :: list
       character(:), allocatable :: x_unit, y_unit, curve
+      integer :: i
 
       call get_units(fit, data_set, x_unit, y_unit)
       if (allocated(found%fitted)) call list%add('fitted'//suffix, y_unit, 'the model at the measured points', 'point'//suffix, &
@@ -72,7 +80,18 @@ contains
          'point'//suffix, merge(1.0_dp, 0.0_dp, found%is_contact), flag_meanings='free contact')
       if (.not. allocated(found%curve_x)) return
       curve = 'curve_x'//suffix
-      call list%add_scale(curve, x_unit, fit%model%variables(data_set%abscissa)%name, found%curve_x)
+      if (allocated(found%curve_at)) then
+         ! several curves, one behind the other: their abscissas are no scale
+         curve = 'curve_point'//suffix
+         call list%add_numbers(curve, 'point of a curve', size(found%curve_x))
+         call list%add('curve_x'//suffix, x_unit, fit%model%variables(data_set%abscissa)%name, curve, found%curve_x)
+         do i = 1, size(data_set%others)
+            call list%add('curve_'//name_of_other(fit, data_set, i)//suffix, fit%model%unit_of(fit%base, data_set%others(i)), &
+               fit%model%variables(data_set%others(i))%name//' of the curve', curve, found%curve_at(i, :))
+         end do
+      else
+         call list%add_scale(curve, x_unit, fit%model%variables(data_set%abscissa)%name, found%curve_x)
+      end if
       call list%add('curve'//suffix, y_unit, 'the best curve', curve, found%curve)
       if (allocated(found%second_curve)) call list%add('second_curve'//suffix, y_unit, 'the curve of the second minimum', curve, &
          found%second_curve)

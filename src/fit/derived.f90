@@ -30,6 +30,8 @@ contains
       if (allocated(solution%derived)) deallocate (solution%derived)
       allocate (solution%derived(0))
       if (size(self%spheres) == 0) return
+      ! they differ between curves of values of their own
+      if (allocated(self%spheres(1)%others)) return
       associate (basis => self%spheres(1)%basis, b => self%spheres(1)%basis%by_free)
          if (basis%theory == theory_hertz) return
          if (basis%theory == theory_maugis_dugdale) then

@@ -31,10 +31,11 @@ contains
 
       measures = not_measured
       do k = 1, size(self%spheres)
-         call measure_sphere(self%spheres(k), model, self%values, measures)
+         call measure_sphere(self%spheres(k), model, self%spheres(k)%values_of(self%values), measures)
       end do
       do k = 1, size(self%others)
-         call measure_points(self%others(k), model, self%values, self%nuisance(:, self%others(k)%data_set), measures)
+         call measure_points(self%others(k), model, self%others(k)%values_of(self%values), &
+            & self%nuisance(:, self%others(k)%data_set), measures)
       end do
    end subroutine measure_fit
 

@@ -9,9 +9,10 @@ module adfric_fit_drawn_curves
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_objective, only: objective_t, new_objective, most_rows_of
    use adfric_fit_order, only: order_of
+   use adfric_fit_parts, only: has_others, number_curves
    use adfric_fit_problem, only: fit_t, data_set_t, loss_gauss
    use adfric_fit_scales, only: scales_t
-   use adfric_fit_solution, only: solution_t
+   use adfric_fit_solution, only: data_solution_t, solution_t
    use adfric_numerics_bounded_least_squares, only: squares_work_t, new_squares_work
    use adfric_numerics_distributions, only: normal_quantile, t_quantile
    implicit none (type, external)
@@ -20,6 +21,9 @@ module adfric_fit_drawn_curves
 
    !> Points of a curve at first, and level of its band.
    integer, parameter :: n_drawn = 201
+   !> Most curves that are drawn of a data set whose points have values of further variables, and least points of one. They are not
+   !> refined.
+   integer, parameter :: most_drawn = 64, least_drawn = 33
    real(dp), parameter :: band_level = 0.95_dp
    !> Where a point leaves the chord of its neighbours by more than this part of the curve's range, so many parts are made of the
    !> intervals beside it, and that so often.
@@ -42,53 +46,85 @@ contains
       integer, intent(in) :: freedom
       type(solution_t), intent(inout) :: solution
       type(fit_t) :: drawn
-      integer :: k
+      integer, allocatable :: number(:)
+      integer :: k, c
 
+      allocate (number(0))
       drawn = fit
       if (allocated(drawn%events)) deallocate (drawn%events)
       do k = 1, size(fit%data_sets)
-         ! one curve at a time, for one may lie where another has no value
-         call make_grid(fit, k, drawn)
-         if (size(drawn%data_sets(k)%x) == 0) cycle
-         call draw(drawn, scales, k, minima, covariance, freedom, solution)
+         number = number_curves(fit%data_sets(k))
+         do c = 1, min(maxval([number, 0]), most_drawn)
+            ! one curve at a time, for one may lie where another has no value
+            call make_grid(fit, k, number == c, drawn)
+            if (size(drawn%data_sets(k)%x) == 0) cycle
+            call draw(drawn, scales, k, minima, covariance, freedom, solution%data_sets(k))
+         end do
       end do
    end subroutine draw_curves
 
-   !> Points of one data set over its range in contact, and none of the others.
-   subroutine make_grid(fit, number, drawn)
+   !> Points of one curve over its range in contact, and none of the other data sets.
+   subroutine make_grid(fit, number, is_of_curve, drawn)
       type(fit_t), intent(in) :: fit
+      !> Number of the data set.
       integer, intent(in) :: number
+      !> Which of its points are those of the curve.
+      logical, intent(in) :: is_of_curve(:)
       type(fit_t), intent(inout) :: drawn
       logical, allocatable :: counts(:)
+      real(dp), allocatable :: x(:)
       real(dp) :: low, high
-      integer :: k, i
+      integer :: k, i, n
 
       do k = 1, size(fit%data_sets)
-         associate (data => drawn%data_sets(k), from => fit%data_sets(k))
-            if (allocated(data%sigma)) deallocate (data%sigma)
-            if (allocated(data%x_sigma)) deallocate (data%x_sigma)
-            if (allocated(data%is_contact)) deallocate (data%is_contact)
-            if (allocated(data%segment)) deallocate (data%segment)
-            if (allocated(data%is_used)) deallocate (data%is_used)
-            data%loss = loss_gauss
-            data%x = from%x(:0)
+         associate (from => fit%data_sets(k))
+            n = n_drawn
+            if (has_others(from)) n = max(n_drawn/max(maxval(number_curves(from)), 1), least_drawn)
+            x = from%x(:0)
+            i = 1
             if (k == number) then
-               counts = ieee_is_finite(from%x) .and. ieee_is_finite(from%y)
+               counts = ieee_is_finite(from%x) .and. ieee_is_finite(from%y) .and. is_of_curve
                if (allocated(from%is_contact)) counts = counts .and. from%is_contact
                if (allocated(from%is_used)) counts = counts .and. from%is_used
+               if (has_others(from) .and. any(counts)) counts = counts .and. maxval(from%x, counts) > minval(from%x, counts)
                if (any(counts)) then
                   low = minval(from%x, counts)
                   high = maxval(from%x, counts)
-                  data%x = [(low + (high - low)*i/(n_drawn - 1), i=0, n_drawn - 1)]
-                  if (is_logarithmic(pack(from%x, counts))) data%x(2:n_drawn - 1) = [(low*(high/low)**(real(i, dp) &
-                     & /(n_drawn - 1)), i=1, n_drawn - 2)]
+                  x = [(low + (high - low)*i/(n - 1), i=0, n - 1)]
+                  if (is_logarithmic(pack(from%x, counts))) x(2:n - 1) = [(low*(high/low)**(real(i, dp)/(n - 1)), i=1, n - 2)]
+                  i = findloc(counts, .true., 1)
                end if
             end if
-            data%y = 0*data%x
-            allocate (data%sigma(size(data%x)), source=1.0_dp)
+            call set_grid(drawn%data_sets(k), from, i, x)
          end associate
       end do
    end subroutine make_grid
+
+   !> Points to be drawn for those of a data set.
+   subroutine set_grid(data, from, point, x)
+      !> The data set, which receives the points.
+      type(data_set_t), intent(inout) :: data
+      !> The data set as it was measured, and the index of a point with the values of the curve.
+      type(data_set_t), intent(in) :: from
+      integer, intent(in) :: point
+      !> Abscissas of the points.
+      real(dp), intent(in) :: x(:)
+
+      if (allocated(data%x_sigma)) deallocate (data%x_sigma)
+      if (allocated(data%is_contact)) deallocate (data%is_contact)
+      if (allocated(data%segment)) deallocate (data%segment)
+      if (allocated(data%is_used)) deallocate (data%is_used)
+      data%loss = loss_gauss
+      data%x = x
+      data%y = 0*x
+      data%sigma = spread(1.0_dp, 1, size(x))
+      if (.not. has_others(from)) return
+      if (size(x) > 0) then
+         data%at = spread(from%at(:, point), 2, size(x))
+      else
+         data%at = from%at(:, :0)
+      end if
+   end subroutine set_grid
 
    !> Are abscissas spread over decades in even ratios?
    pure logical function is_logarithmic(x)
@@ -112,8 +148,8 @@ contains
       is_logarithmic = maxval(steps(:n - 1)) < even_steps*minval(steps(:n - 1))
    end function is_logarithmic
 
-   !> Draw the curve of one data set.
-   subroutine draw(drawn, scales, number, minima, covariance, freedom, solution)
+   !> Draw a curve, behind those that its data set has already.
+   subroutine draw(drawn, scales, number, minima, covariance, freedom, found)
       !> The fit with points to be drawn for data; more are put in between.
       type(fit_t), intent(inout) :: drawn
       type(scales_t), intent(in) :: scales
@@ -123,31 +159,76 @@ contains
       !> Covariance of the first one.
       real(dp), intent(in) :: covariance(:, :)
       integer, intent(in) :: freedom
-      type(solution_t), intent(inout) :: solution
-      real(dp), allocatable :: curve(:), half(:)
+      type(data_solution_t), intent(inout) :: found
+      real(dp), allocatable :: curve(:), half(:), second(:)
       real(dp) :: reach
-      logical :: is_valid
-      integer :: again
+      logical :: is_valid, is_first
+      integer :: again, most
 
-      associate (data => solution%data_sets(number))
-         do again = 0, most_refinements
+      associate (data => drawn%data_sets(number))
+         most = merge(0, most_refinements, has_others(data))
+         do again = 0, most
             call evaluate_curve(drawn, scales, number, minima(:, 1), covariance, curve, half, is_valid)
             if (.not. is_valid) return
-            if (again < most_refinements) call refine(curve, drawn%data_sets(number))
-            if (size(drawn%data_sets(number)%x) == size(curve)) exit
+            if (again < most) call refine(curve, data)
+            if (size(data%x) == size(curve)) exit
          end do
          reach = normal_quantile(band_level)
          if (freedom > 0) reach = t_quantile(band_level, freedom)
-         half = reach*half
-         data%curve_x = drawn%data_sets(number)%x
-         data%curve = curve
-         data%band_low = curve - half
-         data%band_high = curve + half
+         is_first = .not. allocated(found%curve_x)
+         if (.not. is_first) call separate(found, data%at(:, :1))
+         call append(found%curve_x, data%x)
+         call append(found%curve, curve)
+         call append(found%band_low, curve - reach*half)
+         call append(found%band_high, curve + reach*half)
+         if (has_others(data)) call append_table(found%curve_at, data%at)
          if (size(minima, 2) < 2) return
-         call evaluate_curve(drawn, scales, number, minima(:, 2), covariance, curve, half, is_valid)
-         if (is_valid) data%second_curve = curve
+         call evaluate_curve(drawn, scales, number, minima(:, 2), covariance, second, half, is_valid)
+         if (.not. is_valid .and. .not. has_others(data)) return
+         if (.not. is_valid) second = not_a_number() + 0*data%x
+         if (is_first .or. allocated(found%second_curve)) call append(found%second_curve, second)
       end associate
    end subroutine draw
+
+   !> Put a point without a value between two curves.
+   pure subroutine separate(found, at)
+      type(data_solution_t), intent(inout) :: found
+      !> Values of the further variables on the next curve; shape `(n_others, 1)`.
+      real(dp), intent(in) :: at(:, :)
+
+      call append(found%curve_x, [found%curve_x(size(found%curve_x))])
+      call append(found%curve, [not_a_number()])
+      call append(found%band_low, [not_a_number()])
+      call append(found%band_high, [not_a_number()])
+      call append_table(found%curve_at, at)
+      if (allocated(found%second_curve)) call append(found%second_curve, [not_a_number()])
+   end subroutine separate
+
+   !> Put numbers behind others.
+   pure subroutine append(numbers, more)
+      !> The numbers, which grow; not allocated: there are none yet.
+      real(dp), allocatable, intent(inout) :: numbers(:)
+      real(dp), intent(in) :: more(:)
+
+      if (.not. allocated(numbers)) allocate (numbers(0))
+      numbers = [numbers, more]
+   end subroutine append
+
+   !> Put columns behind others.
+   pure subroutine append_table(table, more)
+      !> The columns, which grow; not allocated: there are none yet.
+      real(dp), allocatable, intent(inout) :: table(:, :)
+      real(dp), intent(in) :: more(:, :)
+      real(dp), allocatable :: both(:, :)
+      integer :: n
+
+      n = 0
+      if (allocated(table)) n = size(table, 2)
+      allocate (both(size(more, 1), n + size(more, 2)))
+      if (n > 0) both(:, :n) = table
+      both(:, n + 1:) = more
+      call move_alloc(both, table)
+   end subroutine append_table
 
    !> The curve at its points, and its standard errors. It has no value beyond the fold.
    subroutine evaluate_curve(drawn, scales, number, q, covariance, curve, half, is_valid)
@@ -177,11 +258,13 @@ contains
       do i = 1, n
          half(i) = sqrt(max(dot_product(work%j(i, :), matmul(covariance, work%j(i, :))), 0.0_dp))
       end do
-      if (objective%is_sphere(number)) then
-         where (objective%spheres(objective%number(number))%is_beyond) curve = not_a_number()
-      else
-         where (objective%others(objective%number(number))%is_beyond) curve = not_a_number()
-      end if
+      associate (at => objective%number(objective%first_curve(number)))
+         if (objective%is_sphere(objective%first_curve(number))) then
+            where (objective%spheres(at)%is_beyond) curve = not_a_number()
+         else
+            where (objective%others(at)%is_beyond) curve = not_a_number()
+         end if
+      end associate
    end subroutine evaluate_curve
 
    !> Put points between those whose chords leave the curve.
@@ -216,8 +299,8 @@ contains
       end do
       data%x = [x, data%x(size(curve))]
       data%y = 0*data%x
-      deallocate (data%sigma)
-      allocate (data%sigma(size(data%x)), source=1.0_dp)
+      data%sigma = spread(1.0_dp, 1, size(data%x))
+      if (has_others(data)) data%at = spread(data%at(:, 1), 2, size(data%x))
    end subroutine refine
 
 end module adfric_fit_drawn_curves

@@ -163,6 +163,10 @@ contains
       integer :: k
 
       sigma = sqrt(course%variance)
+      do k = 1, size(solution%data_sets)
+         solution%data_sets(k)%points_used = 0
+         if (allocated(solution%data_sets(k)%is_apart)) solution%data_sets(k)%is_apart = .false.
+      end do
       do k = 1, size(course%objective%spheres)
          call take_curve(course%objective%spheres(k), sigma, solution)
       end do

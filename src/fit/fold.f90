@@ -27,8 +27,8 @@ module adfric_fit_fold
 
    !> The fold of one curve, beside the points that it may pass.
    type :: curve_fold_t
-      !> Number of the data set; 0: no curve has a fold that moves.
-      integer :: data_set = 0
+      !> Number of the curve; 0: no curve has a fold that moves.
+      integer :: curve = 0
       !> Abscissas of the points in contact that have no errors of the abscissa, rising, ordinates and their standard errors.
       real(dp), allocatable :: x(:), y(:), sigma(:)
       !> Rows of the residuals of these points.
@@ -45,7 +45,7 @@ contains
       real(dp), intent(in) :: q(:)
       !> Which of them stay as they are.
       logical, intent(in) :: is_fixed(:)
-      !> Receives the fold; its data set is 0 if there is none.
+      !> Receives the fold; its curve is 0 if there is none.
       type(curve_fold_t), intent(out) :: fold
       type(curve_fold_t) :: one
       real(dp) :: distance, least
@@ -54,18 +54,18 @@ contains
       least = huge(least)
       do k = 1, size(self%number)
          call new_curve_fold(self, q, is_fixed, k, one, distance)
-         if (one%data_set == 0 .or. distance >= least) cycle
+         if (one%curve == 0 .or. distance >= least) cycle
          least = distance
          fold = one
       end do
    end subroutine choose_fold
 
-   !> The fold of a data set, if it has one that moves and where S has a kink.
-   subroutine new_curve_fold(self, q, is_fixed, data_set, fold, distance)
+   !> The fold of a curve, if it has one that moves and where S has a kink.
+   subroutine new_curve_fold(self, q, is_fixed, curve, fold, distance)
       type(objective_t), intent(inout) :: self
       real(dp), intent(in) :: q(:)
       logical, intent(in) :: is_fixed(:)
-      integer, intent(in) :: data_set
+      integer, intent(in) :: curve
       type(curve_fold_t), intent(out) :: fold
       !> Receives how far it is below all points, as a part of their range.
       real(dp), intent(out) :: distance
@@ -74,11 +74,12 @@ contains
       logical :: is_known
 
       distance = 0
-      if (self%is_sphere(data_set)) then
-         call take_contact(self%spheres(self%number(data_set)), one)
+      if (self%is_sphere(curve)) then
+         call take_contact(self%spheres(self%number(curve)), one)
       else
-         call take_contact(self%others(self%number(data_set)), one)
+         call take_contact(self%others(self%number(curve)), one)
       end if
+      one%curve = curve
       if (size(one%x) < 2) return
       call find_fold(self, q, one, at, is_known)
       if (.not. is_known) return
@@ -103,16 +104,16 @@ contains
 
       call take_estimate(self, q, v, slopes)
       call self%set_values(v)
-      associate (number => self%number(fold%data_set), nuisance => self%nuisance(:, fold%data_set))
-         if (self%is_sphere(fold%data_set)) then
-            call take_values(self%spheres(number), self%values, nuisance, slopes)
+      associate (number => self%number(fold%curve), nuisance => self%nuisance(:, self%data_set(fold%curve)))
+         if (self%is_sphere(fold%curve)) then
+            call take_values(self%spheres(number), self%spheres(number)%values_of(self%values), nuisance, slopes)
             associate (c => self%spheres(number)%common, path => self%spheres(number)%path)
                at = c%x_unit*path%prescribed_at_fold + c%x_zero
             end associate
             is_known = .true.
          else
             associate (curve => self%others(number))
-               call curve%points%find_fold(self%values, of_model)
+               call curve%points%find_fold(curve%values_of(self%values), of_model)
                is_known = of_model%is_known
                at = of_model%x
                if (curve%x_nuisance > 0) at = at + nuisance(curve%x_nuisance)
@@ -130,7 +131,7 @@ contains
       logical :: is_known
       integer :: k
 
-      if (self%is_sphere(fold%data_set)) then
+      if (self%is_sphere(fold%curve)) then
          call find_fold(self, q, fold, at, is_known)
          by_free = last_slopes(self, fold)
          return
@@ -150,14 +151,14 @@ contains
       logical :: is_known
 
       slope = 0
-      if (self%is_sphere(fold%data_set)) then
+      if (self%is_sphere(fold%curve)) then
          by_free = last_slopes(self, fold)
          slope = by_free(k)
          return
       end if
       if (self%frees(k)%variable == 0) then
-         if (self%frees(k)%data_set /= fold%data_set) return
-         if (self%frees(k)%nuisance == self%others(self%number(fold%data_set))%x_nuisance) slope = self%unit(k)
+         if (self%frees(k)%data_set /= self%data_set(fold%curve)) return
+         if (self%frees(k)%nuisance == self%others(self%number(fold%curve))%x_nuisance) slope = self%unit(k)
          return
       end if
       moved = q
@@ -175,11 +176,11 @@ contains
       type(curve_fold_t), intent(in) :: fold
       real(dp) :: by_free(self%n_free), prescribed_l
 
-      if (.not. self%is_sphere(fold%data_set)) then
-         by_free = self%others(self%number(fold%data_set))%fold_by
+      if (.not. self%is_sphere(fold%curve)) then
+         by_free = self%others(self%number(fold%curve))%fold_by
          return
       end if
-      associate (c => self%spheres(self%number(fold%data_set))%common, path => self%spheres(self%number(fold%data_set))%path)
+      associate (c => self%spheres(self%number(fold%curve))%common, path => self%spheres(self%number(fold%curve))%path)
          prescribed_l = path%fold%p_l
          if (path%is_base) prescribed_l = path%fold%d_l + path%ks*path%fold%p_l
          by_free = c%x_unit*(path%prescribed_at_fold*c%x_unit_by + prescribed_l*c%lambda_by) + c%x_zero_by
@@ -201,20 +202,20 @@ contains
 
       call take_estimate(self, q, v, slopes)
       call self%set_values(v)
-      associate (number => self%number(fold%data_set))
-         if (self%is_sphere(fold%data_set)) then
+      associate (number => self%number(fold%curve))
+         if (self%is_sphere(fold%curve)) then
             fold%power = power_of(self%spheres(number))
             return
          end if
          associate (curve => self%others(number))
             zero = 0
-            if (curve%x_nuisance > 0) zero = self%nuisance(curve%x_nuisance, fold%data_set)
-            call curve%points%find_fold(self%values, of_model)
+            if (curve%x_nuisance > 0) zero = self%nuisance(curve%x_nuisance, self%data_set(fold%curve))
+            call curve%points%find_fold(curve%values_of(self%values), of_model)
             x = at - zero + beside*(fold%x(size(fold%x)) - fold%x(1))*[1, 4]
             y = of_model%y
             fold%power = 2
-            call curve%points%ask(self%values, x, y, regimes, error, of_model)
-            call curve%points%find_fold(self%values, of_model)
+            call curve%points%ask(curve%values_of(self%values), x, y, regimes, error, of_model)
+            call curve%points%find_fold(curve%values_of(self%values), of_model)
             if (any(regimes < 0) .or. .not. all(abs(y - of_model%y) > 0)) return
             fold%power = log(abs((y(2) - of_model%y)/(y(1) - of_model%y)))/log(4.0_dp)
             fold%power = max(nint(12*fold%power), 1)/12.0_dp
@@ -257,7 +258,6 @@ contains
 
       kept = pack([(i, i=1, curve%n)], curve%is_contact .and. .not. curve%x_sigma > 0)
       kept = kept(order_of(curve%x(kept)))
-      fold%data_set = curve%data_set
       fold%x = curve%x(kept)
       fold%y = curve%y(kept)
       fold%sigma = curve%sigma(kept)

@@ -55,7 +55,7 @@ contains
       call find_least_squares(search%objective, search%scales%lower, search%scales%upper, is_fixed, own, search%work, q, outcome)
       if (any(outcome%status == [squares_converged, squares_no_value])) return
       call choose_fold(search%objective, q, is_fixed, fold)
-      if (fold%data_set == 0) return
+      if (fold%curve == 0) return
       call cross_regions(search, fold, is_fixed, q, outcome, is_unfolded, own)
    end subroutine find_minimum
 

@@ -50,7 +50,7 @@ contains
          at = minloc(minima%cost(:minima%n), 1)
          best = minima%q(:, at)
          call new_curve_fold(search%objective, best, is_fixed, k, fold, unused)
-         if (fold%data_set == 0) cycle
+         if (fold%curve == 0) cycle
          allocate (drop(size(fold%x)))
          call look_at_best(search, fold, best, minima%cost(at), is_far, drop)
          if (.not. is_far .or. minima%status(at) /= squares_converged) &
@@ -144,7 +144,7 @@ contains
       shift = 0
       total = 0
       do k = 1, size(fold%x)
-         i = search%objective%rows_before(fold%data_set) + fold%row(k)
+         i = search%objective%rows_before(fold%curve) + fold%row(k)
          row = search%work%j(i, :)
          r = search%work%r(i) + dot_product(row, shift)
          change = matmul(covariance, row)

@@ -12,12 +12,13 @@
 !> nearest point of the curve (`adfric_fit_model_foot`).
 module adfric_fit_model_curve
    use adfric_base_kinds, only: dp
-   use adfric_fit_curve, only: fit_curve_t, take_points, nuisance_slopes
+   use adfric_fit_curve, only: fit_curve_t, take_points, nuisance_slopes, abscissas_of
    use adfric_fit_model_foot, only: feet_t, find_feet
    use adfric_fit_model_points, only: model_points_t, new_model_points, is_beyond_fold
    use adfric_fit_model_slopes, only: slopes_t, set_slopes
    use adfric_fit_order, only: median_step
-   use adfric_fit_problem, only: free_t, fit_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &
+   use adfric_fit_parts, only: set_values_at, take_part
+   use adfric_fit_problem, only: data_set_t, free_t, fit_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &
       & nuisance_contact_point, nuisance_lateral_gain, nuisance_tilt, event_pull_off_load
    use adfric_fit_sphere_curve, only: is_plain_sphere
    implicit none (type, external)
@@ -48,19 +49,26 @@ module adfric_fit_model_curve
 
 contains
 
-   !> Take a data set.
-   subroutine new_model_curve(self, fit, number, unit)
+   !> Take the points of a data set that are one curve.
+   subroutine new_model_curve(self, fit, number, points, unit)
       type(model_curve_t), intent(out) :: self
       type(fit_t), intent(in) :: fit
       integer, intent(in) :: number
+      !> Indices of the points in the data set.
+      integer, intent(in) :: points(:)
       !> The standard error of all ordinates where none is given.
       real(dp), intent(in) :: unit
+      type(data_set_t) :: data
+      real(dp) :: base(size(fit%base))
 
-      associate (data => fit%data_sets(number))
-         call take_points(self, number, data, unit)
-         call new_model_points(self%points, fit%model, fit%base, data%abscissa, data%ordinate, is_plain_sphere(fit, data))
+      call take_part(fit%data_sets(number), points, data)
+      base = fit%base
+      call set_values_at(data, 1, base)
+      call take_points(self, number, data, points, unit)
+      associate (whole => fit%data_sets(number))
+         call new_model_points(self%points, fit%model, base, data%abscissa, data%ordinate, is_plain_sphere(fit, data))
          self%frees = fit%frees
-         if (self%points%is_by_load) self%resolution = median_step(pack(self%x, self%is_contact))/sqrt(12.0_dp)
+         if (self%points%is_by_load) self%resolution = median_step(abscissas_of(self, whole))/sqrt(12.0_dp)
          select case (fit%model%variables(data%abscissa)%name)
          case ('load')
             self%x_nuisance = nuisance_load_offset

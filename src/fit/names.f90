@@ -5,11 +5,12 @@ module adfric_fit_names
    use adfric_base_words, only: count_words, get_word, has_word
    use adfric_base_unset, only: is_set
    use adfric_base_kinds, only: dp
-   use adfric_fit_problem, only: fit_t, nuisance_names
+   use adfric_fit_parts, only: has_others
+   use adfric_fit_problem, only: data_set_t, fit_t, nuisance_names
    use adfric_describe_derived, only: add_derived, derived_t
    implicit none (type, external)
    private
-   public :: list_free_names, list_extra_names, suffix_of, find_derived_rows
+   public :: list_free_names, list_extra_names, name_of_other, suffix_of, find_derived_rows
 
    !> Names of what a single fit has in addition, of the fit and of each data set.
    character(*), parameter :: names_of_fit = 'variable other_variable start null_vector covariance covariance_internal '// &
@@ -51,14 +52,21 @@ contains
    function list_extra_names(fit) result(names)
       !> The fit with its data sets and free variables.
       type(fit_t), intent(in) :: fit
-      character(:), allocatable :: names, frees
+      character(:), allocatable :: names, frees, name
       integer :: i, k
 
       names = names_of_fit
+      name = ''
       frees = ''
       do k = 1, size(fit%data_sets)
          do i = 1, count_words(names_of_data)
             names = names//' '//get_word(names_of_data, i)//suffix_of(fit, k)
+         end do
+         if (.not. has_others(fit%data_sets(k))) cycle
+         names = names//' curve_point'//suffix_of(fit, k)
+         do i = 1, size(fit%data_sets(k)%others)
+            name = name_of_other(fit, fit%data_sets(k), i)//suffix_of(fit, k)
+            names = names//' point_'//name//' curve_'//name
          end do
       end do
       frees = list_free_names(fit)
@@ -66,6 +74,25 @@ contains
          names = names//' '//get_word(frees, i)//'_profile '//get_word(frees, i)//'_profile_value'
       end do
    end function list_extra_names
+
+   !> Name of a further variable of a data set in the names of datasets: with its group where the data set has two of its name.
+   function name_of_other(fit, data_set, number) result(name)
+      type(fit_t), intent(in) :: fit
+      type(data_set_t), intent(in) :: data_set
+      !> Which of its further variables, from 1.
+      integer, intent(in) :: number
+      character(:), allocatable :: name
+      integer :: i, n_same
+
+      associate (rows => fit%model%variables, others => data_set%others)
+         name = rows(others(number))%name
+         n_same = 0
+         do i = 1, size(others)
+            if (rows(others(i))%name == name) n_same = n_same + 1
+         end do
+         if (n_same > 1) name = rows(others(number))%group//'_'//name
+      end associate
+   end function name_of_other
 
    !> What stands behind the names of what each data set has; nothing if there is only one.
    pure function suffix_of(fit, data_set) result(suffix)

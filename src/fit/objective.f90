@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The sum of squares of a fit, as a function of the numbers that are fitted.
 !>
-!> The number q of a free variable v is ln v, or v over a unit of its own size. Rows: the points of each data set, each with the second
-!> rows that its curve adds, then events, then priors. All are in standard errors; where the ordinates' standard error is not known, it is
+!> The number q of a free variable v is ln v, or v over a unit of its own size. Rows: the points of each curve, each with the second
+!> rows that its curve adds, then events, then priors. A data set is one curve, or several where its points have values of further
+!> variables (`adfric_fit_parts`). All are in standard errors; where the ordinates' standard error is not known, it is
 !> taken to be `unit`, and `finish_statistics` puts that right.
 module adfric_fit_objective
    use adfric_base_kinds, only: dp
@@ -10,6 +11,7 @@ module adfric_fit_objective
    use adfric_base_watch, only: watch_t
    use adfric_fit_loss, only: get_loss, loss_width_of
    use adfric_fit_model_curve, only: model_curve_t, new_model_curve
+   use adfric_fit_parts, only: curve_points_t, list_curves
    use adfric_fit_problem, only: fit_t, free_t, event_t, n_nuisances, loss_gauss
    use adfric_fit_sphere_curve, only: sphere_curve_t, new_sphere_curve, is_sphere_curve
    use adfric_numerics_bounded_least_squares, only: least_squares_t
@@ -29,14 +31,16 @@ module adfric_fit_objective
       real(dp), allocatable :: lower(:), upper(:)
       !> Values of all variables of the model, and of the nuisances of each data set, shape `(n_nuisances, n_data_sets)`.
       real(dp), allocatable :: values(:), nuisance(:, :)
-      !> Curves of spheres and of other models. Data set k is number `number(k)` of those that `is_sphere(k)` says.
+      !> Curves of spheres and of other models. Curve k is number `number(k)` of those that `is_sphere(k)` says.
       type(sphere_curve_t), allocatable :: spheres(:)
       !> Curves of other models.
       type(model_curve_t), allocatable :: others(:)
-      !> Number of each data set's curve among those of its kind.
+      !> Number of each curve among those of its kind.
       integer, allocatable :: number(:)
-      !> Of which kind each data set's curve is.
+      !> Of which kind each curve is.
       logical, allocatable :: is_sphere(:)
+      !> Number of the data set of each curve, which rises.
+      integer, allocatable :: data_set(:)
       !> Events.
       type(event_t), allocatable :: events(:)
       !> Loss of each data set and its width; events have those of their data set.
@@ -49,7 +53,7 @@ module adfric_fit_objective
       logical :: is_plain = .false., is_exact = .false.
       !> Rows as they are without a loss, and psi' of each, of the last evaluation.
       real(dp), allocatable :: psi(:), psi_r(:)
-      !> Rows before those of each data set at the last evaluation.
+      !> Rows before those of each curve at the last evaluation.
       integer, allocatable :: rows_before(:)
       !> Evaluations so far.
       integer :: evaluations = 0
@@ -58,6 +62,8 @@ module adfric_fit_objective
    contains
       procedure :: evaluate
       procedure :: set_values
+      procedure :: first_curve
+      procedure :: find_event
       procedure :: is_robust
       procedure :: n_beyond
       procedure :: derivative_error
@@ -75,6 +81,7 @@ contains
       real(dp), intent(in) :: lower(:), upper(:)
       !> The standard error of all points where none is known, else 0.
       real(dp), intent(in) :: unknown_unit
+      type(curve_points_t), allocatable :: curves(:)
       integer :: k, n
 
       if (associated(fit%model)) self%watch => fit%model%watch
@@ -86,20 +93,29 @@ contains
       self%values = fit%base
       self%unknown_unit = unknown_unit
       n = size(fit%data_sets)
-      allocate (self%nuisance(n_nuisances, n), self%number(n), self%is_sphere(n), self%loss(n), self%loss_width(n))
+      allocate (self%nuisance(n_nuisances, n), self%loss(n), self%loss_width(n))
       do k = 1, n
          self%nuisance(:, k) = fit%data_sets(k)%nuisance
          self%loss(k) = fit%data_sets(k)%loss
          self%loss_width(k) = loss_width_of(fit%data_sets(k)%loss, fit%data_sets(k)%loss_width)
-         self%is_sphere(k) = is_sphere_curve(fit, fit%data_sets(k))
+      end do
+      call list_curves(fit%data_sets, curves)
+      self%data_set = curves%data_set
+      n = size(curves)
+      allocate (self%number(n), self%is_sphere(n))
+      do k = 1, n
+         ! which further variables a data set has decides it, and not their values
+         self%is_sphere(k) = is_sphere_curve(fit, fit%data_sets(self%data_set(k)))
          self%number(k) = count(self%is_sphere(:k) .eqv. self%is_sphere(k))
       end do
       allocate (self%spheres(count(self%is_sphere)), self%others(count(.not. self%is_sphere)))
       do k = 1, n
          if (self%is_sphere(k)) then
-            call new_sphere_curve(self%spheres(self%number(k)), fit, k, max(unknown_unit, tiny(unknown_unit)))
+            call new_sphere_curve(self%spheres(self%number(k)), fit, self%data_set(k), curves(k)%points, max(unknown_unit, &
+               & tiny(unknown_unit)))
          else
-            call new_model_curve(self%others(self%number(k)), fit, k, max(unknown_unit, tiny(unknown_unit)))
+            call new_model_curve(self%others(self%number(k)), fit, self%data_set(k), curves(k)%points, max(unknown_unit, &
+               & tiny(unknown_unit)))
          end if
       end do
       if (allocated(fit%events)) then
@@ -200,6 +216,15 @@ contains
       end do
    end subroutine set_values
 
+   !> The first curve of a data set; 0 if it has none.
+   pure integer function first_curve(self, data_set)
+      class(objective_t), intent(in) :: self
+      !> Number of the data set.
+      integer, intent(in) :: data_set
+
+      first_curve = findloc(self%data_set, data_set, 1)
+   end function first_curve
+
    !> See `least_squares_t`.
    subroutine evaluate(self, q, n_rows, r, j, cost, is_valid)
       class(objective_t), intent(inout) :: self
@@ -222,17 +247,17 @@ contains
       call self%set_values(v)
       do k = 1, size(self%number)
          self%rows_before(k) = n_rows
-         associate (at => self%number(k))
+         associate (at => self%number(k), of => self%data_set(k))
             if (self%is_sphere(k)) then
-               call self%spheres(at)%evaluate(self%values, self%nuisance(:, k), slopes, self%is_exact, n, r(n_rows + 1:), &
-                  & j(n_rows + 1:, :), is_valid)
+               call self%spheres(at)%evaluate(self%spheres(at)%values_of(self%values), self%nuisance(:, of), slopes, &
+                  & self%is_exact, n, r(n_rows + 1:), j(n_rows + 1:, :), is_valid)
             else
-               call self%others(at)%evaluate(self%values, self%nuisance(:, k), slopes, self%is_exact, n, r(n_rows + 1:), &
-                  & j(n_rows + 1:, :), is_valid)
+               call self%others(at)%evaluate(self%others(at)%values_of(self%values), self%nuisance(:, of), slopes, &
+                  & self%is_exact, n, r(n_rows + 1:), j(n_rows + 1:, :), is_valid)
             end if
          end associate
          if (.not. is_valid) return
-         call take_loss(self, k, n_rows + 1, n_rows + n, r, j, cost)
+         call take_loss(self, self%data_set(k), n_rows + 1, n_rows + n, r, j, cost)
          n_rows = n_rows + n
       end do
       call add_events(self, slopes, n_rows, r, j, cost, is_valid)
@@ -274,6 +299,34 @@ contains
       end do
    end subroutine take_loss
 
+   !> What the model says of an event, at the values of the last evaluation. Its data set is one curve.
+   subroutine find_event(self, event, slopes, value, gradient, is_valid)
+      class(objective_t), intent(inout) :: self
+      type(event_t), intent(in) :: event
+      !> Derivatives of the free variables by the numbers that are fitted.
+      real(dp), intent(in) :: slopes(:)
+      !> Receives the load [N] or position [m].
+      real(dp), intent(out) :: value
+      !> Receives its derivatives; shape `(n_free)`.
+      real(dp), intent(out) :: gradient(:)
+      !> Has the model such an event?
+      logical, intent(out) :: is_valid
+      integer :: curve
+
+      value = 0
+      gradient = 0
+      curve = self%first_curve(event%data_set)
+      is_valid = curve > 0
+      if (.not. is_valid) return
+      associate (number => self%number(curve), nuisance => self%nuisance(:, event%data_set))
+         if (self%is_sphere(curve)) then
+            call self%spheres(number)%find_event(event%kind, self%values, nuisance, slopes, value, gradient, is_valid)
+         else
+            call self%others(number)%find_event(event%kind, self%values, nuisance, slopes, value, gradient, is_valid)
+         end if
+      end associate
+   end subroutine find_event
+
    !> Add a row for each event.
    subroutine add_events(self, slopes, n_rows, r, j, cost, is_valid)
       type(objective_t), intent(inout) :: self
@@ -289,15 +342,7 @@ contains
       is_valid = .true.
       do k = 1, size(self%events)
          associate (event => self%events(k), of => self%events(k)%data_set)
-            if (self%is_sphere(of)) then
-               call self%spheres(self%number(of))%find_event(event%kind, self%values, self%nuisance(:, of), slopes, value, &
-                  & gradient, &
-                  & is_valid)
-            else
-               call self%others(self%number(of))%find_event(event%kind, self%values, self%nuisance(:, of), slopes, value, &
-                  & gradient, &
-                  & is_valid)
-            end if
+            call self%find_event(event, slopes, value, gradient, is_valid)
             if (.not. is_valid) return
             n_rows = n_rows + 1
             r(n_rows) = (value - event%value)/event%sigma

@@ -70,6 +70,11 @@ module adfric_fit_problem
       real(dp), allocatable :: sigma(:)
       !> Standard errors of the abscissa; not allocated: none.
       real(dp), allocatable :: x_sigma(:)
+      !> Positions of further variables of the model that have a value for each point, and these values in SI units, shape
+      !> `(n_others, n_points)`; not allocated: there are none.
+      integer, allocatable :: others(:)
+      !> See `others`.
+      real(dp), allocatable :: at(:, :)
       !> Is the point one of contact? A free point's model is the base line. Not allocated: all are.
       logical, allocatable :: is_contact(:)
       !> Which part of the measurement the point belongs to; not allocated: one part. It sorts residuals for the runs test.
@@ -98,7 +103,7 @@ module adfric_fit_problem
    type :: fit_t
       !> The model; nothing of it is changed.
       class(model_t), pointer :: model => null()
-      !> Values of all variables of the model; those of free ones and of abscissas have no meaning. Shape `(n_variables)`.
+      !> Values of all variables of the model; those of free ones, of abscissas and of `others` have no meaning. Shape `(n_variables)`.
       real(dp), allocatable :: base(:)
       !> Free variables, shape `(n_free)`, at most 10.
       type(free_t), allocatable :: frees(:)

@@ -6,6 +6,7 @@ module adfric_fit_residuals
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_order, only: order_of
+   use adfric_fit_parts, only: number_curves
    use adfric_fit_problem, only: fit_t
    use adfric_fit_solution, only: solution_t
    use adfric_numerics_distributions, only: normal_outside
@@ -30,7 +31,7 @@ module adfric_fit_residuals
 
 contains
 
-   !> Copy what an evaluation has left of a curve.
+   !> Copy what an evaluation has left of a curve to its data set, whose count of points begins at 0.
    subroutine take_curve(curve, sigma, solution)
       class(fit_curve_t), intent(in) :: curve
       !> Standard error of a point in the units of the residuals.
@@ -39,11 +40,10 @@ contains
       type(solution_t), intent(inout) :: solution
 
       associate (data => solution%data_sets(curve%data_set))
-         data%points_used = curve%n
+         data%points_used = data%points_used + curve%n
          data%fitted(curve%index) = curve%fitted
          data%residual(curve%index) = curve%residual/sigma
-         if (.not. allocated(data%is_apart)) allocate (data%is_apart(size(data%fitted)))
-         data%is_apart = .false.
+         if (.not. allocated(data%is_apart)) allocate (data%is_apart(size(data%fitted)), source=.false.)
          data%is_apart(curve%index) = curve%is_apart
       end associate
    end subroutine take_curve
@@ -55,8 +55,10 @@ contains
       type(solution_t), intent(inout) :: solution
       type(runs_t) :: runs
       integer :: k, i, n
+      integer, allocatable :: curve(:)
       logical, allocatable :: is_used(:)
 
+      allocate (curve(0))
       n = 0
       do k = 1, size(solution%data_sets)
          n = n + count(abs_of(solution%data_sets(k)%residual) > outlier_limit)
@@ -75,7 +77,10 @@ contains
                   solution%outliers(:, n) = [k, i]
                end if
             end do
-            call add_runs(fit%data_sets(k)%x, r, is_used, runs)
+            curve = number_curves(fit%data_sets(k))
+            do i = 1, maxval([curve, 0])
+               call add_runs(fit%data_sets(k)%x, r, is_used .and. curve == i, runs)
+            end do
          end associate
       end do
       solution%runs_p_value = not_a_number()

@@ -17,8 +17,11 @@ module adfric_fit_solution
       !> The model at the measured abscissas, and the residuals in standard errors; NaN where a point is left out. With errors of the
       !> abscissa `fitted` is the ordinate of the point's foot. Shape `(n_points)`.
       real(dp), allocatable :: fitted(:), residual(:)
-      !> The curve at 201 abscissas or more over the range of the data, with its band of 95 % by the linear rule.
+      !> The curve at 201 abscissas or more over the range of the data, with its band of 95 % by the linear rule; one behind the other
+      !> where the points have values of further variables, with NaN between two.
       real(dp), allocatable :: curve_x(:), curve(:), band_low(:), band_high(:)
+      !> Values of the further variables of the data set there; not allocated: there are none. Shape `(n_others, n)`.
+      real(dp), allocatable :: curve_at(:, :)
       !> The curve of the second minimum at the same abscissas; not allocated if there is none.
       real(dp), allocatable :: second_curve(:)
       !> Which points were found to be in contact, where the data do not say it and some are not; else not allocated. Shape `(n_points)`.

@@ -16,12 +16,13 @@ module adfric_fit_sphere_curve
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: fit_curve_t, take_points
+   use adfric_fit_curve, only: fit_curve_t, abscissas_of, take_points
    use adfric_fit_foot, only: foot_t, find_foot
    use adfric_fit_frame, only: frame_t, new_frame, set_frame
    use adfric_fit_order, only: median_step
    use adfric_fit_ordinate, only: ordinate_t, get_ordinate, is_ordinate
    use adfric_fit_path, only: sphere_path_t, set_path, find_state, move_state, is_outer, ends_unloaded
+   use adfric_fit_parts, only: set_values_at, take_part
    use adfric_fit_problem, only: free_t, fit_t, data_set_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset
    use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_work, of_lambda
    use adfric_fit_state, only: fit_state_t, add_derivatives
@@ -83,25 +84,32 @@ contains
       !> What takes a contact out of steady sliding.
       integer, parameter :: beside_sliding(*) = [in%tangential_force, in%tangential_displacement, in%base_displacement, &
          & in%lateral_stiffness]
+      real(dp) :: base(size(fit%base))
 
       is_plain_sphere = .false.
       if (fit%model%name /= 'sphere') return
+      base = fit%base
+      call set_values_at(data, 1, base)
       is_plain_sphere = (data%abscissa == in%load .or. data%abscissa == in%approach) .and. is_ordinate(data%ordinate) &
-         & .and. nint(fit%base(in%units)) == units_si .and. nint(fit%base(in%branch)) == 1 &
-         & .and. .not. fit%base(in%interaction) > 0 .and. .not. any(fit%frees%variable == in%interaction) &
-         & .and. .not. any(fit%frees%variable == in%pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
-      if (is_plain_sphere .and. is_set(fit%base(in%pressure_factor))) is_plain_sphere = .not. abs(fit%base(in%pressure_factor)) > 0
+         & .and. nint(base(in%units)) == units_si .and. nint(base(in%branch)) == 1 &
+         & .and. .not. base(in%interaction) > 0 .and. .not. any(fit%frees%variable == in%interaction) &
+         & .and. .not. any(fit%frees%variable == in%pressure_factor) .and. .not. any(is_set(base(beside_sliding)))
+      if (is_plain_sphere .and. is_set(base(in%pressure_factor))) is_plain_sphere = .not. abs(base(in%pressure_factor)) > 0
    end function is_plain_sphere
 
-   !> Take a data set.
-   subroutine new_sphere_curve(self, fit, number, unit)
+   !> Take the points of a data set that are one curve.
+   subroutine new_sphere_curve(self, fit, number, points, unit)
       type(sphere_curve_t), intent(out) :: self
       type(fit_t), intent(in) :: fit
       integer, intent(in) :: number
+      !> Indices of the points in the data set.
+      integer, intent(in) :: points(:)
       !> The standard error of all ordinates where none is given.
       real(dp), intent(in) :: unit
+      type(data_set_t) :: data
 
-      call take_points(self, number, fit%data_sets(number), unit)
+      call take_part(fit%data_sets(number), points, data)
+      call take_points(self, number, data, points, unit)
       self%ordinate = fit%data_sets(number)%ordinate
       self%is_base = fit%data_sets(number)%abscissa == in%approach
       self%frees = fit%frees
@@ -109,7 +117,7 @@ contains
          & self%prescribed_l(self%n), &
          & self%prescribed_ks(self%n), source=0.0_dp)
       allocate (self%change(self%n, n_changes), source=0.0_dp)
-      self%resolution = median_step(pack(self%x, self%is_contact))/sqrt(12.0_dp)
+      self%resolution = median_step(abscissas_of(self, fit%data_sets(number)))/sqrt(12.0_dp)
       call new_frame(self%common, size(fit%frees))
    end subroutine new_sphere_curve
 

@@ -62,7 +62,7 @@ contains
       if (self%frees(free)%variable == in%lambda .or. size(self%spheres) == 0) return
       other%n_free = self%n_free
       other%frees = self%frees
-      other%values = self%values
+      other%values = self%spheres(1)%values_of(self%values)
       other%nuisance = self%nuisance
       call other%set_values(v)
       associate (values => other%values)
@@ -262,12 +262,13 @@ contains
       !> Values of the free variables; those without a start of the user's are changed.
       real(dp), intent(inout) :: v(:)
       type(sphere_path_t) :: path
-      real(dp) :: lowest, largest, deepest, work, radius
+      real(dp) :: lowest, largest, deepest, work, radius, values(size(self%values))
       integer :: k, theory
 
       theory = theory_of(self%values)
       call get_extremes(self, fit, lowest, largest, deepest)
-      radius = self%values(in%radius)
+      values = self%spheres(1)%values_of(self%values)
+      radius = values(in%radius)
       do k = 1, size(v)
          if (is_set(fit%frees(k)%start) .or. is_set(fit%frees(k)%prior)) cycle
          if (fit%frees(k)%variable == in%work_of_adhesion) then

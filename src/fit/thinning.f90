@@ -8,6 +8,7 @@ module adfric_fit_thinning
    use adfric_fit_course, only: course_t, begin_course, has_too_few_points
    use adfric_fit_fold_survey, only: survey_folds
    use adfric_fit_minima, only: new_minima, add_search, sort_minima, minima_limit
+   use adfric_fit_parts, only: take_part
    use adfric_fit_problem, only: fit_t
    use adfric_fit_search, only: find_minima
    implicit none (type, external)
@@ -66,13 +67,7 @@ contains
          associate (from => fit%data_sets(k), to => few%data_sets(k))
             m = max(1, size(from%x)/few_points)
             kept = [(i, i=1 + (m - 1)/2, size(from%x), m)]
-            to%x = from%x(kept)
-            to%y = from%y(kept)
-            if (allocated(from%sigma)) to%sigma = from%sigma(kept)
-            if (allocated(from%x_sigma)) to%x_sigma = from%x_sigma(kept)
-            if (allocated(from%is_contact)) to%is_contact = from%is_contact(kept)
-            if (allocated(from%segment)) to%segment = from%segment(kept)
-            if (allocated(from%is_used)) to%is_used = from%is_used(kept)
+            call take_part(from, kept, to)
          end associate
       end do
    end subroutine thin_out

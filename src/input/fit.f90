@@ -7,7 +7,8 @@ module adfric_input_fit
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words, get_word
    use adfric_fit_curve_source, only: curve_source_t
-   use adfric_fit_problem, only: fit_t, n_nuisances, nuisance_friction_offset, nuisance_tilt
+   use adfric_fit_parts, only: curve_points_t, has_others, list_curves, set_values_at
+   use adfric_fit_problem, only: data_set_t, fit_t, n_nuisances, nuisance_friction_offset, nuisance_tilt
    use adfric_fit_scales, only: find_refusal
    use adfric_fit_stack_model, only: stack_model_t, new_stack_model
    use adfric_input_case, only: case_t, read_groups
@@ -108,6 +109,7 @@ contains
       call set_units(run%model, input, details%groups)
       call load_data(r, details%groups, is_together, details%loaded)
       if (problems%count() == 0) call check_data(r, details%groups, details%loaded, fit)
+      if (problems%count() == 0) call check_each_curve(r, details%loaded%data_sets)
       if (problems%count() > 0) return
       call set_run(input, fit, details, run, problems)
    end subroutine read_fit
@@ -160,25 +162,60 @@ contains
       groups = groups(:g)
    end subroutine read_data_groups
 
-   !> Let the model check its values with each abscissa.
+   !> Let the model check its values with each abscissa. Where points have values of further variables, these are needed for it
+   !> (`check_each_curve`).
    subroutine check_each_abscissa(r, groups)
       type(reading_t), intent(in) :: r
       !> The `&data` groups.
       type(data_group_t), intent(in) :: groups(:)
-      type(axis_t) :: axes(0)
       integer :: g
 
       do g = 1, size(groups)
-         associate (index => groups(g)%data_set%abscissa)
-            if (index == 0) cycle
-            if (r%input%is_given(index)) cycle
-            call hold_variable(r%model, index, r%input)
-            call check_consistency(r, axes)
-            r%input%values(index) = unset
-            r%input%is_swept(index) = .false.
-         end associate
+         if (groups(g)%data_set%abscissa > 0 .and. size(groups(g)%others) == 0) call check_abscissa(r, groups(g)%data_set%abscissa)
       end do
    end subroutine check_each_abscissa
+
+   !> Let the model check its values with an abscissa, which has no value afterwards.
+   subroutine check_abscissa(r, index)
+      type(reading_t), intent(in) :: r
+      !> Index of the variable.
+      integer, intent(in) :: index
+      type(axis_t) :: axes(0)
+
+      if (r%input%is_given(index)) return
+      call hold_variable(r%model, index, r%input)
+      call check_consistency(r, axes)
+      r%input%values(index) = unset
+      r%input%is_swept(index) = .false.
+   end subroutine check_abscissa
+
+   !> Let the model check its values with those of each curve of the points; it ends at the first problem.
+   subroutine check_each_curve(r, data_sets)
+      type(reading_t), intent(in) :: r
+      !> The points of each `&data`.
+      type(data_set_t), intent(in) :: data_sets(:)
+      type(curve_points_t), allocatable :: curves(:)
+      real(dp), allocatable :: usual(:)
+      integer :: c, g, n_before
+
+      ! the points of a stack are not read yet, and have none
+      if (.not. any([(has_others(data_sets(g)), g=1, size(data_sets))])) return
+      n_before = r%problems%count()
+      call list_curves(data_sets, curves)
+      do c = 1, size(curves)
+         associate (set => data_sets(curves(c)%data_set))
+            if (.not. has_others(set)) cycle
+            usual = r%input%values(set%others)
+            call set_values_at(set, curves(c)%points(1), r%input%values)
+            r%input%is_swept(set%others) = .true.
+            call check_abscissa(r, set%abscissa)
+            ! another &data may be without them
+            r%input%values(set%others) = usual
+            r%input%is_swept(set%others) = .false.
+         end associate
+         if (r%problems%count() > n_before) return
+      end do
+   end subroutine check_each_curve
 
    !> Units of abscissas and ordinates in this case.
    subroutine set_units(model, input, groups)
@@ -186,12 +223,15 @@ contains
       type(case_t), intent(in) :: input
       type(data_group_t), intent(inout) :: groups(:)
       type(result_t), allocatable :: results(:)
-      integer :: g
+      integer :: g, k
 
       allocate (results, source=model%describe_results(input%values))
       do g = 1, size(groups)
          groups(g)%x_unit = model%unit_of(input%values, groups(g)%data_set%abscissa)
          groups(g)%y_unit = results(groups(g)%data_set%ordinate)%unit
+         do k = 1, size(groups(g)%others)
+            groups(g)%others(k)%unit = model%unit_of(input%values, groups(g)%data_set%others(k))
+         end do
       end do
    end subroutine set_units
 
@@ -274,7 +314,7 @@ contains
       type(data_group_t), intent(in) :: groups(:)
       character(:), allocatable :: digest
       type(checksum_t) :: sum
-      integer :: i
+      integer :: i, k
 
       call sum%add_text('fit')
       do i = 1, size(fit%frees)
@@ -288,6 +328,9 @@ contains
          associate (set => fit%data_sets(i))
             call sum%add_text(full_name(fit%model, set%abscissa)//' '//fit%model%results(set%ordinate)%name)
             call sum%add_reals([real(set%loss, dp), set%loss_width, set%nuisance(:n_nuisances)])
+            do k = 1, size(set%others)
+               call sum%add_text(full_name(fit%model, set%others(k)))
+            end do
          end associate
          call sum%add_reals([groups(i)%sigma, groups(i)%relative_sigma, groups(i)%abscissa_sigma, groups(i)%from, groups(i)%to])
       end do

@@ -6,7 +6,8 @@ module adfric_input_fit_data
    use adfric_base_unset, only: is_set
    use adfric_fit_problem, only: data_set_t, fit_t, loss_gauss
    use adfric_input_fit_data_group, only: data_group_t
-   use adfric_input_fit_points, only: add_to_checksum, columns_t, count_points, find_flaw, point_counts_t, set_points
+   use adfric_input_fit_points, only: add_to_checksum, columns_t, count_points, find_flaw, find_outside, point_counts_t, &
+      set_points
    use adfric_input_fit_stack, only: file_of, is_dataset, open_stack_file, path_of, stack_file_t
    use adfric_input_fit_table, only: read_table_columns
    use adfric_input_reading, only: reading_t
@@ -122,6 +123,7 @@ contains
          do i = 1, size(curves)
             if (len(flaw) > 0) exit
             call find_flaw(curves(i), flaw)
+            if (len(flaw) == 0) call find_outside(group, model, curves(i), flaw)
             if (len(flaw) > 0 .and. n_curves > 1) flaw = 'curve '//show_count(first + i - 1)//': '//flaw
             if (len(flaw) > 0) exit
             curve = group%data_set
@@ -159,6 +161,8 @@ contains
       call append_column(curve%sigma, all_curves%sigma)
       call append_column(curve%x_sigma, all_curves%x_sigma)
       call append_column(curve%branch, all_curves%branch)
+      ! a stack has none
+      if (allocated(curve%at)) all_curves%at = curve%at
       if (is_numbered) then
          call append_column(spread(real(number, dp), 1, size(curve%x)), all_curves%segment)
       else

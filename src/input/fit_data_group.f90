@@ -2,9 +2,9 @@
 !> `&data`: where measured points are, and what they are.
 module adfric_input_fit_data_group
    use adfric_base_kinds, only: dp
-   use adfric_base_text, only: join_words, show_number, show_text, to_lower
+   use adfric_base_text, only: join_words, show_count, show_number, show_text, to_lower
    use adfric_base_unset, only: is_set, unset
-   use adfric_base_words, only: get_word
+   use adfric_base_words, only: count_words, get_word
    use adfric_fit_problem, only: data_set_t, loss_gauss, n_nuisances, nuisance_names, nuisance_tilt
    use adfric_input_reading, only: reading_t
    use adfric_input_text_table, only: text_table_t
@@ -16,7 +16,13 @@ module adfric_input_fit_data_group
    use adfric_system_files, only: kind_of_path, path_free
    implicit none (type, external)
    private
-   public :: data_group_t, read_data_group
+   public :: data_group_t, other_column_t, read_data_group
+
+   !> The column of a further variable.
+   type :: other_column_t
+      !> Its name, and the SI unit of the variable.
+      character(:), allocatable :: name, unit
+   end type other_column_t
 
    !> A group.
    type :: data_group_t
@@ -29,6 +35,8 @@ module adfric_input_fit_data_group
       !> Names of the columns; not allocated where none is given, empty where none is wanted.
       character(:), allocatable :: abscissa_column, ordinate_column, sigma_column, abscissa_sigma_column, branch_column, &
          segment_column
+      !> Columns of the further variables, in the order of `data_set%others`; of size 0 where there are none.
+      type(other_column_t), allocatable :: others(:)
       !> Standard errors of all points; not set where none is given.
       real(dp) :: sigma = unset, relative_sigma = unset, abscissa_sigma = unset
       !> Ends of the abscissa; not set where none is given.
@@ -61,6 +69,7 @@ contains
       if (allocated(self%file) .and. .not. allocated(self%table)) call look_beside(r%file%path, self%file)
       call read_abscissa(r, self)
       call read_ordinate(r, self)
+      call read_others(r, self)
       call read_columns(r, self)
       call read_errors(r, self)
       call read_range(r, self)
@@ -137,6 +146,63 @@ contains
       if (position == 0) call self%reader%report(r, 'abscissa', flaw)
       self%data_set%abscissa = position
    end subroutine read_abscissa
+
+   !> Find the further variables that have a value for each point, and their columns.
+   subroutine read_others(r, self)
+      type(reading_t), intent(in) :: r
+      !> Receives their indices and the names of their columns.
+      type(data_group_t), intent(inout) :: self
+      character(:), allocatable :: names, columns, flaw
+      integer :: k, position
+
+      allocate (self%data_set%others(0))
+      call self%reader%read_texts(r, 'variables', names)
+      call self%reader%read_texts(r, 'variable_columns', columns)
+      if (len(columns) > 0 .and. count_words(columns) /= count_words(names)) call self%reader%report(r, 'variable_columns', &
+         'given '//show_count(count_words(columns))//' for '//show_count(count_words(names))//' variables, allowed: one for each')
+      do k = 1, count_words(names)
+         call find_other(r, self, to_lower(get_word(names, k)), position, flaw)
+         if (len(flaw) > 0) then
+            call self%reader%report(r, 'variables', flaw)
+            r%input%is_broken = .true.
+         else
+            self%data_set%others = [self%data_set%others, position]
+         end if
+      end do
+      allocate (self%others(size(self%data_set%others)))
+      do k = 1, size(self%others)
+         self%others(k)%name = r%model%variables(self%data_set%others(k))%name
+         if (count_words(columns) >= k) self%others(k)%name = get_word(columns, k)
+      end do
+   end subroutine read_others
+
+   !> Find a further variable: a number of the model that stands nowhere else.
+   subroutine find_other(r, self, name, position, flaw)
+      type(reading_t), intent(in) :: r
+      !> The group with its abscissa, and the further variables before this one.
+      type(data_group_t), intent(in) :: self
+      !> Name of the variable, in small letters.
+      character(*), intent(in) :: name
+      !> Receives the index of the variable; 0 if it is none.
+      integer, intent(out) :: position
+      !> Receives what is wrong; empty if nothing is.
+      character(:), allocatable, intent(out) :: flaw
+
+      call find_variable(r%model, name, list_numbers(r%model), position, flaw)
+      if (position == 0) return
+      associate (row => r%model%variables(position))
+         if (.not. is_number(row)) then
+            flaw = 'not a number, given '''//show_text(name)//''', allowed: '//join_words(list_numbers(r%model), ', ')
+         else if (position == self%data_set%abscissa) then
+            flaw = row%name//' is the abscissa, allowed: other variables'
+         else if (any(self%data_set%others == position)) then
+            flaw = row%name//' is named twice, allowed: once'
+         else if (r%input%is_given(position)) then
+            flaw = row%name//' is given twice, here and in &'//row%group//' in line '//show_count(r%input%line(position))// &
+               ', allowed: one of them'
+         end if
+      end associate
+   end subroutine find_other
 
    !> Find the ordinate among the results of the model.
    subroutine read_ordinate(r, self)

@@ -219,6 +219,8 @@ contains
          do i = 1, size(groups)
             if (groups(i)%data_set%abscissa == variable) flaw = row%name//' is the abscissa of &data['//show_count(i)// &
                '], it cannot be free'
+            if (any(groups(i)%data_set%others == variable)) flaw = row%name//' is a column of &data['//show_count(i)// &
+               '], it cannot be free'
          end do
       end associate
    end subroutine check_variable

@@ -7,10 +7,12 @@ module adfric_input_fit_points
    use adfric_base_unset, only: is_set
    use adfric_fit_problem, only: data_set_t
    use adfric_input_fit_data_group, only: data_group_t
+   use adfric_input_variable, only: find_outlier
+   use adfric_describe_model, only: model_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
    private
-   public :: columns_t, set_points, add_to_checksum, count_points, point_counts_t, find_flaw
+   public :: columns_t, set_points, add_to_checksum, count_points, point_counts_t, find_flaw, find_outside
 
    !> Columns of one curve in SI units; one that is not there is not allocated.
    type :: columns_t
@@ -20,6 +22,8 @@ module adfric_input_fit_points
       real(dp), allocatable :: sigma(:), x_sigma(:)
       !> 1 in contact, 0 free; and the number of the segment.
       real(dp), allocatable :: branch(:), segment(:)
+      !> Further variables of the model; shape `(n_others, n)`.
+      real(dp), allocatable :: at(:, :)
    end type columns_t
 
    !> What there is of points, summed over curves.
@@ -66,6 +70,10 @@ contains
          is_used = is_used .and. .not. ieee_is_nan(columns%segment)
          data_set%segment = nint(merge(columns%segment, 0.0_dp, is_used))
       end if
+      if (allocated(columns%at)) then
+         data_set%at = columns%at
+         is_used = is_used .and. all(ieee_is_finite(columns%at), 1)
+      end if
       if (is_set(group%from)) is_used = is_used .and. .not. is_above(-columns%x, -group%from)
       if (is_set(group%to)) is_used = is_used .and. .not. is_above(columns%x, group%to)
       call move_alloc(is_used, data_set%is_used)
@@ -110,6 +118,32 @@ contains
       end do
    end subroutine find_flaw
 
+   !> A value of a further variable that the model does not take.
+   pure subroutine find_outside(group, model, columns, flaw)
+      !> The `&data` group with its further variables.
+      class(data_group_t), intent(in) :: group
+      class(model_t), intent(in) :: model
+      type(columns_t), intent(in) :: columns
+      !> Receives what is wrong; empty if nothing is.
+      character(:), allocatable, intent(out) :: flaw
+      integer :: i, k, first
+
+      flaw = ''
+      if (.not. allocated(columns%at)) return
+      do k = 1, size(columns%at, 1)
+         associate (row => model%variables(group%data_set%others(k)))
+            do i = 1, size(columns%at, 2)
+               if (.not. ieee_is_finite(columns%at(k, i))) cycle
+               call find_outlier(columns%at(k, i:i), row, first, flaw)
+               if (len(flaw) == 0) cycle
+               flaw = row%name//' is out of range at point '//show_count(i)//', given '//show_number(columns%at(k, i))// &
+                  flaw(index(flaw, ', allowed'):)
+               return
+            end do
+         end associate
+      end do
+   end subroutine find_outside
+
    !> Find a standard error that is none.
    pure subroutine find_not_positive(sigma, whose, flaw)
       !> Standard errors; not allocated: there are none.
@@ -141,6 +175,7 @@ contains
       if (allocated(columns%x_sigma)) call sum%add_reals(columns%x_sigma)
       if (allocated(columns%branch)) call sum%add_reals(columns%branch)
       if (allocated(columns%segment)) call sum%add_reals(columns%segment)
+      if (allocated(columns%at)) call sum%add_reals(reshape(columns%at, [size(columns%at)]))
    end subroutine add_to_checksum
 
    !> Count the points of a curve.

@@ -12,7 +12,7 @@ module adfric_input_fit_rows
    !> The groups.
    character(*), parameter :: fit_groups = 'data event free fit'
    !> Number of rows of all groups.
-   integer, parameter :: n_rows = 43
+   integer, parameter :: n_rows = 45
    !> How a variable is fitted, and what the curves of a stack are.
    character(*), parameter :: scale_names = 'log linear', curves_names = 'each together', &
       & residuals_names = 'none all'
@@ -24,18 +24,18 @@ contains
       type(variable_t), allocatable :: rows(:)
 
       allocate (rows(n_rows))
-      rows(:15) = rows_of_data()
-      rows(16:22) = rows_of_nuisances()
-      rows(23:26) = rows_of_event()
-      rows(27:33) = rows_of_free()
-      rows(34:) = rows_of_fit()
+      rows(:17) = rows_of_data()
+      rows(18:24) = rows_of_nuisances()
+      rows(25:28) = rows_of_event()
+      rows(29:35) = rows_of_free()
+      rows(36:) = rows_of_fit()
    end function get_fit_rows
 
    !> The rows of `&data` that say where the points are and what they are.
    function rows_of_data() result(rows)
       type(variable_t), allocatable :: rows(:)
 
-      allocate (rows(15))
+      allocate (rows(17))
       rows(1) = text_row('data', 'file', 'table ''FILE.csv'', or ''FILE.h5:/DATASET'' with the ordinate of one curve or of a stack')
       rows(2) = text_row('data', 'abscissa', 'variable of the model that was varied, such as ''load''')
       rows(3) = text_row('data', 'ordinate', 'result of the model that was measured, such as ''friction_force''')
@@ -51,6 +51,10 @@ contains
       rows(13) = any_number('data', 'from', 'unit of the abscissa', 'points below are left out')
       rows(14) = any_number('data', 'to', 'unit of the abscissa', 'points above are left out')
       rows(15) = choice(group='data', name='loss', meaning='what a residual costs', choices=loss_names, default='gauss')
+      rows(16) = text_row('data', 'variables', 'further variables with a value for each point, such as ''temperature''')
+      rows(16)%is_list = .true.
+      rows(17) = text_row('data', 'variable_columns', 'their columns, in the same order; default: their names')
+      rows(17)%is_list = .true.
    end function rows_of_data
 
    !> The rows of `&data` that say what belongs to the measurement and not to the model.

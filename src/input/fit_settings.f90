@@ -48,6 +48,9 @@ contains
                call reader%report(r, 'data', 'no &data of this number, given '//show_count(event%data_set)//', allowed: 1 to ' &
                   //show_count(size(groups)))
                event%data_set = 1
+            else if (size(groups(event%data_set)%others) > 0) then
+               call reader%report(r, 'data', 'the points of &data['//show_count(event%data_set)//'] have variables of their '// &
+                  'own, an event has none, allowed: a &data without variables')
             end if
             call reader%read_number(r, 'kind', kind)
             if (is_set(kind)) event%kind = nint(kind)

@@ -42,6 +42,8 @@ module adfric_input_fit_stack
    type :: stack_file_t
       !> Columns, `c_...`.
       type(stack_column_t) :: columns(n_columns)
+      !> Columns of the further variables of the group.
+      type(stack_column_t), allocatable :: others(:)
       !> Number of curves along each dimension, the slowest first; size 0 for one curve.
       integer(i8), allocatable :: lengths(:)
       !> Points of a curve.
@@ -102,6 +104,7 @@ contains
       character(:), allocatable, intent(out) :: flaw
       character(:), allocatable :: folder
       logical :: exists(4)
+      integer :: k
 
       variable = 'file'
       folder = path_of(group%file)
@@ -115,6 +118,14 @@ contains
          self%lengths = counts(:size(counts) - 1)
          self%n_points = int(counts(size(counts)))
       end associate
+      if (size(self%lengths) > 0 .and. size(group%others) > 0) then
+         variable = 'variables'
+         flaw = 'beside a stack of curves, given '//show_count(product(self%lengths))//' curves in '//file_of(group%file)// &
+            ', allowed: one curve'
+         call self%close()
+         return
+      end if
+      allocate (self%others(size(group%others)))
       call find_members(file_of(group%file), folder, 'sigma branch contact segment', exists, flaw)
       call add('abscissa_column', group%abscissa_column, model%variables(group%data_set%abscissa)%name, .true., .false., c_x, &
          group%x_unit)
@@ -124,6 +135,13 @@ contains
       call add('branch_column', group%branch_column, trim(merge('branch ', 'contact', exists(2))), .false., exists(2) .or. &
          exists(3), c_branch, '-')
       call add('segment_column', group%segment_column, 'segment', .false., exists(4), c_segment, '-')
+      do k = 1, size(self%others)
+         if (len(flaw) > 0) exit
+         variable = 'variables'
+         call open_column(self%others(k), file_of(group%file), folder//group%others(k)%name, group%others(k)%unit, flaw)
+         if (len(flaw) == 0) call check_shape(self, self%others(k), flaw)
+         if (len(flaw) > 0) flaw = file_of(group%file)//': '//flaw
+      end do
       if (len(flaw) > 0) call self%close()
 
    contains
@@ -158,7 +176,7 @@ contains
             if (size(self%columns(column)%rows%counts) == 0) flaw = ''
             if (size(self%columns(column)%rows%counts) == 0) return
          end if
-         if (len(flaw) == 0) call check_shape(self, column, flaw)
+         if (len(flaw) == 0) call check_shape(self, self%columns(column), flaw)
          if (len(flaw) > 0) flaw = file_of(group%file)//': '//flaw
       end subroutine add
 
@@ -182,28 +200,27 @@ contains
    end subroutine open_column
 
    !> Has a column the shape of the ordinate, or that of one curve, which is then read?
-   subroutine check_shape(self, column, flaw)
-      !> The columns; that of one curve is read.
-      type(stack_file_t), intent(inout) :: self
-      integer, intent(in) :: column
+   subroutine check_shape(self, item, flaw)
+      !> The columns, with their ordinate.
+      type(stack_file_t), intent(in) :: self
+      !> The column; that of one curve is read.
+      type(stack_column_t), intent(inout) :: item
       character(:), allocatable, intent(out) :: flaw
       real(dp), allocatable :: values(:, :)
       logical :: is_read, is_same
 
       flaw = ''
-      associate (item => self%columns(column))
-         if (size(item%rows%counts) == 1 .and. item%rows%row_length() == self%n_points) then
-            allocate (values(self%n_points, 1))
-            call item%rows%read_rows(1_i8, values, is_read)
-            if (.not. is_read) flaw = 'the dataset cannot be read'
-            if (is_read) item%shared = to_si(values(:, 1), item%unit)
-            return
-         end if
-         is_same = size(item%rows%counts) == size(self%columns(c_y)%rows%counts)
-         if (is_same) is_same = all(item%rows%counts == self%columns(c_y)%rows%counts)
-         if (.not. is_same) flaw = 'the shape is not that of the ordinate, given '//show_shape(item%rows%counts)//', allowed: '// &
-            show_shape(self%columns(c_y)%rows%counts)//' or '//show_count(self%n_points)
-      end associate
+      if (size(item%rows%counts) == 1 .and. item%rows%row_length() == self%n_points) then
+         allocate (values(self%n_points, 1))
+         call item%rows%read_rows(1_i8, values, is_read)
+         if (.not. is_read) flaw = 'the dataset cannot be read'
+         if (is_read) item%shared = to_si(values(:, 1), item%unit)
+         return
+      end if
+      is_same = size(item%rows%counts) == size(self%columns(c_y)%rows%counts)
+      if (is_same) is_same = all(item%rows%counts == self%columns(c_y)%rows%counts)
+      if (.not. is_same) flaw = 'the shape is not that of the ordinate, given '//show_shape(item%rows%counts)//', allowed: '// &
+         show_shape(self%columns(c_y)%rows%counts)//' or '//show_count(self%n_points)
    end subroutine check_shape
 
    !> A shape in words.
@@ -266,6 +283,15 @@ contains
             end select
          end do
       end do
+      if (.not. allocated(self%others)) return
+      if (size(self%others) == 0) return
+      ! those of one curve have been read when they were opened
+      do i = 1, size(curves)
+         allocate (curves(i)%at(size(self%others), self%n_points), source=0.0_dp)
+         do c = 1, size(self%others)
+            curves(i)%at(c, :) = self%others(c)%shared
+         end do
+      end do
    end subroutine read_columns
 
    !> Close the columns.
@@ -275,6 +301,10 @@ contains
 
       do c = 1, n_columns
          call self%columns(c)%rows%close()
+      end do
+      if (.not. allocated(self%others)) return
+      do c = 1, size(self%others)
+         call self%others(c)%rows%close()
       end do
    end subroutine close_stack_file
 

@@ -5,7 +5,7 @@ module adfric_input_fit_table
    use adfric_base_kinds, only: dp
    use adfric_base_text, only: show_text
    use adfric_input_fit_data_group, only: data_group_t
-   use adfric_input_fit_points, only: columns_t, find_flaw
+   use adfric_input_fit_points, only: columns_t, find_flaw, find_outside
    use adfric_base_unset, only: is_set
    use adfric_input_text_table, only: text_table_t, open_text_table
    use adfric_describe_model, only: model_t
@@ -55,11 +55,34 @@ contains
       if (.not. (allocated(group%branch_column) .or. allocated(columns%branch))) call take(table, group%branch_column, 'contact', &
          .false., '-', columns%branch, 'branch_column', form, variable, flaw)
       call take(table, group%segment_column, 'segment', .false., '-', columns%segment, 'segment_column', form, variable, flaw)
+      call take_others(table, group, columns, form, variable, flaw)
       if (len(flaw) > 0) return
       variable = 'file'
       call find_flaw(columns, flaw)
+      if (len(flaw) == 0) call find_outside(group, model, columns, flaw)
       if (len(flaw) > 0) flaw = group%file//': '//flaw
    end subroutine read_table_columns
+
+   !> Take the columns of further variables.
+   subroutine take_others(table, group, columns, form, variable, flaw)
+      type(text_table_t), intent(in) :: table
+      class(data_group_t), intent(in) :: group
+      !> Receives the values; shape `(n_others, n)`.
+      type(columns_t), intent(inout) :: columns
+      character(:), allocatable, intent(inout) :: form, variable, flaw
+      character(:), allocatable :: name
+      real(dp), allocatable :: values(:)
+      integer :: k
+
+      if (len(flaw) > 0 .or. size(group%others) == 0) return
+      allocate (columns%at(size(group%others), size(columns%x)), source=0.0_dp)
+      do k = 1, size(group%others)
+         name = group%others(k)%name
+         call take(table, name, '', .true., group%others(k)%unit, values, 'variables', form, variable, flaw)
+         if (len(flaw) > 0) return
+         columns%at(k, :) = values
+      end do
+   end subroutine take_others
 
    !> Take a column: that of the name that is given, else that of its usual name if it is there.
    subroutine take(table, given, usual, is_needed, unit, values, of_variable, form, variable, flaw)

@@ -270,11 +270,35 @@ contains
          end if
          lines = lines//lines_of_assignment(file, i, name, text, '')
          ! data keep the names of their columns
-         if (bare_of(text) /= bare_of(strip(file%value_of(i))) .and. file%groups(group)%name == 'data' .and. &
-            file%find_assignment(group, name//'_column') == 0) &
-            lines = lines//line_of(name//'_column = '''//bare_of(strip(file%value_of(i)))//'''', '')
+         if (old_columns(text) /= old_columns(strip(file%value_of(i))) .and. file%groups(group)%name == 'data' .and. &
+            file%find_assignment(group, column_of(name)) == 0) &
+            lines = lines//line_of(column_of(name)//' = '//old_columns(strip(file%value_of(i))), '')
       end do
    end function lines_of_common
+
+   !> The variable of `&data` that names the columns of another one.
+   pure function column_of(name) result(column)
+      !> Name of the other one.
+      character(*), intent(in) :: name
+      character(:), allocatable :: column
+
+      column = name//'_column'
+      if (name == 'variables') column = 'variable_columns'
+   end function column_of
+
+   !> Columns of the names that stood in an input: without their groups.
+   function old_columns(text) result(columns)
+      !> One name in quotes, or several.
+      character(*), intent(in) :: text
+      character(:), allocatable :: columns
+      integer :: k
+
+      columns = ''
+      do k = 1, count_items(text)
+         if (k > 1) columns = columns//', '
+         columns = columns//''''//bare_of(item_of(text, k))//''''
+      end do
+   end function old_columns
 
    !> The lines of an assignment with its comments: those of its value, too, which keeps its lines if it has not changed.
    function lines_of_assignment(file, number, name, value, note) result(lines)

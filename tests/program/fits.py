@@ -427,6 +427,130 @@ class Stacks(Fits):
         self.assertIn("are of another quantity, allowed: units of [m]", errors)
 
 
+class Variables(Fits):
+    """Points with values of further variables: one fit of several curves."""
+
+    HEAD = "&job output = 'run.h5' /\n&surface kind = '{kind}'{more} /\n&adhesion theory = 'jkr' /\n"
+    DATA = "&data file = 'area.csv', abscissa = 'load', ordinate = 'contact_area', variables = 'radius' /\n"
+    FREE = "&free variable = 'work_of_adhesion' /\n&free variable = 'contact_modulus' /\n"
+    TRUE = {"work_of_adhesion": 0.05, "contact_modulus": 2e6}
+
+    def points(self, radii=(5e-4, 1e-3, 3e-3), noise=0.0):
+        """Areas of spheres of several radii: rows of radius, load, area and standard error."""
+        self.write("&job output = 'true.h5' /\n&surface kind = 'paraboloid' /\n&solid contact_modulus = 2e6 /\n"
+                   "&adhesion work_of_adhesion = 0.05, theory = 'jkr' /\n"
+                   f"&sweep variable = 'radius', values = {', '.join(map(str, radii))} /\n"
+                   "&sweep variable = 'load', from = -2e-5, to = 4e-4, count = 12 /\n")
+        self.run_program("run", "--quiet", "run.nml")
+        true = self.read("true.h5")
+        area = np.ravel(true["contact_area"])
+        sigma = 0.01*area
+        rng = np.random.default_rng(11)
+        radius, load = np.meshgrid(true["radius"], true["load"], indexing="ij")
+        return np.column_stack([np.ravel(radius), np.ravel(load), area + noise*sigma*rng.standard_normal(area.size), sigma])
+
+    def write_points(self, rows, head="radius,load,contact_area,sigma"):
+        self.write(head + "\n" + "".join(",".join(repr(float(one)) for one in row) + "\n" for row in rows), "area.csv")
+
+    def text(self, kind="paraboloid", data=None, more=""):
+        return self.HEAD.format(kind=kind, more=more) + (data or self.DATA) + self.FREE
+
+    def assert_alike(self, one, other, tolerance):
+        for name in self.TRUE:
+            for key in (name, f"{name}_error"):
+                self.assertLess(abs(one[key]/other[key] - 1), tolerance, key)
+
+    def test_radii(self):
+        """Three radii in one file give the truth that none of them gives alone; the file repeats the column, and has each curve."""
+        rows = self.points()
+        self.write_points(rows)
+        found = self.fit(self.text())
+        self.assertEqual(int(found["status"]), 0)
+        for name, true in self.TRUE.items():
+            self.assertLess(abs(found[name]/true - 1), 1e-7)
+        np.testing.assert_allclose(found["point_radius"], rows[:, 0], rtol=1e-14)
+        np.testing.assert_allclose(found["fitted"], rows[:, 2], rtol=1e-6)
+        self.assertEqual(set(found["curve_radius"]), {5e-4, 1e-3, 3e-3})
+        # NaN between two curves, and nowhere else
+        self.assertEqual(int(np.isnan(found["curve"]).sum()), 2)
+        self.assertEqual(found["curve"].shape, found["curve_x"].shape)
+        # as errors of a linear fit of the same points: J by differences of the model
+        output, _ = self.run_program("check", "run.nml")
+        for words in ("radius of each point, 5e-4 to 0.003 m", "3 curves"):
+            self.assertIn(words, output)
+
+    def test_errors(self):
+        """Standard errors are those of the Jacobian of all curves together, here of power laws: areas of Hertz."""
+        rng = np.random.default_rng(3)
+        radius, load = np.repeat([1e-3, 4e-3], 10), np.tile(np.linspace(1e-4, 1e-3, 10), 2)
+        area = np.pi*(0.75*load*radius/2e6)**(2/3)
+        rows = np.column_stack([radius, load, area*(1 + 0.01*rng.standard_normal(20)), 0.01*area])
+        self.write_points(rows)
+        text = ("&job output = 'run.h5' /\n&surface kind = 'paraboloid' /\n" + self.DATA + "&free variable = 'contact_modulus' /\n")
+        found = self.fit(text)
+        # d ln A/d ln E = -2/3 of 20 points of 1 %
+        self.assertLess(abs(found["contact_modulus_error"]/found["contact_modulus"]/(0.01*1.5/np.sqrt(20)) - 1), 0.02)
+        self.assertEqual(int(found["degrees_of_freedom"]), 19)
+
+    def test_one_value(self):
+        """A column of one value is that value in its group; the order of the rows does not matter; a unit in a head is honoured."""
+        rows = self.points(radii=(1e-3, 2e-3), noise=1.0)
+        self.write_points(rows[:12])
+        of_column = self.fit(self.text())
+        of_group = self.fit(self.text(data=self.DATA.replace(", variables = 'radius'", ""), more=", radius = 1e-3"))
+        self.assert_alike(of_column, of_group, 1e-9)
+        self.assertEqual(of_column["chi2"], of_group["chi2"])
+        self.write_points(rows)
+        first = self.fit(self.text())
+        self.write_points(np.random.default_rng(5).permutation(rows)*[1e3, 1, 1, 1], head="r [mm],load,contact_area,sigma")
+        second = self.fit(self.text(data=self.DATA.replace("'radius' /", "'radius', variable_columns = 'r' /")))
+        self.assert_alike(first, second, 1e-6)
+        self.assertGreater(first["runs_p_value"], 1e-3)
+
+    def test_hdf5(self):
+        """One curve of an HDF5 file has further variables; a stack has none."""
+        rows = self.points(noise=1.0)
+        self.write_points(rows)
+        first = self.fit(self.text())
+        with h5py.File(self.folder/"area.h5", "w") as file:
+            for name, column in zip(("radius", "load", "contact_area", "sigma"), rows.T):
+                file[name] = column
+            file["stack"] = np.tile(rows[:, 2], (2, 1))
+        text = self.text(data=self.DATA.replace("area.csv", "area.h5:/contact_area"))
+        self.assert_alike(first, self.fit(text), 1e-12)
+        self.write(text.replace("h5:/contact_area", "h5:/stack"))
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("&data[1] variables: beside a stack of curves, given 2 curves in area.h5, allowed: one curve", errors)
+
+    def test_refused(self):
+        """One line for each mistake."""
+        rows = self.points()
+        self.write_points(rows)
+        for old, new, words in (
+                ("variables = 'radius'", "variables = 'radius', variable_columns = 'r'", "r"),
+                ("variables = 'radius'", "variables = 'radiu'", "did you mean 'radius'"),
+                ("variables = 'radius'", "variables = 'load'", "load is the abscissa, allowed: other variables"),
+                ("variables = 'radius'", "variables = 'radius', 'radius'", "radius is named twice, allowed: once"),
+                ("variables = 'radius'", "variables = 'theory'", "not a number"),
+                ("variables = 'radius'", "variables = 'radius', variable_columns = 'a', 'b'", "given 2 for 1 variables, allowed: one for each"),
+                ("kind = 'paraboloid'", "kind = 'paraboloid', radius = 1e-3", "radius is given twice, here and in &surface in line 2"),
+                ("variables = 'radius'", "variables = 'contact_modulus'", "contact_modulus is a column of &data[1], it cannot be free"),
+                ("&free", "&event kind = 'pull_off_load', value = -1e-4, sigma = 1e-6 /\n&free",
+                 "the points of &data[1] have variables of their own, an event has none, allowed: a &data without variables")):
+            self.write(self.text().replace(old, new, 1))
+            _, errors = self.run_program("fit", "run.nml", status=2)
+            self.assertIn(words, errors)
+        rows[3, 0] = -1e-3
+        self.write_points(rows)
+        self.write(self.text())
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("radius is out of range at point 4, given -0.001, allowed: a number", errors)
+        # a point without a value is left out
+        rows[3, 0] = np.nan
+        self.write_points(rows)
+        self.assertEqual(int(self.fit(self.text())["points_used"]), 35)
+
+
 class Interface(Fits):
     """The law of an interface from friction against velocity: what one temperature tells, and what it does not."""
 
@@ -460,6 +584,44 @@ class Interface(Fits):
             np.testing.assert_allclose(errors, least, rtol=0.1)
             offsets = (np.array([np.log(strength), np.log10(velocity), width]) - self.TRUE) / errors
             self.assertLess(np.abs(offsets).max(), 3.0)
+
+    def test_four_temperatures(self):
+        """Points of four temperatures and two loads in one file tell how the interface shifts, with the errors of its Jacobian."""
+        with open(SOURCE / "tests/reference/int_fit_synthetic_1.csv") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        # one load at each temperature, and three velocities
+        load_of = {"263.15": 2e5, "283.15": 8e5, "303.15": 2e5, "323.15": 8e5}
+        rows = [row for row in rows if load_of[row["temperature_K"]] == float(row["mean_pressure_Pa"])
+                and row["velocity_m_per_s"] in ("1e-05", "0.001", "0.1")]
+        columns = "velocity_m_per_s", "temperature_K", "mean_pressure_Pa", "mu_noisy", "mu", "mu_hysteresis"
+        velocity, temperature, pressure, noisy, mu, losses = (np.array([float(row[name]) for row in rows]) for name in columns)
+        self.assertEqual(mu.size, 12)
+        table = np.column_stack([velocity, temperature, pressure, noisy, 0.02*mu])
+        self.write("velocity,temperature,mean_pressure,friction_coefficient,sigma\n" + "".join(",".join(map(repr, row)) + "\n" for row in table.tolist()),
+                   "points.csv")
+        text = (SOURCE / "inputs/fit_interface_all.nml").read_text()
+        text = text.replace("fit_interface_all.csv", "points.csv").replace("fit_interface_all.h5", "run.h5")
+        first = text.index("&free\n  variable = 'time_factor'")
+        found = self.fit(text[:first] + text[text.index("&fit"):])
+        self.assertEqual(int(found["status"]), 0)
+        names = "peak_shear_strength", "peak_velocity", "log_width_factor", "wlf_c1"
+        true = 1e6, 0.01, 0.1, 8.86
+        for name, value in zip(names, true):
+            self.assertLess(abs(found[name] - value), 3*found[f"{name}_error"], name)
+        # the area of contact does not depend on the law, so the interface's part is proportional to the shear strength
+        best = [float(found[name]) for name in names]
+        scale = (temperature - 293.15)/(101.6 + temperature - 293.15)
+
+        def part(strength, peak, width, c1):
+            return strength*np.exp(-width*(np.log10(velocity/peak) - c1*scale)**2)
+
+        area = (mu - losses)/part(*true)
+        jacobian = np.empty((mu.size, 4))
+        for k in range(4):
+            moved = [value*(1 + (1e-6 if i == k else 0)) for i, value in enumerate(best)]
+            jacobian[:, k] = area*(part(*moved) - part(*best))/(1e-6*best[k])/(0.02*mu)
+        errors = np.sqrt(np.diag(np.linalg.inv(jacobian.T @ jacobian)))
+        np.testing.assert_allclose([float(found[f"{name}_error"]) for name in names], errors, rtol=1e-3)
 
     def test_shift_is_not_there(self):
         """With a shift of its own, one temperature does not tell velocity and activation energy apart: no answer, and it is said which."""

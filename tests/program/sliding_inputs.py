@@ -10,6 +10,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 from input_runs import SOURCE, InputRuns  # noqa: E402
+from plotting import figures, split  # noqa: E402
+from plotting.results import Results  # noqa: E402
 
 
 class SlidingInputs(InputRuns):
@@ -52,6 +54,24 @@ class SlidingInputs(InputRuns):
         layer = self.solve("surface_sliding_layer", **few, **thick, **{"count = 17": "count = 3"})
         strips = self.solve("surface_sliding_strips", **few, **thick, **{"count = 65": "count = 3"})
         np.testing.assert_array_less(3 * layer["error_estimate"], abs(layer["friction_coefficient"] / strips["friction_coefficient"] - 1))
+
+    def test_all_parts(self):
+        """Losses, adhesion, interface and heat in one scene: the parts make the friction, and the figure shows each as an area."""
+        found = self.solve("rubber_all_parts", **{"cells = 512": "cells = 64", "count = 61": "count = 11"})
+        total, losses, interface = (found[name] for name in ("friction_stress", "hysteretic_friction_stress", "interfacial_friction_stress"))
+        np.testing.assert_allclose(losses + interface, total, rtol=1e-12)
+        # slow rubber loses nothing; where losses are, adhesion adds to them
+        self.assertGreater(interface[0]/total[0], 0.9999)
+        self.assertLess(interface[-1]/total[-1], 0.1)
+        np.testing.assert_array_less(found["friction_stress_without_adhesion"][4:9], losses[4:9])
+        self.assertGreater(found["flash_temperature"].max(), 1e-3)
+        self.assertLess(found["flash_temperature"].max(), 0.03)
+        results = Results(self.folder / "run.h5")
+        self.assertIs(figures.choose_figure(results), split.draw_split)
+        figure = split.draw_split(results)
+        self.assertEqual([text.get_text() for text in figure.axes[0].get_legend().get_texts()],
+                         ["losses without adhesion", "losses by adhesion", "interface"])
+        self.assertIn("K)", figure.axes[3].get_ylabel())
 
 
 if __name__ == "__main__":

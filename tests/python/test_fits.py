@@ -91,6 +91,24 @@ class Fits(InFolder):
         self.check_same(adfric.fit("sphere", self.points, *NAMES, free=dict.fromkeys(FREE), sphere={"radius": 140e-9},
                                    model={"theory": "jkr"}, contact_modulus=44e9, operating={"state": "sliding"}))
 
+    def test_variables(self):
+        """Points of two radii are one fit; a unit of a head is honoured, and a name without a column is refused."""
+        radius, load = np.repeat([1e-3, 4e-3], 10), np.tile(np.linspace(1e-4, 1e-3, 10), 2)
+        area = np.pi*(0.75*load*radius/2e6)**(2/3)
+        points = {"radius": radius, "load": load, "contact_area": area, "sigma": 0.01*area}
+        known = {"free": ["contact_modulus"], "surface": {"kind": "paraboloid"}}
+        options = {"data_options": {"variables": ["radius"]}}
+        found = adfric.fit(points, "load", "contact_area", **options, **known)
+        self.assertAlmostEqual(2e6, found.estimates["contact_modulus"], delta=2.0)
+        np.testing.assert_array_equal(radius, found.results.point_radius)
+        frame = xr.Dataset({name: ("i", values) for name, values in points.items()})
+        frame["r"] = ("i", radius*1e3, {"units": "mm"})
+        other = adfric.fit(frame, "load", "contact_area", data_options={"variables": "radius", "variable_columns": "r"}, **known)
+        self.assertAlmostEqual(1, other.estimates["contact_modulus"]/found.estimates["contact_modulus"], delta=1e-12)
+        del points["radius"]
+        with self.assertRaisesRegex(adfric.InputError, "unknown column, given radius"):
+            adfric.fit(points, "load", "contact_area", **options, **known)
+
     def test_stack(self):
         """Each curve of a stack is a fit of its own, whatever the number of threads."""
         forces = np.stack([[self.points["friction_force"]*factor for factor in (1.0, 1.1, 1.2)]]*2)
