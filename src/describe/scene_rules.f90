@@ -204,7 +204,8 @@ module adfric_describe_scene_rules
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
       & 'hertz,indenter velocity_slope - heat', &
       & 'indenter bulk_heat -', &
-      & heats//' contact_temperature,flash_temperature,peak_flash_temperature,background_temperature_rise - !heat', &
+      & heats//' contact_temperature,flash_temperature,peak_flash_temperature - !heat', &
+      & heats//' background_temperature_rise - !heat', &
       & heats//' thermal_gain,thermal_states,heat_share,bulk_heat,interface_heat - !heat']
 
    !> Profiles.

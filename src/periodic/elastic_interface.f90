@@ -180,7 +180,6 @@ contains
       type(elastic_kernel_t) :: kernel
       type(shear_coupling_t) :: coupling
       real(dp), allocatable :: shear(:, :)
-      integer :: j
 
       if (.not. abs(results(out%friction_stress)) > 0) return
       ! an incompressible half-space has no coupling
@@ -189,10 +188,7 @@ contains
       coupling%friction_coefficient = 1
       coupling%poisson_ratio = poisson_ratio
       allocate (shear, mold=solution%pressure)
-      do j = 1, size(shear, 2)
-         shear(:, j) = abs(tractions_of_friction(values, given, surface%solid%modulus*solution%pressure(:, j), &
-            & .not. solution%gap(:, j) > 0))
-      end do
+      shear(:, :) = abs(tractions_of_friction(values, given, surface%solid%modulus*solution%pressure, .not. solution%gap > 0))
       results(out%coupling_left_out) = change_on_cells(kernel, coupling, solution%pressure, shear, &
          & surface%period/surface%period(1), surface%is_quarter)/abs(results(out%friction_stress))
    end subroutine store_left_out
