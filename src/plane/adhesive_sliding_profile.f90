@@ -253,8 +253,8 @@ contains
       end associate
    end function slide_violation
 
-   !> Largest violation of g <= d0 in the zones, over d0; below 0 if there is none. A zone whose gap is larger in its middle than at its
-   !> end is found where hardly any of the gap is free.
+   !> Largest violation of g <= d0 in the zones of a wave, over d0; below 0 if there is none. A zone whose gap is larger in its middle
+   !> than at its end is found where hardly any of the gap is free.
    pure real(dp) function zone_violation(profile) result(violation)
       type(slide_profile_t), intent(in) :: profile
       real(dp) :: share

@@ -223,8 +223,9 @@ contains
       if (len_trim(fault) > 0) counts%n_wrong = counts%n_wrong + 1
    end subroutine judge_slide
 
-   !> How often the cells of the finer grid would have to be halved to be as short as the arms' lengths, on the mean of their losses. The
-   !> pressure jumps at the ends of the zones, so that an arm far shorter than a cell has a loss that grows by the same at each halving.
+   !> How often the cells of the finer grid would have to be halved to be as short as the arms' lengths, on the mean of their losses.
+   !> The pressure jumps at the ends of the zones, so that an arm far shorter than a cell has a loss that grows by the same at each
+   !> halving.
    real(dp) function halvings_to_resolve(trial) result(halvings)
       type(slide_trial_t), intent(in) :: trial
       real(dp) :: losses(size(trial%lengths))

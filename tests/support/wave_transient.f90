@@ -1,15 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A wave that begins to slide over a viscoelastic half-plane which adheres to it, integrated in time until it is steady. It judges the
-!> steady states of the program, and so it uses none of its modules.
+!> A wave that begins to slide over a viscoelastic half-plane which adheres to it, integrated in time until it is steady. It judges
+!> the steady states of the program, and so it uses none of its modules.
 !>
-!> Lengths count in 1/k with the wave number k, heights in the amplitude D, pressures in E0 k D with the relaxed modulus E0, and friction
-!> in E0 k^2 D^2. The body h = cos x moves to +x, so that material passes one cell to -x in a step. With the displacement u and the
-!> stretch s_i of arm i, pressure is
+!> Lengths count in 1/k with the wave number k, heights in the amplitude D, pressures in E0 k D with the relaxed modulus E0, and
+!> friction in E0 k^2 D^2. The body h = cos x moves to +x, so that material passes one cell to -x in a step. With the displacement u
+!> and the stretch s_i of arm i, pressure is
 !>
 !>     p = q + |k|/2 (u + sum E_i s_i),      ds_i/dt = du/dt - s_i/t_i,      gap g = u - h + const.
 !>
-!> Along the path of the material u changes linearly within a step, which arms follow exactly. So in a step the solid is elastic, with a
-!> known past. Where the gap is within the range the surface pulls with p0: a share t of each cell, for linear gaps between nodes.
+!> Along the path of the material u changes linearly within a step, which arms follow exactly. So in a step the solid is elastic,
+!> with a known past. Where the gap is within the range the surface pulls with p0: a share t of each cell, for linear gaps between nodes.
 !> Rounds of shares and contacts lower the energy of the step and stand still at its state.
 !>
 !> An arm that remembers many periods would need many of them. It takes the memory of a body that has always slid with the present
