@@ -99,7 +99,7 @@ contains
       type(dice_t), intent(inout) :: dice
       type(slide_trial_t), intent(inout) :: trial
       real(dp) :: part, low, high
-      logical :: is_partial
+      logical :: is_partial, has_fold
 
       call dice%between(0.06_dp, 0.94_dp, part)
       call dice%happens(0.7_dp, is_partial)
@@ -108,18 +108,22 @@ contains
          return
       end if
       associate (pull_off => trial%events(1), fold => trial%events(2), end => trial%events(3), full => trial%events(4))
+         has_fold = .not. ieee_is_nan(fold)
          if (trial%is_adhered) then
-            low = max(-trial%stress, 0.85_dp*pull_off)
-            high = min(end, fold)
+            low = -trial%stress
+            if (.not. ieee_is_nan(pull_off)) low = max(low, 0.85_dp*pull_off)
+            high = end
+            if (has_fold) high = min(end, fold)
             if (.not. (is_partial .and. high > low)) then
                low = end
                high = max(full - trial%stress, end + 0.3_dp*(end + trial%stress))
             end if
          else
             low = 0
-            high = fold
-            if (.not. (is_partial .and. fold > 0)) then
-               low = max(0.02_dp, merge(fold, 0.0_dp, fold > 0), merge(end, 0.0_dp, end > 0))
+            high = 0
+            if (has_fold) high = max(fold, 0.0_dp)
+            if (.not. (is_partial .and. high > 0)) then
+               low = max(0.02_dp, high, end)
                high = 2*low
             end if
          end if

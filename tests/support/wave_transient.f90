@@ -28,6 +28,9 @@ module wave_transient
    integer, parameter :: most_rounds = 10, most_changes = 200
    real(dp), parameter :: resting_share = 1.0e-7_dp
 
+   !> What no result is like.
+   real(dp), parameter :: unlike = 1.0e30_dp
+
    !> A wave on its half-plane.
    type :: transient_t
       !> Cells of the period.
@@ -376,8 +379,8 @@ contains
       integer :: k, i, still
 
       mean_gap = sum(self%gap)/self%n
-      before = huge(1.0_dp)
-      last = huge(last)
+      before = unlike
+      last = unlike
       still = 0
       is_settled = .false.
       do k = 1, most_periods
