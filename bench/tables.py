@@ -352,6 +352,13 @@ def adhesion_cells(folder):
                   "pull-off, largest"], body)
 
 
+def random_transients(folder):
+    """Random waves that adhere while they slide, beside transients."""
+    body = [[row["prescribed"], row["branch"], *(row[name] for name in ("waves", "judged", "friction_known", "apart", "restless", "not_converged",
+                                                                        "wrong"))] for row in rows_of(folder, "random_transients")]
+    return table(["prescribed", "branch", "waves", "judged", "friction known", "apart", "restless", "`not_converged`", "wrong"], body)
+
+
 def adhesion_public(folder):
     """States that adhere beside the public libraries."""
     rows = rows_of(folder, "adhesion_public")
@@ -384,7 +391,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding, sliding_layers, partial_slip)}
+    wave_2d_public, slip_public, sliding_public, adhesion_cells, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding, sliding_layers, partial_slip)}
 
 
 def main():

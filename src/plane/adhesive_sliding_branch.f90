@@ -15,6 +15,7 @@ module adfric_plane_adhesive_sliding_branch
    use adfric_plane_adhesive_sliding_curve, only: slide_curve_t, trace_curve, state_between
    use adfric_plane_adhesive_sliding_folds, only: insert_folds
    use adfric_plane_adhesive_sliding_point_of_curve, only: curve_point_t, correct_point, by_load, by_penetration
+   use adfric_plane_adhesive_sliding_profile, only: slide_profile_t, new_slide_profile, short_gap, zone_violation
    use adfric_plane_adhesive_sliding_saturation, only: find_saturated_contact
    use adfric_plane_sliding_wave, only: wave_contact_t, get_full_contact, wave_of_pressure, wave_of_penetration
    implicit none (type, external)
@@ -25,6 +26,9 @@ module adfric_plane_adhesive_sliding_branch
    integer, parameter, public :: regime_none = 0, regime_free = 1, regime_zones = 2, regime_saturated = 3, regime_full = 4
    !> Branches.
    integer, parameter, public :: branch_adhered = 1, branch_approach = 2
+
+   !> Gap above the range, over the range, in a zone that still counts as one.
+   real(dp), parameter :: allowed_violation = 1.0e-6_dp
 
    !> Ends of the branches at a speed.
    type :: slide_branches_t
@@ -84,6 +88,7 @@ contains
       call trace_curve(slide, branches%curve, branches%has_curve, largest_load)
       if (.not. branches%has_curve) return
       call insert_folds(slide, branches%curve)
+      if (slide%is_wave) call end_at_corner(slide, branches%curve)
       loads = branches%curve%points%load
       n = size(loads)
       branches%fold = maxloc(loads, 1)
@@ -93,6 +98,22 @@ contains
       branches%pull_off_load = loads(branches%pull_off)
       branches%fold_load = loads(branches%fold)
    end subroutine find_branches
+
+   !> Cut the curve behind the end of saturation. There it goes on with zones whose gap is larger than the range: no states.
+   pure subroutine end_at_corner(slide, curve)
+      type(adhesive_slide_t), intent(in) :: slide
+      type(slide_curve_t), intent(inout) :: curve
+      type(slide_profile_t) :: profile
+      integer :: i
+
+      do i = 1, size(curve%points) - 1
+         if (curve%points(i)%zones%free > short_gap) cycle
+         call new_slide_profile(slide, curve%points(i)%zones, profile)
+         if (zone_violation(profile) <= allowed_violation) cycle
+         curve%points = curve%points(:i)
+         return
+      end do
+   end subroutine end_at_corner
 
    !> The saturated state whose largest gap is the range. Without contact the gap is 2 at most.
    pure subroutine find_end_of_saturation(slide, branches, is_found)

@@ -148,6 +148,12 @@ contains
          end if
       end do
       is_found = share >= 1
+      if (.not. is_found) return
+      ! the derivatives are those of weaker arms, and would give the curve a wrong direction
+      trial = point
+      trial%tangent = 0
+      call correct_point(slide, point%z, constant_width, trial, is_found, has_slopes=.true.)
+      if (is_found) point = trial
    end subroutine raise_arms
 
 end module adfric_plane_adhesive_sliding_start

@@ -22,7 +22,8 @@ module adfric_plane_adhesive_sliding_survey
       real(dp) :: peak_pressure = 0, largest_gap = 0
       !> Load and friction from the pressure (`slide_zones_t`).
       real(dp) :: load = 0, friction = 0
-      !> Largest violation of p >= -p0 in contact and of g >= d0 in the free gap, over p0 and d0; 0 if there is none.
+      !> Largest violation of p >= -p0 in contact, g >= d0 in the free gap and g <= d0 in zones beside a short one, over p0 and d0;
+      !> 0 if there is none.
       real(dp) :: violation = 0
    end type slide_survey_t
 
