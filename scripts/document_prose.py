@@ -25,6 +25,10 @@ LONE_LINK = re.compile(rf"\s*(?:[-*+]\s+)?{LINK.pattern}[.,:;]?$")
 # The volume, year and page of a source belong to no sentence.
 SOURCE = re.compile(r"\((?:[^()]|\([^()]*\))*?(?:\((?:1[89]|20)\d\d\)|\b(?:1[89]|20)\d\d\b)(?:[^()]|\([^()]*\))*\)")
 
+# A number that was measured or computed, and what a reader can run or read to have it again.
+MEASURED = re.compile(r"(?<![\w.])\d+\.\d+|\d+ %|\d+ (?:ms|s)\b")
+SHOWN = re.compile(r"`[^`\n]*(?:tests/|inputs/|bench/|scripts/|adfric |\.nml|\.csv|\.pf|\.py)[^`\n]*`|```|\]\([^)\s]*(?:inputs|tests|bench)/")
+
 
 def blocks_of(text):
     """The parts of a document: (kind, number of the first line, lines), of kind `code LANGUAGE`, `indented`, `table`, `math`, `heading` or `text`."""
@@ -167,6 +171,17 @@ def faults_of_words(text, banned):
                 joined = re.sub(rf"\b{re.escape(phrase)}\b".replace(r"\ ", r"\s+"), lambda found: "\n" * found[0].count("\n"), joined)
             for found in re.finditer(rf"\b{re.escape(word)}s?\b", joined):
                 faults.append(f"{number + joined[:found.start()].count(chr(10))}: '{found[0]}', better {instead}")
+    return faults
+
+
+def faults_of_numbers(text):
+    """Sections with measured numbers that name neither a command nor a test, an input or a file from which the numbers come."""
+    faults, line = [], 1
+    for section in re.split(r"(?m)^(?=## )", text):
+        plain = re.sub(r"\$\$.*?\$\$|\$[^$]*\$|```.*?```|`[^`]*`", "", LINK.sub("", section), flags=re.DOTALL)
+        if MEASURED.search(plain) and not SHOWN.search(section):
+            faults.append(f"{line}: numbers without the command that gives them: {section.partition(chr(10))[0]}")
+        line += section.count("\n")
     return faults
 
 

@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 from document_links import documents_of  # noqa: E402
 from document_prose import (GLOSSARY, WRITTEN, banned_words, faults_of_blocks, faults_of_formulas, faults_of_lines,  # noqa: E402
-                            faults_of_prose, faults_of_sentences, faults_of_words, prose_of)
+                            faults_of_numbers, faults_of_prose, faults_of_sentences, faults_of_words, prose_of)
 
 # Pages that are not yet written for readers. A page leaves this list for good once it has no fault.
 NOT_YET = ()
@@ -83,6 +83,16 @@ class Prose(unittest.TestCase):
                          faults_of_blocks("a\n\n    adfric run\n    adfric\n\n```\na\n```\n```fortan\na\n```\n"))
         self.assertEqual(["3: words behind a command"], faults_of_blocks("```sh\nadfric check a.nml\nadfric run a.nml      solves it\n```\n"))
         self.assertEqual(["2: \\, in a formula"], faults_of_formulas("$a b$\n$a\\,b$\n"))
+
+    def test_numbers(self):
+        """A section of the validation says which command, test or file has its numbers."""
+        pages = sorted((ROOT / "docs/validation").glob("*.md"))
+        self.assertGreater(len(pages), 5)
+        faults = [f"{path.name}:{fault}" for path in pages for fault in faults_of_numbers(path.read_text())]
+        self.assertEqual([], faults, "\n" + "\n".join(faults))
+        fault = "numbers without the command that gives them"
+        self.assertEqual([f"1: {fault}: # A", f"7: {fault}: ## C"], faults_of_numbers("# A\n\nIt is 0.5.\n\n## B\n\n## C\n\n| 3 % |\n"))
+        self.assertEqual([], faults_of_numbers("# A\n\nIt is 0.5, `bench/run a`.\n\n## B\n\nIt is $0.5$, or [0.5](a.md).\n\n## C\n\n2 %\n\n```sh\na\n```\n"))
 
     def test_banned(self):
         """A word of the list is found in prose, headings and tables, not in code, and not in its usual phrases."""
