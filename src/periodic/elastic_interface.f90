@@ -2,6 +2,7 @@
 !> Friction of elastic surfaces by a law of velocity and temperature. Its rows stand behind that of the pull-off, the last one of those
 !> of the solid before there were such laws, and behind them temperature and velocity.
 module adfric_periodic_elastic_interface
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_base_not_a_number, only: not_a_number
@@ -181,6 +182,8 @@ contains
       type(shear_coupling_t) :: coupling
       real(dp), allocatable :: shear(:, :)
 
+      ! without friction it is no number
+      if (ieee_is_nan(results(out%friction_stress))) return
       if (.not. abs(results(out%friction_stress)) > 0) return
       ! an incompressible half-space has no coupling
       results(out%coupling_left_out) = 0

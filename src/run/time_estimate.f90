@@ -2,6 +2,7 @@
 !> How long a run will take on a machine that has nothing else to do, from a few of its points that are solved in another process
 !> for a fraction of a second.
 module adfric_run_time_estimate
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use omp_lib, only: omp_get_max_threads, omp_get_num_procs
    use adfric_base_kinds, only: dp, i8
    use adfric_describe_doubt, only: doubt_name, doubt_none, n_doubts
@@ -223,7 +224,7 @@ contains
       of_trial = 0
       do k = 1, size(run%model%results)
          do i = 1, size(status)
-            if (status(i) /= status_solved) cycle
+            if (status(i) /= status_solved .or. ieee_is_nan(results(k, i))) cycle
             if (run%model%results(k)%name == coupling_name .and. abs(results(k, i)) > errors(i)) of_trial(1) = of_trial(1) + 1
             if (run%model%results(k)%name /= doubt_name) cycle
             associate (doubt => nint(results(k, i)))
