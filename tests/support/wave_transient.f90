@@ -394,7 +394,7 @@ contains
          end do
          now = [friction_of(self), merge(self%load, sum(self%gap)/self%n, has_gap)]
          change = max(abs(now(1) - before(1))/max(abs(now(1)), 1.0e-12_dp), abs(now(2) - before(2)))
-         if (change <= digits*(1 - min(change/last, 0.999_dp)) .or. change <= 1.0e-10_dp) then
+         if (change <= digits*(1 - min(change/max(last, 1.0e-30_dp), 0.999_dp)) .or. change <= 1.0e-10_dp) then
             still = still + 1
          else
             still = 0
