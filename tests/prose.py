@@ -48,7 +48,7 @@ class Prose(unittest.TestCase):
         self.assertEqual({}, banned_words("# Words\n"))
 
     def test_sentences(self):
-        """A sentence has at most 25 words, in a paragraph, an item, a quotation and a cell; 17 are the mean of a page."""
+        """A sentence has at most 25 words, in a paragraph, an item, a quotation and a cell; 15 are the mean of a page."""
         right, wrong = " ".join(["word"] * 25), " ".join(["word"] * 26)
         short = "One word. " * 30
         fault = "a sentence of 26 words: word word word word word word ..."
@@ -57,8 +57,8 @@ class Prose(unittest.TestCase):
         self.assertEqual([f"3: {fault}"], faults_of_sentences(f"{short}\n- a\n- {wrong}\n"))
         self.assertEqual([f"3: {fault}"], faults_of_sentences(f"{short}\n\n> {wrong}\n"))
         self.assertEqual([f"4: {fault}"], faults_of_sentences(f"{short}\n\n| a | b |\n| {right} | {wrong} |\n"))
-        self.assertEqual(["1: sentences have 18.0 words on average"], faults_of_sentences(" ".join(["word"] * 18) + "."))
-        self.assertEqual([], faults_of_sentences(" ".join(["word"] * 17) + "."))
+        self.assertEqual(["1: sentences have 16.0 words on average"], faults_of_sentences(" ".join(["word"] * 16) + "."))
+        self.assertEqual([], faults_of_sentences(" ".join(["word"] * 15) + "."))
 
     def test_words_of_sentences(self):
         """Lines are joined; code, formulas, links, initials and sources are what a reader takes them for."""
