@@ -63,12 +63,14 @@ contains
       !> The points of a `&data`.
       type(data_set_t), intent(in) :: set
       character(:), allocatable :: lines
-      logical :: is_used(size(set%x))
+      logical, allocatable :: is_used(:)
       integer :: k
 
       lines = ''
+      ! points of a stack are read one curve after the other
       if (.not. has_others(set)) return
-      is_used = number_curves(set) > 0
+      allocate (is_used(size(set%x)))
+      is_used(:) = number_curves(set) > 0
       do k = 1, size(set%others)
          lines = lines//pad('', name_width)//fit%model%variables(set%others(k))%name//' of each point, '// &
             show_to_digits(minval(set%at(k, :), is_used), 5)//' to '//show_to_digits(maxval(set%at(k, :), is_used), 5)// &

@@ -135,7 +135,8 @@ contains
       !> Values of all variables of the model.
       real(dp), intent(inout) :: values(:)
 
-      if (.not. has_others(data) .or. point > size(data%x)) return
+      if (.not. has_others(data)) return
+      if (point > size(data%x)) return
       values(data%others) = data%at(:, point)
    end subroutine set_values_at
 

@@ -248,8 +248,9 @@ contains
       integer :: periods, k
 
       call new_transient(wave, n, trial%moduli, trial%lengths, trial%stress, trial%range)
-      periods = ramp_periods + ceiling(2*maxval(trial%lengths, mask=trial%lengths <= longest_ramp))
-      if (all(trial%lengths > longest_ramp)) periods = ramp_periods
+      periods = ramp_periods
+      if (any(trial%lengths <= longest_ramp)) periods = periods &
+         & + ceiling(2*maxval(trial%lengths, mask=trial%lengths <= longest_ramp))
       if (trial%is_adhered) then
          call start_full_at_speed(wave)
          start = full_pressure_of(wave) - trial%stress
