@@ -21,7 +21,8 @@ module adfric_interface_heat_sources
    use adfric_numerics_scaled_bessel, only: scaled_i0, scaled_k0, scaled_k1
    implicit none (type, external)
    private
-   public :: temperature_at, band_temperature, find_largest_temperature, mean_temperature, largest_of_disc
+   public :: temperature_at, band_temperature, find_largest_temperature, find_largest_of_sources, mean_temperature
+   public :: largest_of_disc
    public :: source_band, source_square, source_disc, source_hertz
 
    !> Sources: a band across the motion, a square along it, a disc, and a disc under Hertz's pressure, q(r) = (3/2) sqrt(1 - r^2).
@@ -184,30 +185,59 @@ contains
       real(dp), intent(in) :: peclet
       !> Its position [a], and its temperature.
       real(dp), intent(out) :: x, temperature
+
+      call find_largest_of_sources([source], [1.0_dp], peclet, x, temperature)
+   end subroutine find_largest_temperature
+
+   !> The warmest point of the middle line under several sources. It lies between the warmest points of each: behind them all
+   !> temperatures rise, and ahead of them all fall.
+   pure subroutine find_largest_of_sources(sources, fluxes, peclet, x, temperature)
+      !> Some of `source_...`.
+      integer, intent(in) :: sources(:)
+      !> Their fluxes, >= 0.
+      real(dp), intent(in) :: fluxes(:)
+      !> P [-], > 0.
+      real(dp), intent(in) :: peclet
+      !> Its position [a], and its temperature in the unit of the fluxes.
+      real(dp), intent(out) :: x, temperature
       real(dp) :: ends(2), inner(2), values(2)
       integer :: i
 
       ends = [-1.0_dp, 1.0_dp]
       inner = [ends(2) - golden*(ends(2) - ends(1)), ends(1) + golden*(ends(2) - ends(1))]
-      values = [temperature_at(source, peclet, inner(1)), temperature_at(source, peclet, inner(2))]
+      values = [sum_at(inner(1)), sum_at(inner(2))]
       do i = 1, n_steps
          if (values(1) > values(2)) then
             ends(2) = inner(2)
             inner(2) = inner(1)
             values(2) = values(1)
             inner(1) = ends(2) - golden*(ends(2) - ends(1))
-            values(1) = temperature_at(source, peclet, inner(1))
+            values(1) = sum_at(inner(1))
          else
             ends(1) = inner(1)
             inner(1) = inner(2)
             values(1) = values(2)
             inner(2) = ends(1) + golden*(ends(2) - ends(1))
-            values(2) = temperature_at(source, peclet, inner(2))
+            values(2) = sum_at(inner(2))
          end if
       end do
       x = inner(maxloc(values, 1))
       temperature = maxval(values)
-   end subroutine find_largest_temperature
+
+   contains
+
+      !> Temperature of all sources at a position.
+      pure real(dp) function sum_at(position)
+         real(dp), intent(in) :: position
+         integer :: k
+
+         sum_at = 0
+         do k = 1, size(sources)
+            if (fluxes(k) > 0) sum_at = sum_at + fluxes(k)*temperature_at(sources(k), peclet, position)
+         end do
+      end function sum_at
+
+   end subroutine find_largest_of_sources
 
    !> Mean temperature over the source.
    pure real(dp) function mean_temperature(source, peclet, with_flux) result(mean)

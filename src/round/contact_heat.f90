@@ -17,18 +17,14 @@ module adfric_round_contact_heat
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_heat_rows, only: check_heat, get_heat, h_background, h_contact, h_flash, h_gain, h_interface, h_peak, &
       & h_share, h_states, has_heat, heat_t
-   use adfric_interface_heat_sources, only: find_largest_temperature, mean_temperature, source_disc, source_hertz, temperature_at
+   use adfric_interface_heat_sources, only: find_largest_of_sources, mean_temperature, source_disc, source_hertz
    use adfric_interface_thermal_states, only: heated_contact_t, thermal_states_t
    use adfric_round_variables, only: kind_paraboloid, law_peeling, in => indenter_input
-   use adfric_describe_check, only: require
+   use adfric_describe_check, only: checks_t, new_checks, require
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
    public :: has_contact_heat, check_contact_heat, find_contact_temperature
-
-   !> Golden section, and its steps between the warmest points of both sources.
-   real(dp), parameter :: golden = 0.618033988749894848_dp
-   integer, parameter :: n_steps = 30
 
 contains
 
@@ -43,40 +39,29 @@ contains
    !> Add to `problems` what heat needs, and what does not go with it.
    subroutine check_contact_heat(variables, values, problems)
       !> Table of the variables; their names stand in the messages.
-      type(variable_t), intent(in) :: variables(:)
+      type(variable_t), intent(in), target :: variables(:)
       !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
+      real(dp), intent(in), target :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
+      type(problems_t), intent(inout), target :: problems
+      type(checks_t) :: c
       integer :: before, first
 
       if (.not. has_contact_heat(values)) return
+      call new_checks(c, variables, values, problems)
       before = problems%count()
       first = in%heat(findloc(is_set(values(in%heat)), .true., 1))
       if (nint(values(in%law)) == law_peeling .or. is_set(values(in%friction_coefficient))) then
-         call refuse(first, 'has no meaning without a shear stress of sliding, whose work is the heat')
+         call c%add(first, 'has no meaning without a shear stress of sliding, whose work is the heat')
       else if (values(in%interaction) > 0) then
-         call refuse(first, 'stands beside interaction, with which the contact would depend on its own temperature')
+         call c%add(first, 'stands beside interaction, with which the contact would depend on its own temperature')
       else if (values(in%pressure_factor) > 0 .and. is_set(values(in%pressure_factor)) .and. .not. is_hertzian(values)) then
-         call refuse(first, 'stands beside pressure_factor; heat that goes with the pressure is in closed form for a ' &
+         call c%add(first, 'stands beside pressure_factor; heat that goes with the pressure is in closed form for a ' &
             & //'paraboloid without adhesion alone')
       end if
       if (problems%count() > before) return
       call require(variables, values, [in%velocity], problems)
       call check_heat(variables, values, in%heat(1), in%temperature, .true., unset, .true., problems)
-
-   contains
-
-      !> Add a problem of one variable to the list.
-      subroutine refuse(index, text)
-         !> Index in the table.
-         integer, intent(in) :: index
-         !> What is wrong; the name is put before this.
-         character(*), intent(in) :: text
-
-         call problems%add(variables(index)%group, variables(index)%name, text)
-      end subroutine refuse
-
    end subroutine check_contact_heat
 
    !> Is the pressure that of Hertz's contact?
@@ -104,8 +89,7 @@ contains
       type(heat_t) :: heat
       type(heated_contact_t) :: contact
       type(thermal_states_t) :: states
-      type(friction_law_t) :: without
-      real(dp) :: peclet, unit, pressure, stress, slope, means(2)
+      real(dp) :: peclet, unit, pressure, stress, slope, means(2), position
       integer :: i
 
       temperature = values(in%temperature)
@@ -126,69 +110,17 @@ contains
          if (.not. is_valid) return
          i = merge(states%n, 1, heat%is_hot)
          temperature = states%temperature(i)
-         without = law
-         without%pressure_factor = 0
-         call without%get_stress(speed, 0.0_dp, temperature, stress, slope, is_valid)
+         call law%get_stress(speed, 0.0_dp, temperature, stress, slope, is_valid)
          results([h_contact, h_gain, h_states]) = [temperature, states%gain(i), real(states%n, dp)]
          results(h_flash) = temperature - contact%base
          results(h_interface) = speed*area*(stress + law%pressure_factor*pressure)
          results([h_peak, h_share]) = [0.0_dp, not_a_number()]
          if (.not. results(h_interface) > 0) return
          results(h_share) = 1
-         results(h_peak) = unit*largest_of_both(peclet, stress, law%pressure_factor*pressure)
+         call find_largest_of_sources([source_disc, source_hertz], [stress, law%pressure_factor*pressure], peclet, position, &
+            & results(h_peak))
+         results(h_peak) = unit*results(h_peak)
       end associate
    end subroutine find_contact_temperature
-
-   !> Largest temperature under a uniform source and Hertz's, in the unit of their fluxes. It lies between the warmest points of both.
-   pure real(dp) function largest_of_both(peclet, of_disc, of_hertz) result(largest)
-      !> P of the contact [-], > 0.
-      real(dp), intent(in) :: peclet
-      !> Fluxes of both, >= 0.
-      real(dp), intent(in) :: of_disc, of_hertz
-      real(dp) :: ends(2), inner(2), values(2)
-      integer :: i
-
-      largest = 0
-      if (of_disc > 0) then
-         call find_largest_temperature(source_disc, peclet, ends(1), largest)
-         largest = of_disc*largest
-      end if
-      if (.not. of_hertz > 0) return
-      call find_largest_temperature(source_hertz, peclet, ends(2), values(1))
-      if (.not. of_disc > 0) then
-         largest = of_hertz*values(1)
-         return
-      end if
-      ends = [minval(ends), maxval(ends)]
-      inner = [ends(2) - golden*(ends(2) - ends(1)), ends(1) + golden*(ends(2) - ends(1))]
-      values = [sum_at(inner(1)), sum_at(inner(2))]
-      do i = 1, n_steps
-         if (values(1) > values(2)) then
-            ends(2) = inner(2)
-            inner(2) = inner(1)
-            values(2) = values(1)
-            inner(1) = ends(2) - golden*(ends(2) - ends(1))
-            values(1) = sum_at(inner(1))
-         else
-            ends(1) = inner(1)
-            inner(1) = inner(2)
-            values(1) = values(2)
-            inner(2) = ends(1) + golden*(ends(2) - ends(1))
-            values(2) = sum_at(inner(2))
-         end if
-      end do
-      largest = maxval(values)
-
-   contains
-
-      !> Temperature of both at a position on the middle line.
-      pure real(dp) function sum_at(x)
-         !> Position, in the radius of the contact.
-         real(dp), intent(in) :: x
-
-         sum_at = of_disc*temperature_at(source_disc, peclet, x) + of_hertz*temperature_at(source_hertz, peclet, x)
-      end function sum_at
-
-   end function largest_of_both
 
 end module adfric_round_contact_heat

@@ -4,7 +4,7 @@
 module adfric_round_velocity_law
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set, unset
+   use adfric_base_unset, only: unset
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_law_of_speed, i_law, i_pressure_volume, &
@@ -12,6 +12,7 @@ module adfric_round_velocity_law
    use adfric_round_contact_heat, only: check_contact_heat, has_contact_heat
    use adfric_round_variables, only: law_peeling, law_shear_strength, state_sliding, in => indenter_input
    use adfric_solid_time_temperature, only: time_temperature_t
+   use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
@@ -59,29 +60,27 @@ contains
    !> Add to `problems` what is wrong with the law, its velocity and its temperature.
    subroutine check_velocity_law(variables, values, given, problems)
       !> Table of the variables; their names stand in the messages.
-      type(variable_t), intent(in) :: variables(:)
+      type(variable_t), intent(in), target :: variables(:)
       !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
+      real(dp), intent(in), target :: values(:)
       !> The table of the law.
       type(given_law_t), intent(in) :: given
       !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
+      type(problems_t), intent(inout), target :: problems
       type(variable_t), allocatable :: table(:)
       type(variable_t) :: rows(n_law_rows)
       type(time_temperature_t) :: none
       real(dp) :: numbers(size(values))
-      integer :: k
+      type(checks_t) :: c
 
+      call new_checks(c, variables, values, problems)
       call check_contact_heat(variables, values, problems)
       if (.not. has_velocity_law(values)) then
-         do k = 1, size(in%velocity_law)
-            if (is_set(values(in%velocity_law(k)))) call refuse(in%velocity_law(k), 'has no meaning for this law of friction')
-         end do
+         call c%refuse(in%velocity_law, 'has no meaning for this law of friction')
          if (has_contact_heat(values)) return
-         if (is_set(values(in%velocity))) call refuse(in%velocity, 'has no meaning without a law of the velocity in &friction; ' &
+         call c%refuse([in%velocity], 'has no meaning without a law of the velocity in &friction; ' &
             & //'over an elastic solid nothing else rubs')
-         if (is_set(values(in%temperature))) call refuse(in%temperature, 'has no meaning without a law of the velocity in ' &
-            & //'&friction')
+         call c%refuse([in%temperature], 'has no meaning without a law of the velocity in &friction')
          return
       end if
       call set_law_rows(rows)
@@ -90,24 +89,10 @@ contains
       numbers = values
       numbers(of_interface) = interface_of(values)
       call check_interface(table, numbers, of_interface, [in%temperature, in%velocity], given, none, 0.0_dp, problems)
-      if (is_set(values(in%temperature)) .and. .not. (needs_temperature(interface_of(values)) .or. has_contact_heat(values))) &
-         & call refuse(in%temperature, &
+      if (.not. (needs_temperature(interface_of(values)) .or. has_contact_heat(values))) call c%refuse([in%temperature], &
          & 'has no meaning for this law of friction without shift')
-      if (is_set(values(of_interface(i_pressure_volume)))) call refuse(of_interface(i_pressure_volume), &
-         & 'has no meaning for round bodies; over their pressure the law is not integrated')
-
-   contains
-
-      !> Add a problem of one variable to the list.
-      subroutine refuse(index, text)
-         !> Index in the table.
-         integer, intent(in) :: index
-         !> What is wrong; the name is put before this.
-         character(*), intent(in) :: text
-
-         call problems%add(variables(index)%group, variables(index)%name, text)
-      end subroutine refuse
-
+      call c%refuse([of_interface(i_pressure_volume)], 'has no meaning for round bodies; over their pressure the law is not ' &
+         & //'integrated')
    end subroutine check_velocity_law
 
    !> The law of a body that is in motion.

@@ -43,15 +43,6 @@ def solid(nu):
 
 
 class Coupling(Runs):
-    def run_scene(self, scene):
-        """The results of a scene, and its solver."""
-        self.write("&job output = 'run.h5' /\n" + scene)
-        self.run_program("run", "--quiet", "--force", "run.nml")
-        with h5py.File(self.folder/"run.h5") as file:
-            self.assertTrue(np.all(file["status"][()] == 0), scene)
-            return {name: item[()] for name, item in file.items()
-                    if isinstance(item, h5py.Dataset) and item.dtype.kind == "f"}, file.attrs["model"]
-
     def test_waves(self):
         """Every row of waves, under a mean pressure and at the penetration that belongs to it."""
         rows = [row for row in table("int_coupling") if row["case"] == "wave_1d"]

@@ -7,7 +7,6 @@ import re
 import sys
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -31,15 +30,6 @@ def table(name):
 
 
 class Heat(Runs):
-    def run_scene(self, scene):
-        """The results of a scene, and its solver."""
-        self.write("&job output = 'run.h5' /\n" + scene)
-        self.run_program("run", "--quiet", "--force", "run.nml")
-        with h5py.File(self.folder/"run.h5") as file:
-            self.assertTrue(np.all(file["status"][()] == 0), scene)
-            return {name: item[()] for name, item in file.items()
-                    if isinstance(item, h5py.Dataset) and item.dtype.kind == "f"}, file.attrs["model"]
-
     def test_fixed_points(self):
         """Every row of discs: the coldest and the hottest temperature of a contact of a given radius, its shear stress, its gain."""
         rows = [row for row in table("int_fixed_point") if row["case"].startswith("disc")]

@@ -84,6 +84,15 @@ class Runs(unittest.TestCase):
             self.assertEqual(errors.count("\n"), 1, errors)
         return output, errors
 
+    def run_scene(self, scene):
+        """The results of a scene, and its solver."""
+        self.write("&job output = 'run.h5' /\n" + scene)
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        with h5py.File(self.folder/"run.h5") as file:
+            self.assertTrue(np.all(file["status"][()] == 0), scene)
+            return {name: item[()] for name, item in file.items()
+                    if isinstance(item, h5py.Dataset) and item.dtype.kind == "f"}, file.attrs["model"]
+
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
 
