@@ -64,6 +64,8 @@ contains
       integer :: k, c, v
 
       call print_heading('waves and cylinders without cells: all states at a velocity')
+      ! without it gfortran 12 takes its bounds for unset
+      allocate (times(0))
       table = open_table(text_argument(3, 'sliding_curves.csv'), 'case,arms,velocity,points,ms_curve,ms_state,pull_off')
       print '(a9, a6, 3a9, a9, a16)', 'case', 'arms', 'V t', 'points', 'ms', 'a load', 'pull-off'
       do c = 1, 2

@@ -296,6 +296,13 @@ def profiles(folder):
                   "time of plain time stepping over this", "difference of friction"], body)
 
 
+def timed_adhesion(folder):
+    """Bodies that adhere to a viscoelastic half-space in time."""
+    body = [[row["family"], f"{float(row['tolerance']):.0e}".replace("e-0", "e-"), row["runs"], time(row["ms"]), time(row["ms_largest"]), error(row["error"]),
+             error(row["error_largest"])] for row in rows_of(folder, "timed_adhesion")]
+    return table(["runs", "tolerance", "number", "ms, median", "longest", "error, median", "largest"], body)
+
+
 def sliding(folder):
     """Waves and random surfaces that slide over a viscoelastic half-space."""
     body = []
@@ -391,7 +398,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, slip_public, sliding_public, adhesion_cells, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding, sliding_layers, partial_slip)}
+    wave_2d_public, slip_public, sliding_public, adhesion_cells, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip)}
 
 
 def main():

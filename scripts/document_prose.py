@@ -3,6 +3,8 @@
 
 import re
 
+from reference_pages import WRITTEN as REFERENCE
+
 LONGEST_SENTENCE = 25
 LARGEST_MEAN = 15
 LONGEST_LINE = 120
@@ -10,7 +12,7 @@ GLOSSARY = "docs/reference/glossary.md"
 # The section of the glossary that names the words.
 BAN_LIST = "## Words that are not used"
 # Pages that a program writes, and the history of versions; the sources of their words have tests of their own.
-WRITTEN = ("CHANGELOG.md", "docs/reference/variables.md")
+WRITTEN = ("CHANGELOG.md", *REFERENCE)
 # What the blocks of a document are in.
 LANGUAGES = {"sh", "fortran", "python", "cmake", "c", "text", "math", "diff"}
 # Letters of names stand two or more together, as in J. C. Hay; a single one, as in "the load P.", ends a sentence.
@@ -28,6 +30,11 @@ SOURCE = re.compile(r"\((?:[^()]|\([^()]*\))*?(?:\((?:1[89]|20)\d\d\)|\b(?:1[89]
 # A number that was measured or computed, and what a reader can run or read to have it again.
 MEASURED = re.compile(r"(?<![\w.])\d+\.\d+|\d+ %|\d+ (?:ms|s)\b")
 SHOWN = re.compile(r"`[^`\n]*(?:tests/|inputs/|bench/|scripts/|adfric |\.nml|\.csv|\.pf|\.py)[^`\n]*`|```|\]\([^)\s]*(?:inputs|tests|bench)/")
+# Pages that derive and explain have numbers of other kinds, too: constants, bounds, exponents, equations, sections. There a number is
+# measured if it has a unit, or four decimals; and what an algorithm takes stands in its source.
+UNITS = (r"%|°C|K|[munµ]?s|[kMG]?Pa|[munµk]?N|[munµk]?m|[munµ]?J|[kMG]B|[munµ]?m/s|N/m|m?J/m\^2")
+MEASURED_ELSEWHERE = re.compile(rf"(?<![\w.])\d+(?:\.\d+)?(?:e-?\d+)? (?:{UNITS})(?![\w/*^])|(?<![\w.])\d+\.\d{{4,}}")
+SHOWN_ELSEWHERE = re.compile(rf"{SHOWN.pattern}|`[^`\n]*src/[^`\n]*`")
 
 
 def blocks_of(text):
@@ -174,12 +181,12 @@ def faults_of_words(text, banned):
     return faults
 
 
-def faults_of_numbers(text):
+def faults_of_numbers(text, measured=MEASURED, shown=SHOWN):
     """Sections with measured numbers that name neither a command nor a test, an input or a file from which the numbers come."""
     faults, line = [], 1
     for section in re.split(r"(?m)^(?=## )", text):
         plain = re.sub(r"\$\$.*?\$\$|\$[^$]*\$|```.*?```|`[^`]*`", "", LINK.sub("", section), flags=re.DOTALL)
-        if MEASURED.search(plain) and not SHOWN.search(section):
+        if measured.search(plain) and not shown.search(section):
             faults.append(f"{line}: numbers without the command that gives them: {section.partition(chr(10))[0]}")
         line += section.count("\n")
     return faults

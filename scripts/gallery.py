@@ -62,62 +62,75 @@ def one(*inputs, options=""):
     return Entry(inputs, options)
 
 
+# What a user wants comes first, and in each area the simplest; the figures of papers come last.
 AREAS = {
-    "A wavy surface on a foundation": (
-        one("gm2011_fig4_reconciled"), one("gm2011_fig4_printed"), one("gm2011_fig5"), one("gm2011_fig6"), one("gm2011_fig7"),
-        one("gm2011_fig8"), one("gm2011_stress", options="--y friction_stress contact_width"),
-        one("gm2011_pull_off", options="--y friction_stress"), one("gm2011_velocity", options="--y friction_stress"),
-        one("edge_rule_fig5"), one("edge_rule_fig6"), one("edge_rule_front")),
-    "Rough lines and real materials": (
-        one("rubber_velocity"), one("rubber_master_curve"), one("line_scan"), one("rubber_map"),
-        one("edge_rules_continuous", "edge_rules_instantaneous", "edge_rules_front"),
-        one("layer_limit_columns", "layer_limit_thin", "layer_limit_thick", options="--y friction_stress contact_fraction")),
-    "A sphere": (
-        one("johnson1997_fig1", options="--x gap --y pressure"), one("johnson1997_fig2", options="--y pressure"),
-        one("johnson1997_fig3"), one("johnson1997_fig4", options="--y friction_radius"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
-        one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"),
-        one("johnson1997_fig10", options="--y tangential_displacement edge_slip"), one("johnson1997_fig11"),
-        one("johnson1997_savkoor", options="--y friction_area"), one("johnson1997_lambda", options="--y friction_area pull_off_load"),
-        one("sphere_pressure"),
-        one("sphere_pressure_factor", options="--y tangential_force stick_radius edge_slip"), one("stick_slip", options="--y tangential_force contact_radius edge_slip"),
-        one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"), one("lecture_jkr"),
-        one("sphere_pull_off_edge"), one("sphere_sample"), one("sphere_uncertain")),
+    "Friction and pull-off of a tip": (
+        one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("hertz_jkr"), one("pulloff_map_load"), one("pulloff_map_approach"),
+        one("sphere_pressure"), one("indenter_spring"),
+        one("sphere_pressure_factor", options="--y tangential_force stick_radius edge_slip"),
+        one("stick_slip", options="--y tangential_force contact_radius edge_slip"), one("sphere_pull_off_edge"),
+        one("sphere_sample"), one("sphere_uncertain")),
     "Fits of measured data": (
-        one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_interface"), one("fit_interface_all"), one("fit_map"), one("force_map")),
-    "Indenters": (
-        one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
-        one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial"), one("indenter_slip"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"), one("indenter_peeling", options="--y contact_radius tangential_displacement"), one("indenter_hysteresis"), one("indenter_fretting"), one("indenter_spring"), one("indenter_pull_off"),
-        one("indenter_range"), one("ball_flash_temperature", options="--y friction_force contact_temperature")),
-    "The half-space": (
-        one("hertz_axes"), one("hertz_ratio"), one("hertz_slip"), one("hertz_hysteresis"), one("hertz_line_sliding"),
-        one("cylinder_adhesive_sliding", options="--x velocity --y friction_force friction_force_without_adhesion pull_off_load"),
-        one("rigid_punch"), one("punch_flat"), one("punch_cylinder"),
-        one("punch_wedge"), one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),
+        one("fit_friction"), one("fit_force_distance"), one("fit_map"), one("force_map"), one("fit_soft_sample"), one("fit_velocity"),
+        one("fit_interface"), one("fit_interface_all"), one("fit_johnson1997_fig5")),
+    "Tips and punches of any shape": (
+        one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_polynomial"),
+        one("indenter_rounded_punch"), one("indenter_rounded_cone"), one("indenter_flat_cone"), one("indenter_pull_off"),
+        one("indenter_range"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"),
+        one("indenter_peeling", options="--y contact_radius tangential_displacement")),
+    "Soft samples in time": (
+        one("soft_dwell"), one("soft_creep"), one("soft_oscillation"),
+        one("soft_pull_off", options="--y pull_off_load pull_off_approach"), one("rough_ageing")),
+    "Hertz's contacts, punches and given loads": (
+        one("hertz_axes"), one("hertz_ratio"), one("punch_flat"), one("punch_cylinder"), one("punch_wedge"), one("rigid_punch"),
+        one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),
         one("point_load")),
-    "Waves on a half-space": (
-        one("wave_1d"), one("wave_1d_pressure"), one("wave_1d_slip"),
-        one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
-        one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"),
+    "Fretting and partial slip": (
+        one("hertz_slip"), one("hertz_hysteresis"), one("indenter_slip"), one("indenter_hysteresis"), one("indenter_fretting"),
+        one("wave_1d_slip"), one("surface_slip")),
+    "Rubber that slides": (
+        one("rubber_velocity"), one("rubber_master_curve"), one("line_scan"), one("rubber_map"), one("hertz_line_sliding"),
         one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),
-        one("wave_1d_interface"), one("rubber_all_parts"),
-        one("wave_1d_coupling", options="--y friction_coefficient hysteretic_friction_stress contact_shift"),
+        one("wave_2d_sliding"), one("surface_sliding"),
+        one("surface_sliding_strips", "surface_sliding_layer", options="--y friction_coefficient contact_fraction approach")),
+    "Rubber that slides, with an interface, adhesion or heat": (
+        one("wave_1d_interface"),
         one("wave_1d_adhesive_sliding", options="--x velocity --y friction_stress friction_stress_without_adhesion pull_off_pressure"),
-        one("wave_2d_elastic"), one("wave_2d_contact"),
-        one("lecture_wave_cuts", options="--cut y=0 y=x"), one("wave_2d_sliding"), one("rubber_flash_temperature"),
+        one("cylinder_adhesive_sliding", options="--x velocity --y friction_force friction_force_without_adhesion pull_off_load"),
         one("wave_2d_sliding_adhesion", options="--y friction_stress friction_stress_without_adhesion contact_fraction"),
-        one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
+        one("rubber_all_parts"),
+        one("wave_1d_coupling", options="--y friction_coefficient hysteretic_friction_stress contact_shift"),
+        one("ball_flash_temperature", options="--y friction_force contact_temperature"), one("rubber_flash_temperature")),
+    "Waves and rough surfaces: contact": (
+        one("wave_1d"), one("wave_1d_pressure"), one("wave_2d_elastic"), one("wave_2d_contact"),
+        one("lecture_wave_cuts", options="--cut y=0 y=x"), one("surface_elastic")),
+    "Waves and rough surfaces: adhesion": (
+        one("surface_adhesion_maps"), one("surface_stickiness"), one("surface_adhesion_friction"),
+        one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
+        one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"), one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
         one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),
         one("wave_2d_pull_off")),
-    "Rough surfaces on a half-space": (
-        one("surface_elastic"), one("surface_slip"), one("surface_adhesion_maps"), one("surface_stickiness"), one("surface_adhesion_friction"),
-        one("surface_sliding"),
-        one("surface_sliding_strips", "surface_sliding_layer", options="--y friction_coefficient contact_fraction approach")),
+    "Columns: edges of adhesion and thin layers": (
+        one("edge_rule_fig5"), one("edge_rule_fig6"), one("edge_rule_front"),
+        one("edge_rules_continuous", "edge_rules_instantaneous", "edge_rules_front"),
+        one("layer_limit_columns", "layer_limit_thin", "layer_limit_thick", options="--y friction_stress contact_fraction")),
+    "Figures of Goryacheva and Makhovskaya 2011": (
+        one("gm2011_fig4_reconciled"), one("gm2011_fig4_printed"), one("gm2011_fig5"), one("gm2011_fig6"), one("gm2011_fig7"),
+        one("gm2011_fig8"), one("gm2011_stress", options="--y friction_stress contact_width"),
+        one("gm2011_pull_off", options="--y friction_stress"), one("gm2011_velocity", options="--y friction_stress")),
+    "Figures of Johnson 1997 and of the lecture": (
+        one("johnson1997_fig1", options="--x gap --y pressure"), one("johnson1997_fig2", options="--y pressure"),
+        one("johnson1997_fig3"), one("johnson1997_fig4", options="--y friction_radius"), one("johnson1997_fig6"),
+        one("johnson1997_fig7"), one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"),
+        one("johnson1997_fig10", options="--y tangential_displacement edge_slip"), one("johnson1997_fig11"),
+        one("johnson1997_savkoor", options="--y friction_area"),
+        one("johnson1997_lambda", options="--y friction_area pull_off_load"), one("lecture_jkr")),
 }
 # Columns of the overview: their widths [pixels] and figures.
 OVERVIEW = (
     (560, (one("surface_adhesion_maps"),)),
     (380, (one("gm2011_fig6", options="--y friction_coefficient"), one("johnson1997_fig5", "johnson1997_fig5_jkr"))),
-    (380, (one("surface_sliding", options="--y friction_coefficient"), one("pulloff_map_load"))))
+    (380, (one("wave_1d_sliding", options="--y friction_coefficient"), one("pulloff_map_load"))))
 OVERVIEW_FILE = FIGURES / "overview.png"
 # The figures that stand in the repository, see .gitignore; the first pages show them.
 KEPT = ("overview", "fit_map", "gm2011_fig5", "hertz_hysteresis", "johnson1997_fig5", "rubber_velocity")

@@ -9,11 +9,17 @@ from pathlib import Path
 from markdown.extensions import Extension
 from markdown.inlinepatterns import AsteriskProcessor
 
-# Pages that a program of the project writes.
-WRITTEN = ("docs/gallery.md", "docs/reference/variables.md", "docs/guide/tutorial.md")
 sys.path.insert(0, str(Path(__file__).parent))
 
+from reference_pages import WRITTEN as REFERENCE  # noqa: E402
 from site_formulas import FormulaExtension  # noqa: E402
+
+# Pages that a program of the project writes.
+WRITTEN = ("docs/gallery.md", "docs/guide/tutorial.md", *REFERENCE)
+
+
+# From the heading of the proofs to the next one of its kind.
+PROOFS = re.compile(r'<h2 id="proofs">.*?(?=<h2 |\Z)', re.DOTALL)
 
 
 class EmphasisProcessor(AsteriskProcessor):
@@ -37,7 +43,8 @@ def on_config(config):
 
 
 def on_page_content(html, page, files, **_):
-    """Called by MkDocs for the words of each page: at their end stands the notebook of the page, if it has one."""
+    """Called by MkDocs for the words of each page: proofs stand in a box, and at the end the notebook of the page, if it has one."""
+    html = PROOFS.sub(r'<section class="proofs">\n\g<0></section>\n', html)
     file = files.get_file_from_path(page.file.src_uri.removesuffix(".md") + ".ipynb")
     if file is None:
         return html

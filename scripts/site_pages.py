@@ -39,6 +39,7 @@ STYLE = """
 #gallery-filter { width: 24em; max-width: 70%; padding: 0.4em 0.7em; border: 1px solid; border-radius: 0.2em; color: inherit; }
 #gallery-count { margin-left: 1em; font-size: 0.8em; }
 .md-typeset .notebook { margin-top: 2em; font-size: 0.9em; }
+.md-typeset .proofs { margin-top: 2em; padding: 0 1em 0.4em; border: 1px solid; border-radius: 0.2em; font-size: 0.95em; }
 .md-typeset .formula { margin: 1em 0; overflow-x: auto; }
 .md-typeset math { font-size: 1.1em; font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "STIX Math", STIXMath, "DejaVu Math TeX Gyre", math; }
 """

@@ -12,9 +12,12 @@ module adfric
    use adfric_plane_wave_model, only: wave_model_t, new_wave_model
    use adfric_round_history_model, only: indenter_history_t, new_indenter_history
    use adfric_round_model, only: indenter_model_t, new_indenter_model
+   use adfric_round_timed_adhesion_model, only: adhesive_indenter_time_t, new_adhesive_indenter_time
+   use adfric_round_timed_model, only: indenter_time_t, new_indenter_time
    use adfric_describe_model, only: model_t
    use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
+   use adfric_periodic_surface_time, only: surface_time_t, new_surface_time
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
@@ -24,7 +27,8 @@ module adfric
 
    !> Names of the models, separated by a blank.
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
-      & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder'
+      & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder '// &
+      & 'indenter_time adhesive_indenter_time surface_time'
 
 contains
 
@@ -48,6 +52,9 @@ contains
       type(surface_model_t), allocatable :: surface
       type(sliding_model_t), allocatable :: sliding
       type(adhesive_cylinder_t), allocatable :: adhesive_cylinder
+      type(indenter_time_t), allocatable :: indenter_time
+      type(surface_time_t), allocatable :: surface_time
+      type(adhesive_indenter_time_t), allocatable :: adhesive_indenter_time
       type(line_load_model_t), allocatable :: line_load
       type(strip_load_model_t), allocatable :: strip_load
       type(point_load_model_t), allocatable :: point_load
@@ -69,6 +76,14 @@ contains
          allocate (indenter_history)
          call new_indenter_history(indenter_history)
          call move_alloc(indenter_history, model)
+      case ('indenter_time')
+         allocate (indenter_time)
+         call new_indenter_time(indenter_time)
+         call move_alloc(indenter_time, model)
+      case ('adhesive_indenter_time')
+         allocate (adhesive_indenter_time)
+         call new_adhesive_indenter_time(adhesive_indenter_time)
+         call move_alloc(adhesive_indenter_time, model)
       case ('hertz')
          allocate (hertz)
          call new_hertz_model(hertz)
@@ -97,6 +112,10 @@ contains
          allocate (sliding)
          call new_sliding_model(sliding)
          call move_alloc(sliding, model)
+      case ('surface_time')
+         allocate (surface_time)
+         call new_surface_time(surface_time)
+         call move_alloc(surface_time, model)
       case ('adhesive_cylinder')
          allocate (adhesive_cylinder)
          call new_adhesive_cylinder(adhesive_cylinder)

@@ -197,6 +197,14 @@ class Site(unittest.TestCase):
                 edit_links(address)
             self.assertIn("ADFRIC_ADDRESS", found.exception.code)
 
+    def test_proofs(self):
+        """The proofs of a page stand in a box of their own, which ends before the sources."""
+        pages = [path for path in documents_of(ROOT) if "\n## Proofs\n" in path.read_text()]
+        self.assertGreater(len(pages), 20)
+        for path in pages:
+            boxes = self.pages[self.folder / page_of(path.relative_to(ROOT).as_posix())].find_all("section", class_="proofs")
+            self.assertEqual([["proofs"]], [[head["id"] for head in box.find_all("h2")] for box in boxes], path.name)
+
     def test_notebooks(self):
         """Pages that are notebooks, too, offer them, and these are files of the site."""
         found = {path.stem: link["href"] for path, page in self.pages.items() for part in page.find_all(class_="notebook") for link in part.find_all("a")}

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The folders of src/ and who may use whom: dependencies point one way, and a module is named by its path."""
 
+import collections
+import itertools
 import re
 import tempfile
 import unittest
@@ -140,6 +142,71 @@ class Words(unittest.TestCase):
     def test_faults(self):
         """Names are found, texts and comments are not."""
         self.assertEqual({"way", "last_place"}, self.banned_in("! the way\nx = way(last_place) ! held\ny = 'no room'\ncall MPI_IN_PLACE\n"))
+
+
+class Sizes(unittest.TestCase):
+    """A long procedure or file says why it is long, a type has a name of its own, and a module says what it uses."""
+
+    MOST_OF_PROCEDURE, MOST_OF_FILE = 80, 400
+    # words of a reason
+    REASON = re.compile(r"\b(?:is|It is) long\b")
+    PROCEDURE = re.compile(r"^\s*(?!end\b)(?:(?:pure|impure|elemental|recursive|logical|integer|real|complex|character|type|class)(?:\s*\([^)]*\))?\s+)*"
+                           r"(?:subroutine|function)\s+(\w+)", re.IGNORECASE)
+    TYPE = re.compile(r"^\s*type\s*(?:,[^:]*)?::\s*(\w+)", re.IGNORECASE | re.MULTILINE)
+    # declared by the file for MPI and by the one without it
+    ALTERNATIVES = {"world_t"}
+
+    def long_in(self, lines):
+        """The file, as `file`, and its procedures that are long and do not say why."""
+        found = []
+        head = "\n".join(line for line in itertools.takewhile(lambda line: line.startswith("!"), lines))
+        if len(lines) > self.MOST_OF_FILE and not self.REASON.search(head):
+            found.append("file")
+        begun, in_interface = [], False
+        for number, line in enumerate(lines):
+            if re.match(r"\s*(?:abstract )?interface\b", line):
+                in_interface = True
+            elif re.match(r"\s*end interface\b", line):
+                in_interface = False
+            elif in_interface:
+                continue
+            elif re.match(r"\s*end (?:subroutine|function)\b", line):
+                first = begun.pop()
+                comment = itertools.takewhile(lambda above: above.strip().startswith("!"), reversed(lines[:first]))
+                if number - first + 1 > self.MOST_OF_PROCEDURE and not self.REASON.search("\n".join(comment)):
+                    found.append(self.PROCEDURE.match(lines[first])[1])
+            elif self.PROCEDURE.match(line):
+                begun.append(number)
+        return found
+
+    def test_lengths(self):
+        """What is long has a reason in its head."""
+        for path, _ in files_of(ROOT):
+            with self.subTest(path=path.relative_to(ROOT).as_posix()):
+                self.assertEqual([], self.long_in(path.read_text().splitlines()))
+
+    def test_types(self):
+        """No name of a type is defined twice."""
+        names = collections.Counter(name.lower() for path, _ in files_of(ROOT) for name in self.TYPE.findall(path.read_text()))
+        self.assertGreater(len(names), 500)
+        self.assertEqual(self.ALTERNATIVES, {name for name, count in names.items() if count > 1})
+
+    def test_use(self):
+        """Every use says what it takes."""
+        for path, _ in files_of(ROOT):
+            with self.subTest(path=path.relative_to(ROOT).as_posix()):
+                self.assertEqual([], [line for line in path.read_text().splitlines() if USE.match(line) and not re.search(r",\s*only\s*:", line)])
+
+    def test_faults(self):
+        """What is long without a reason is found, and what has one is not."""
+        long = ["   x = 1"]*self.MOST_OF_PROCEDURE
+        body = ["   pure real(dp) function f(x)", *long, "   end function f"]
+        self.assertEqual(["f"], self.long_in(["   !> The value.", *body]))
+        self.assertEqual([], self.long_in(["   !> The value. It is long by its", "   !> cases.", *body]))
+        self.assertEqual([], self.long_in(["   interface", *body, "   end interface"]))
+        self.assertEqual([], self.long_in([body[0], *long[2:], body[-1]]))
+        self.assertEqual(["file"], self.long_in(["! A file.", *long*6]))
+        self.assertEqual([], self.long_in(["! The file is long by its cases.", *long*6]))
 
 
 class Names(unittest.TestCase):

@@ -5,6 +5,7 @@ What is counted stands in scripts/document_prose.py; the words that are not used
 is for program/readme.py, whether inputs are solved for program/guide.py.
 """
 
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -13,11 +14,13 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 from document_links import documents_of  # noqa: E402
-from document_prose import (GLOSSARY, WRITTEN, banned_words, faults_of_blocks, faults_of_formulas, faults_of_lines,  # noqa: E402
+from document_prose import (GLOSSARY, MEASURED_ELSEWHERE, SHOWN_ELSEWHERE, WRITTEN, banned_words, faults_of_blocks, faults_of_formulas, faults_of_lines,  # noqa: E402
                             faults_of_numbers, faults_of_prose, faults_of_sentences, faults_of_words, prose_of)
 
 # Pages that are not yet written for readers. A page leaves this list for good once it has no fault.
 NOT_YET = ()
+# Shelves whose measured numbers have a source in the same section, beside the validation.
+NUMBERED = (("docs", "guide"), ("docs", "theory"), ("docs", "paper"))
 BANNED = {"way": ("path", ["half way", "in the same way"]), "room": ("workspace", ["room temperature"])}
 
 
@@ -84,6 +87,17 @@ class Prose(unittest.TestCase):
         self.assertEqual(["3: words behind a command"], faults_of_blocks("```sh\nadfric check a.nml\nadfric run a.nml      solves it\n```\n"))
         self.assertEqual(["2: \\, in a formula"], faults_of_formulas("$a b$\n$a\\,b$\n"))
 
+    def test_pages_of_guide_and_theory(self):
+        """A page of the guide or the theory shows a figure; one of the theory has a table of its symbols with their units."""
+        guide, theory = (sorted((ROOT / "docs" / shelf).glob("*.md")) for shelf in ("guide", "theory"))
+        self.assertGreater(min(len(guide), len(theory)), 15)
+        self.assertEqual([], [path.name for path in (*guide, *theory) if not re.search(r"^!\[[^]]+\]\(\S+\.png\)", path.read_text(), re.MULTILINE)])
+        for path in theory:
+            tables = re.findall(r"^\| symbol \|.*\| unit \|\n\|[ -|]+\n((?:\|.*\n)+)", path.read_text(), re.MULTILINE)
+            self.assertTrue(tables, f"{path.name}: no table of symbols")
+            rows = [line.rstrip("|").rpartition(" | ") for table in tables for line in table.splitlines()]
+            self.assertEqual([], [row for row in rows if not row[2].strip() and "[" not in row[0] or "$" not in row[0]], path.name)
+
     def test_numbers(self):
         """A section of the validation says which command, test or file has its numbers."""
         pages = sorted((ROOT / "docs/validation").glob("*.md"))
@@ -93,6 +107,18 @@ class Prose(unittest.TestCase):
         fault = "numbers without the command that gives them"
         self.assertEqual([f"1: {fault}: # A", f"7: {fault}: ## C"], faults_of_numbers("# A\n\nIt is 0.5.\n\n## B\n\n## C\n\n| 3 % |\n"))
         self.assertEqual([], faults_of_numbers("# A\n\nIt is 0.5, `bench/run a`.\n\n## B\n\nIt is $0.5$, or [0.5](a.md).\n\n## C\n\n2 %\n\n```sh\na\n```\n"))
+
+    def test_numbers_elsewhere(self):
+        """So do sections of the other pages, where a number has a unit or four decimals."""
+        pages = [path for path in documents_of(ROOT) if path.relative_to(ROOT).parts[:2] in NUMBERED or path.name == "README.md"]
+        self.assertGreater(len(pages), 45)
+        faults = [f"{path.relative_to(ROOT)}:{fault}" for path in pages
+                  for fault in faults_of_numbers(path.read_text(), MEASURED_ELSEWHERE, SHOWN_ELSEWHERE)]
+        self.assertEqual([], faults, "\n" + "\n".join(faults))
+        for text, is_fault in (("It is 0.5, and by (2.12) of section 4.3.", False), ("It takes 3 %.", True), ("1.7841 at most.", True),
+                               ("It takes 3 %, `src/base/kinds.f90`.", False), ("It is 2.1 um.", True), ("A load [N] of 3 N/m", True),
+                               ("It falls from 3 m, `bench/run a`.", False), ("Of 1 method and 2 Kelvin arms 3 more.", False)):
+            self.assertEqual(is_fault, bool(faults_of_numbers(f"# A\n\n{text}\n", MEASURED_ELSEWHERE, SHOWN_ELSEWHERE)), text)
 
     def test_banned(self):
         """A word of the list is found in prose, headings and tables, not in code, and not in its usual phrases."""

@@ -119,7 +119,9 @@ class SceneOfFit:
 
     def __init__(self, groups, free, options):
         self._groups = groups
-        self._names = [*free_names(free), *(options[name] for name in ("abscissa",) if options.get(name)), *words_of(options.get("variables") or ())]
+        names = [*free_names(free), *(options[name] for name in ("abscissa",) if options.get(name)), *words_of(options.get("variables") or ())]
+        # a list stands for its members; the time of a history is a variable of fits alone
+        self._names = [name.split("(")[0] for name in names if name != "time"]
 
     @functools.cached_property
     def _case(self):

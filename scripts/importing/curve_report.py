@@ -47,7 +47,12 @@ def stack_lines(given, stack, sources, directions):
         if count:
             rows.append((status.replace("_", " "), f"{count} of {len(stack.curves)} curves"))
     name = f"{given.output}:/segments/retraction/load" if any((curve.segment == 2).any() for curve in with_data) else f"{given.output}:/load"
-    return [*table(join(map(str, given.files)), rows), f"  {'input':<17}file = '{name}', abscissa = 'approach', ordinate = 'load'"]
+    lines = [*table(join(map(str, given.files)), rows), f"  {'input':<17}file = '{name}', abscissa = 'approach', ordinate = 'load'"]
+    springs = {curve.spring_constant for curve in with_data}
+    if noise and len(springs) == 1 and None not in springs:
+        # the noise is in the load alone where the base of the lever is the abscissa
+        lines.append(f"  {'with its lever':<17}abscissa_column = 'position', sigma = {np.median(noise):.3g}, spring_stiffness = {springs.pop():.6g}")
+    return lines
 
 
 def option_or_file(given, key):

@@ -49,7 +49,8 @@ def choose_figure(results):
     """The procedure that draws a run: by its profiles, or by its model and the variable that varies fastest."""
     if fit.is_fit(results):
         return fit.draw_fit
-    if results.model.endswith("_history"):
+    if results.model.endswith("_history") or results.model in ("indenter_time", "surface_time") or (
+            results.model == "adhesive_indenter_time" and not results.several):
         return history.draw_history
     if "pressure" in results.profiles or halfspace.stresses_of(results):
         return choose_profiles(results)

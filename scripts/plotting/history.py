@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of `indenter_history` and `hertz_history`."""
+"""Figures of `indenter_history`, `hertz_history`, `indenter_time` and `surface_time`."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from .labels import axis_label, point_label, scale_of
 from .style import COLOURS, make_panels, plt
 
 # what is drawn, against what
-PANELS = (("tangential_displacement", "tangential_force"), ("approach", "load"), ("step", "stick_radius"), ("step", "stick_major_half_width"),
+PANELS = (("time", "contact_fraction"), ("time", "penetration"), ("time", "load"), ("time", "contact_radius"), ("tangential_displacement", "tangential_force"), ("approach", "load"), ("time", "approach"), ("step", "stick_radius"), ("step", "stick_major_half_width"),
           ("step", "stick_half_width"), ("step", "friction_loss"))
 
 
@@ -15,7 +15,7 @@ def draw_history(results):
     """Force against displacement, both ways, and what sticks and what is lost, step by step; a curve for each point of the sweep."""
     fields = dict(results.profiles)
     step = results.profile_axes[-1]
-    known = [pair for pair in PANELS if pair[1] in fields]
+    known = [pair for pair in PANELS if pair[1] in fields and (pair[0] == "step" or pair[0] in fields)]
     shown = [pair for pair in known if pair != ("approach", "load") or _varies(fields["load"].values)]
     figure, panels = make_panels(len(shown))
     points = list(np.ndindex(*results.status.shape))
@@ -27,12 +27,14 @@ def draw_history(results):
         for index, colour in zip(points, colours):
             values = x.values if abscissa == "step" else x.values[index]
             # every path begins without force and contact
-            start = [] if abscissa == "step" else [0.0]
+            start = [] if abscissa in ("step", "time") or "time" in fields else [0.0]
             panel.plot(np.append(start, values) * x_factor, np.append(start, y.values[index]) * y_factor, color=colour,
                        label=point_label(results.describe(index), results.model) or "_")
         panel.set_xlabel(axis_label(abscissa, x_unit))
         panel.set_ylabel(axis_label(ordinate, y_unit))
-        if abscissa != "step":
+        if results.model == "surface_time":
+            panel.set_xscale("log", nonpositive="mask")
+        elif abscissa != "step":
             panel.axhline(0, color="0.7", linewidth=0.6, zorder=0)
             panel.axvline(0, color="0.7", linewidth=0.6, zorder=0)
     if panels[0].get_legend_handles_labels()[1]:

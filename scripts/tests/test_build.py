@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The script that builds the program, and what CMake says of compilers and warnings."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -129,6 +130,39 @@ class BuildScriptTest(TreeTest):
             self.assertEqual(2, done.returncode)
             self.assertIn("usage: ", done.stderr)
         self.assertFalse(self.calls.exists())
+
+
+class TestScriptTest(TreeTest):
+    """scripts/test, with a build and a CTest that only note how they are called."""
+
+    def calls_of(self, *arguments):
+        """How both are called."""
+        shutil.copy(ROOT / "scripts/test", self.tree / "scripts/test")
+        self.write_program("scripts/build", '#!/bin/sh\necho "build $*" >>"$CALLS"\n')
+        self.write_program("bin/ctest", '#!/bin/sh\necho "ctest $2" >>"$CALLS"\n')
+        self.calls.unlink(missing_ok=True)
+        done = self.run_script("test", *arguments)
+        self.assertEqual(0, done.returncode, done.stderr)
+        return self.calls.read_text().splitlines()
+
+    def test_presets(self):
+        """A whole run leaves to sanitize what it shows of debug, and needs no tests of its own there; debug alone has all."""
+        self.assertEqual(["build release --tests", "ctest release", "build debug --library", "ctest debug_rest",
+                          "build sanitize --tests", "ctest sanitize", "build gfortran11 --tests", "ctest gfortran11"], self.calls_of())
+        self.assertEqual(["build debug --tests", "ctest debug"], self.calls_of("debug"))
+
+    def test_nothing_is_left_out(self):
+        """Sanitize and the rest of debug are all of debug, with the same environment and flags."""
+        presets = json.loads((ROOT / "CMakePresets.json").read_text())
+        of = {preset["name"]: preset for preset in presets["testPresets"]}
+        left_out, of_sanitize = (set(of[name]["filter"]["exclude"]["name"].split("|")) for name in ("debug", "sanitize"))
+        # there is no test of Python in sanitize, and a part of those of memory that is short
+        self.assertEqual((of_sanitize - left_out) | {"^python$", "starved"}, set(of["debug_rest"]["filter"]["include"]["name"].split("|")))
+        self.assertEqual(of["debug"]["environment"], of["debug_rest"]["environment"])
+        self.assertEqual(of["debug"]["environment"]["ADFRIC_RANDOM_CASES"], of["sanitize"]["environment"]["ADFRIC_RANDOM_CASES"])
+        self.assertIn("malloc_fill_byte=127", of["sanitize"]["environment"]["ASAN_OPTIONS"])
+        types = {preset["name"]: preset.get("cacheVariables", {}).get("CMAKE_BUILD_TYPE") for preset in presets["configurePresets"]}
+        self.assertEqual(types["debug"], types["sanitize"])
 
 
 class InstallScriptTest(TreeTest):

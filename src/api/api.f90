@@ -13,7 +13,8 @@
 !> closed.
 !>
 !> All but the solution of the points is done by one thread at a time (`critical (adfric_api)`), since gfortran keeps the lengths of
-!> texts that functions give back in one index for all threads.
+!> texts that functions give back in one index for all threads. The file is long by its public procedures, with a comment
+!> on every argument.
 module adfric_api
    use adfric, only: known_models
    use adfric_api_solution, only: solve_by_threads, stopped

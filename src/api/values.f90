@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The values that a caller gives to the variables of a model, held against the tables as those of a namelist are, by the same
+!> The values that a caller gives to the variables of a model, compared with the tables as those of a namelist are, by the same
 !> procedures and with the same words.
 module adfric_api_values
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan

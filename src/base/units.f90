@@ -12,7 +12,7 @@ module adfric_base_units
 
    !> Powers of m, kg, s and K.
    integer, parameter :: n_dimensions = 4
-   !> Powers of ten up to this one are held without error.
+   !> Powers of ten up to this one are kept without error.
    integer, parameter :: largest_exact = 22
    character(*), parameter :: digits = '0123456789'
 
@@ -56,7 +56,7 @@ module adfric_base_units
    integer, parameter :: exponents(*) = [24, 21, 18, 15, 12, 9, 6, 3, 2, 1, -1, -2, -3, -6, -9, -12, -15, -18, -21, -24, &
       12, 9, 6, 3, 2, 1, -1, -2, -3, -6, -9, -12, -15]
 
-   !> Signs beyond the English alphabet, each with what it stands for; the last two are of an older way to write them.
+   !> Signs beyond the English alphabet, each with what it stands for; the last two are of an older spelling.
    character(3), parameter :: signs(*) = [character(3) :: char(194)//char(181), char(206)//char(188), char(195)//char(133), &
       char(226)//char(132)//char(171), 'A'//char(204)//char(138), char(194)//char(183), char(226)//char(139)//char(133), &
       char(194)//char(178), char(194)//char(179), char(194)//char(185), char(226)//char(129)//char(187), char(181), char(197)]

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The results of a case as C sees them: arrays with names, units and dimensions, in the form that the results file has, and what
-!> the file says of the run as a whole. The numbers are those that the solution has left in memory; none of them is copied.
+!> the file says of the run as a whole. The numbers are those that the solution keeps in memory; none of them is copied.
 module adfric_c_arrays
    use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr
    use adfric_base_error, only: error_t, file_failure, set_error

@@ -24,7 +24,7 @@ module adfric_command_check
    use adfric_run_plan, only: axis_t
    use adfric_output_resources, only: file_size_of, show_bytes
    use adfric_describe_scene_solvers, only: accuracy_of
-   use adfric_run_time_estimate, only: time_estimate_t, estimate_time
+   use adfric_run_time_estimate, only: time_estimate_t, estimate_time, longest_trial
    implicit none (type, external)
    private
    public :: check_case
@@ -117,6 +117,10 @@ contains
       if (len(text) > 0) lines = lines//pad('beside the results', name_width)//text//newline
       lines = lines//pad('points', name_width)//show_count(run%plan%n_points())
       if (run%refinement%is_wanted()) lines = lines//' or more'
+      associate (blocks => run%blocks())
+         if (blocks%n_blocks_of_run < blocks%n_points_of_run) lines = lines//' in '//show_count(blocks%n_blocks_of_run)// &
+            & ' block'//trim(merge(' ', 's', blocks%n_blocks_of_run == 1))//', each for one thread or part of a run'
+      end associate
       lines = lines//newline
    end function describe_points
 
@@ -216,9 +220,11 @@ contains
       if (estimate%n_threads > 1) text = text//'s'
       if (.not. estimate%is_complete) then
          ! less than a second is no news of a run that takes longer
-         text = 'more than '//text
-         if (index(text, 'less') > 0) text = 'not known'
-         text = text//', a trial point took too long'
+         if (index(text, 'less') == 1) then
+            text = 'more than '//show_number(longest_trial)//' s, in which no trial point was solved'
+         else
+            text = 'more than '//text//', a trial point took too long'
+         end if
       else if (index(text, 'less') == 1) then
          text = text//', from trial points'
       else
@@ -254,7 +260,7 @@ contains
             associate (position => run%plan%axes(k)%variables(j), values => run%plan%axes(k)%values(j, :))
                lines = lines//pad('sweep of '//run%model%variables(position)%group//'%'//run%model%variables(position)%name, &
                   & name_width) &
-                  //show_count(size(values))//' values, '
+                  //show_count(size(values))//trim(merge(' value ', ' values', size(values) == 1))//', '
                if (is_sample(run%plan%axes(k))) then
                   lines = lines//show_number(minval(values))//' to '//show_number(maxval(values))
                else

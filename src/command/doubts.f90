@@ -92,7 +92,7 @@ contains
          if (measures(i) < doubt_limits(i)) cycle
          is_named(i) = .true.
          text = text//'doubt: '//get_word(doubt_meanings, i + 1)//index//', '//quantity_of(i)//' is '//show_number(measures(i)) &
-            & //', and small up to '//show_number(doubt_limits(i))//newline
+            & //', and the theory holds up to '//show_number(doubt_limits(i))//newline
       end do
    end subroutine name_bounds
 
@@ -108,6 +108,8 @@ contains
             & //show_count(estimate%by_doubt(i))//' of '//show_count(estimate%n_trials)//' trial points, '//quantity_of(i) &
             & //' >= '//show_number(doubt_limits(i))//newline
       end do
+      if (estimate%n_unsolved > 0 .and. estimate%n_unsolved == estimate%n_trials) text = text//'warning: none of '// &
+         & show_count(estimate%n_trials)//' trial points has an answer; are sizes and units right?'//newline
       if (estimate%n_uncoupled > 0) text = text//'coupling left out at '//show_count(estimate%n_uncoupled)//' of ' &
          & //show_count(estimate%n_trials)//' trial points: to first order it changes the friction by more than the error ' &
          & //'(coupling_left_out)'//newline

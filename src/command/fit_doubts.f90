@@ -6,8 +6,11 @@ module adfric_command_fit_doubts
    use adfric_base_kinds, only: dp
    use adfric_base_text, only: newline, show_count, show_number
    use adfric_command_rounding, only: show_to_digits
-   use adfric_fit_problem, only: fit_t, nuisance_tilt
-   use adfric_fit_solution, only: solution_t, fit_solved
+   use adfric_base_unset, only: is_set
+   use adfric_fit_parts, only: set_values_at
+   use adfric_fit_problem, only: data_set_t, fit_t, nuisance_tilt
+   use adfric_interface_heat_rows, only: usual_capacity, usual_conductivity
+   use adfric_fit_solution, only: solution_t, fit_not_identifiable, fit_solved
    use adfric_describe_doubt, only: doubt_limits, n_doubts, quantity_of
    implicit none (type, external)
    private
@@ -17,13 +20,21 @@ module adfric_command_fit_doubts
    real(dp), parameter :: smallest_range = 0.05e-9_dp, largest_range = 5.0e-9_dp
    !> Correlations of neighbours beyond this in standard errors are doubted.
    real(dp), parameter :: most_lag = 3
+   !> Below this probability of a larger S the standard errors or the model are doubted.
+   real(dp), parameter :: least_probability = 1.0e-4_dp
    !> Below this part of its mean S is too small for noise.
    real(dp), parameter :: least_chi2 = 0.1_dp
    !> A slope of a base line is doubted beyond so many standard errors, and of so many points.
    real(dp), parameter :: most_slope = 6
    integer, parameter :: least_count = 8
+   !> A relaxation time is not known beyond this relative standard error; one of this part of the duration, or less, is a fast one.
+   real(dp), parameter :: most_time_error = 0.5_dp, fast_part = 0.03_dp
    !> The runs of signs are doubted below this probability.
    real(dp), parameter :: least_runs = 1.0e-3_dp
+
+   !> What a curve says of arms.
+   character(*), parameter :: what_curves_see = 'a curve sees arms of 0.03 to 1 times its duration, of faster ones the product '// &
+      'of modulus and time, of slower ones the sum of moduli'
 
 contains
 
@@ -34,9 +45,68 @@ contains
       character(:), allocatable :: lines
 
       lines = ''
+      if (solution%status == fit_not_identifiable .and. count(of_times(fit)) > 0) lines = 'hint: '//what_curves_see//newline
       if (solution%status /= fit_solved) return
-      lines = doubt_range(solution)//doubt_theory(solution)//doubt_base_lines(fit, solution)//doubt_residuals(solution)
+      lines = doubt_arms(fit, solution)//doubt_range(solution)//doubt_theory(solution)// &
+         & doubt_heat_of_friction(fit, solution)//doubt_base_lines(fit, solution)//doubt_goodness(solution)// &
+         & doubt_residuals(solution)
    end function describe_fit_doubts
+
+   !> Which free variables are relaxation times, members of their list?
+   pure function of_times(fit) result(is_time)
+      type(fit_t), intent(in) :: fit
+      logical :: is_time(size(fit%frees))
+      integer :: i
+
+      is_time = .false.
+      do i = 1, size(is_time)
+         if (fit%frees(i)%list == 0 .or. fit%frees(i)%variable == 0) cycle
+         is_time(i) = index(fit%frees(i)%name, 'relaxation_times') > 0
+      end do
+   end function of_times
+
+   !> Arms that the data do not tell apart, or of which they know a part alone.
+   function doubt_arms(fit, solution) result(lines)
+      type(fit_t), intent(in) :: fit
+      type(solution_t), intent(in) :: solution
+      character(:), allocatable :: lines
+      logical :: is_time(size(fit%frees))
+      real(dp) :: duration, relative
+      integer :: i, k
+
+      lines = ''
+      is_time = of_times(fit)
+      ! a start has no errors yet
+      if (.not. any(is_time) .or. .not. allocated(solution%error)) return
+      duration = 0
+      do k = 1, size(fit%data_sets)
+         associate (x => fit%data_sets(k)%x)
+            duration = max(duration, maxval(x, ieee_is_finite(x)) - minval(x, ieee_is_finite(x)))
+         end associate
+      end do
+      do i = 1, size(is_time)
+         if (.not. is_time(i)) cycle
+         do k = 1, i - 1
+            if (.not. is_time(k)) cycle
+            if (abs(log(solution%estimate(i)/solution%estimate(k))) > solution%error(i)/solution%estimate(i) &
+               + solution%error(k)/solution%estimate(k)) cycle
+            lines = lines//'warning: '//fit%frees(k)%name//' and '//fit%frees(i)%name//' are one time within their errors; one '// &
+               'arm is as good, more arms need several speeds or a rest'//newline
+         end do
+         if (.not. ieee_is_finite(solution%error(i))) cycle
+         relative = solution%error(i)/solution%estimate(i)
+         if (relative < most_time_error) cycle
+         if (solution%estimate(i) > duration) then
+            lines = lines//'warning: '//fit%frees(i)%name//' is longer than the curve; of such an arm only the sum of its '// &
+               'modulus and the relaxed one is known'//newline
+         else if (solution%estimate(i) < fast_part*duration) then
+            lines = lines//'warning: '//fit%frees(i)%name//' is far shorter than the curve; of such an arm only the product of '// &
+               'modulus and time, a viscosity, is known'//newline
+         else
+            lines = lines//'warning: '//fit%frees(i)%name//' is not known; '//what_curves_see//newline
+         end if
+      end do
+   end function doubt_arms
 
    !> Is the range of adhesion one of atoms?
    pure function doubt_range(solution) result(lines)
@@ -70,6 +140,83 @@ contains
          end associate
       end do
    end function doubt_theory
+
+   !> Are there velocities at which the heat of friction changes the friction?
+   function doubt_heat_of_friction(fit, solution) result(lines)
+      type(fit_t), intent(in) :: fit
+      type(solution_t), intent(in) :: solution
+      character(:), allocatable :: lines
+      real(dp) :: values(size(fit%base)), fastest, least
+      integer :: g, velocity
+
+      lines = ''
+      velocity = 0
+      do g = 1, size(values)
+         if (fit%model%variables(g)%name == 'velocity') velocity = g
+      end do
+      if (velocity == 0) return
+      do g = 1, size(fit%data_sets)
+         associate (set => fit%data_sets(g))
+            if (index(fit%model%results(set%ordinate)%name, 'friction') == 0) cycle
+            call take_fastest(fit, solution, set, velocity, values)
+            fastest = abs(values(velocity))
+            least = fit%model%velocity_of_heat(values)
+            if (.not. (is_set(least) .and. is_set(fastest) .and. fastest >= least)) cycle
+            lines = lines//'warning: '//set%name//' goes up to '//show_to_digits(fastest, 2)//' m/s, and heat changes the '// &
+               'shear stress by a hundredth from '//show_to_digits(least, 2)//' m/s on'
+            if (counts_heat(fit, values)) then
+               lines = lines//'; what is fitted depends on &heat'//newline
+            else
+               lines = lines//' in a polymer of '//show_number(usual_conductivity)//' W/m/K and '//show_number(usual_capacity)// &
+                  ' J/m^3/K; without &heat it is not counted'//newline
+            end if
+         end associate
+      end do
+   end function doubt_heat_of_friction
+
+   !> Does the input count heat?
+   pure logical function counts_heat(fit, values)
+      type(fit_t), intent(in) :: fit
+      !> Values of all variables.
+      real(dp), intent(in) :: values(:)
+      integer :: k
+
+      counts_heat = .false.
+      do k = 1, size(values)
+         if (fit%model%variables(k)%group == 'heat' .and. is_set(values(k))) counts_heat = .true.
+      end do
+   end function counts_heat
+
+   !> Values of the point with the largest velocity.
+   subroutine take_fastest(fit, solution, set, velocity, values)
+      type(fit_t), intent(in) :: fit
+      type(solution_t), intent(in) :: solution
+      !> The points.
+      type(data_set_t), intent(in) :: set
+      !> Index of the velocity among the variables.
+      integer, intent(in) :: velocity
+      !> Receives the values of all variables.
+      real(dp), intent(out) :: values(:)
+      real(dp) :: speed(size(set%x))
+      integer :: k, other
+
+      values = fit%base
+      do k = 1, size(fit%frees)
+         if (fit%frees(k)%variable > 0) values(fit%frees(k)%variable) = solution%estimate(k)
+      end do
+      speed = abs(values(velocity))
+      if (set%abscissa == velocity) speed = abs(set%x)
+      if (allocated(set%others)) then
+         other = findloc(set%others, velocity, 1)
+         if (other > 0) speed = abs(set%at(other, :))
+      end if
+      where (.not. ieee_is_finite(speed)) speed = -1
+      if (allocated(set%is_used)) speed = merge(speed, -1.0_dp, set%is_used)
+      k = maxloc(speed, 1)
+      if (k == 0) return
+      values(set%abscissa) = set%x(k)
+      call set_values_at(set, k, values)
+   end subroutine take_fastest
 
    !> Has a base line a slope that nothing in the fit takes up?
    function doubt_base_lines(fit, solution) result(lines)
@@ -113,6 +260,19 @@ contains
       remaining = y - sum(y)/n - slope*at
       error = sqrt(sum(remaining**2)/(n - 2)/squares)
    end subroutine find_slope
+
+   !> Is S what the standard errors of the points make of it? An S by which these were found says nothing.
+   pure function doubt_goodness(solution) result(lines)
+      type(solution_t), intent(in) :: solution
+      character(:), allocatable :: lines
+
+      lines = ''
+      if (solution%degrees_of_freedom < 1 .or. ieee_is_finite(solution%sigma_estimate)) return
+      if (.not. ieee_is_finite(solution%p_value)) return
+      if (solution%p_value < least_probability) lines = 'warning: S = '//show_to_digits(solution%chi2, 3)//' is far above n = ' &
+         //show_count(solution%degrees_of_freedom)//' degrees of freedom: the model does not fit, or the standard errors of the ' &
+         //'points are too small, by '//show_to_digits(sqrt(solution%chi2/solution%degrees_of_freedom), 2)//' times'//newline
+   end function doubt_goodness
 
    !> Are the residuals independent of each other?
    pure function doubt_residuals(solution) result(lines)

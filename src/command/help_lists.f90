@@ -12,7 +12,7 @@ module adfric_command_help_lists
    use adfric_run_conversion, only: is_counted_over_area, unit_over_area
    implicit none (type, external)
    private
-   public :: model_box_t, list_topics, show_list
+   public :: model_box_t, list_topics, show_list, units_of_result
 
    !> Topics that are lists.
    character(*), parameter :: list_topics = 'models groups variables results units'
@@ -178,6 +178,34 @@ contains
          first = last + 2
       end do
    end subroutine add_units
+
+   !> The units that a result has with one solver or another, in brackets, such as [N or N/m].
+   function units_of_result(models, wanted) result(units)
+      !> All models.
+      type(model_box_t), intent(in) :: models(:)
+      !> Name of the result in the language of scenes.
+      character(*), intent(in) :: wanted
+      character(:), allocatable :: units, given, unit
+      integer :: m, i, first, last
+
+      units = ''
+      given = ''
+      do m = 1, size(models)
+         do i = 1, size(models(m)%model%results)
+            if (likely_result_of(models(m)%model%name, models(m)%model%results(i)%name) /= wanted) cycle
+            given = models(m)%model%results(i)%unit
+            first = 1
+            do while (first <= len(given))
+               last = index(given(first:)//';', ';') + first - 2
+               unit = unit_alone(given(first:last))
+               if (index(' or '//units//' or ', ' or '//unit//' or ') == 0) units = units//' or '//unit
+               first = last + 2
+            end do
+         end do
+      end do
+      ! without the first ` or `
+      units = ' ['//units(min(5, len(units) + 1):)//']'
+   end function units_of_result
 
    !> A unit without the case that it is for.
    pure function unit_alone(text) result(unit)

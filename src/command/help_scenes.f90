@@ -3,13 +3,14 @@
 module adfric_command_help_scenes
    use adfric_base_text, only: newline
    use adfric_base_words, only: count_words, get_word, has_word, pad
-   use adfric_command_help_lists, only: model_box_t
+   use adfric_command_help_lists, only: model_box_t, units_of_result
    use adfric_describe_plausible_range, only: describe_usual
    use adfric_describe_table, only: kind_choice, variable_t
    use adfric_describe_vocabulary, only: order_of_scenes
    use adfric_describe_scene_messages, only: with_phrases
    use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of, long_name_of, meaning_of, &
       & rename_words, renamed_to
+   use adfric_describe_scene_shapes, only: list_shapes
    use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, &
       known_tractions, word_length
    implicit none (type, external)
@@ -17,11 +18,13 @@ module adfric_command_help_scenes
    public :: describe_scenes, describe_scene_list, describe_scene_name, list_scene_names
 
    !> Columns of the table: solid, interface, operation, and what they are.
-   integer, parameter :: n_columns = 12
+   integer, parameter :: n_columns = 14
    character(*), parameter :: columns(3, n_columns) = reshape([character(word_length) :: &
       & 'half_space', 'none', 'press', 'half_space', 'adhesion', 'press', 'half_space', 'shear', 'slide', &
       & 'half_space', 'adhesion+shear', 'slide', 'half_space', 'coulomb', 'tangential', 'half_space', 'coulomb', 'path', &
-      & 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', 'layer', 'none', 'slide', 'layer', 'adhesion', 'slide', &
+      & 'relaxing', 'none', 'path', 'relaxing', 'adhesion', 'path', &
+      & 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', &
+      & 'layer', 'none', 'slide', 'layer', 'adhesion', 'slide', &
       & 'foundation', 'none', 'slide', 'foundation', 'adhesion', 'slide'], &
       & [3, n_columns])
    character(*), parameter :: heads(n_columns) = [character(70) :: &
@@ -29,6 +32,7 @@ module adfric_command_help_scenes
       & 'elastic half-space, sliding with a shear strength', &
       & 'elastic half-space, sliding with adhesion and a shear strength', &
       & 'elastic half-space, tangential force below mu P (Coulomb)', 'elastic half-space, path of loads and tangential forces', &
+      & 'viscoelastic half-space, history in time', 'viscoelastic half-space, history in time with adhesion', &
       & 'viscoelastic half-space, sliding', 'viscoelastic half-space, sliding with adhesion', 'viscoelastic layer, sliding', &
       & 'viscoelastic layer, sliding with adhesion', 'viscoelastic foundation (columns), sliding', &
       & 'viscoelastic foundation (columns), sliding with adhesion']
@@ -188,6 +192,7 @@ contains
          words = trim(choosing(4, k))
          if (len(name) > 0 .and. name /= variable .and. .not. has_word(words, name)) cycle
          lines = lines//pad('  '//variable, name_width)//trim(choosing(3, k))//newline//words_line(words)
+         if (group == 'surface') lines = lines//list_shapes(words, name, name_width)
       end do
    end function choosing_lines
 
@@ -306,7 +311,7 @@ contains
       is_meant = has_word(renamed%choices, wanted)
    end function is_meant
 
-   !> The results of all scenes, each once, or the one of a name with its unit.
+   !> The results of all scenes, each once, or the one of a name, with their units.
    function describe_results(models, wanted) result(text)
       type(model_box_t), intent(in) :: models(:)
       !> Name of the result; empty for all results.
@@ -329,8 +334,8 @@ contains
                name = likely_result_of(models(m)%model%name, row%name)
                if (has_word(names, name) .or. len(wanted) > 0 .and. name /= wanted) cycle
                names = names//' '//name
-               text = text//pad('  '//name, name_width)//with_phrases(long_name_of(models(m)%model%name, name, &
-                  & row%long_name))//newline
+               text = text//pad('  '//name//units_of_result(models, name), name_width)//with_phrases(long_name_of( &
+                  & models(m)%model%name, name, row%long_name))//newline
             end associate
          end do
       end do

@@ -72,7 +72,8 @@ contains
          call set_error(error, input_failure, path//': the results would replace the part '//parts(i)%path)
          return
       end do
-      call check_output_name(path, command%overwrite, error)
+      call check_output_name(path, command%overwrite, error, &
+         & 'or name another one: adfric merge FILE.h5 PART.h5 ... writes FILE.h5')
    end subroutine check_names
 
 end module adfric_command_merge

@@ -90,7 +90,7 @@ contains
       if (ieee_is_finite(value)) text = show_number(round_to(value, exponent))
    end function show_to_step
 
-   !> The multiple of a power of ten next to a number, by way of its decimal digits, so that no others come in.
+   !> The multiple of a power of ten next to a number, by its decimal digits, so that no others come in.
    pure real(dp) function round_to(value, exponent)
       !> The number.
       real(dp), intent(in) :: value

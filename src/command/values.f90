@@ -16,7 +16,7 @@ contains
    pure function show_input_value(variable, value) result(text)
       !> Row of the model's table: the kind of the variable and its choices.
       type(variable_t), intent(in) :: variable
-      !> The value as it is held, a number in SI units; `unset` where there is none.
+      !> The value as it is kept, a number in SI units; `unset` where there is none.
       real(dp), intent(in) :: value
       character(:), allocatable :: text
 

@@ -100,7 +100,7 @@ contains
       real(dp), intent(out) :: contact_radius
       !> Receives whether the end was found, see above.
       integer, intent(out) :: status
-      !> Is the approach held, and not the load? False if absent.
+      !> Is the approach prescribed, and not the load? False if absent.
       logical, intent(in), optional :: holds_approach
       type(maugis_t) :: theory
       type(sphere_contact_t) :: contact

@@ -152,7 +152,7 @@ contains
    end subroutine refuse
 
    !> Each of a list has to be given.
-   subroutine require(variables, values, list, problems)
+   subroutine require(variables, values, list, problems, reason)
       !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
       !> Values of the variables; shape `(n_variables)`.
@@ -161,15 +161,20 @@ contains
       integer, intent(in) :: list(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      !> Why they are needed, behind a semicolon; absent: no reason is given.
+      character(*), intent(in), optional :: reason
+      character(:), allocatable :: behind
       integer :: k
 
+      behind = ''
+      if (present(reason)) behind = '; '//reason
       do k = 1, size(list)
          if (is_set(values(list(k)))) cycle
          associate (v => variables(list(k)))
             if (v%kind == kind_choice) then
-               call problems%add(v%group, v%name, 'is missing, one of '//v%choices)
+               call problems%add(v%group, v%name, 'is missing, one of '//v%choices//behind)
             else
-               call problems%add(v%group, v%name, 'is missing ['//v%unit//']')
+               call problems%add(v%group, v%name, 'is missing ['//v%unit//']'//behind)
             end if
          end associate
       end do

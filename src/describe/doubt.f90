@@ -2,7 +2,7 @@
 !> Doubts: how far a theory holds, and whether a point lies beyond. Each bound stands where its theory may be off by about a tenth
 !> (docs/reference/doubts.md derives them).
 !>
-!> A model measures at a point what the bounds of its theory are held against, and what it does not measure is not doubted. A point
+!> A model measures at a point what the bounds of its theory are compared with, and what it does not measure is not doubted. A point
 !> beyond several bounds has the doubt that stands first in the list, which goes from the geometry that a theory assumes to the digits
 !> of its result. A doubt is no failure: the results stay what the theory says.
 module adfric_describe_doubt

@@ -7,7 +7,7 @@
 module adfric_describe_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_base_watch, only: watch_t
    use adfric_describe_derived, only: derived_t
    use adfric_describe_profile_receiver, only: profile_receiver_t
@@ -68,6 +68,7 @@ module adfric_describe_model
       procedure :: describe_case
       procedure :: measure
       procedure :: describe_doubts
+      procedure :: velocity_of_heat
       procedure :: nominal_size
       procedure :: count_profiles
       procedure :: describe_profiles
@@ -346,7 +347,19 @@ contains
       end associate
    end function describe_doubts
 
-   !> Measure what the bounds of the theory are held against, in the order of the doubts (`adfric_describe_doubt`); what a model does not
+   !> Velocity from which on the heat of a point's friction changes its shear stress by a hundredth, whether the input counts heat or
+   !> not [m/s]. Here it is not set, as where there is none.
+   real(dp) function velocity_of_heat(self, values) result(velocity)
+      class(model_t), intent(in) :: self
+      !> Values of the variables, which have been checked; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      velocity = unset
+      associate (unused => self, unused_too => values)
+      end associate
+   end function velocity_of_heat
+
+   !> Measure what the bounds of the theory are compared with, in the order of the doubts (`adfric_describe_doubt`); what a model does not
    !> measure stays `not_measured`, here all. Called for every point that is solved, and with results that are NaN for what can be
    !> known of a case before; a measure that needs them is then NaN. It takes no time to speak of beside a point.
    subroutine measure(self, values, results, measures)

@@ -21,12 +21,12 @@ module adfric_describe_plausible_range
    !> A turn [rad].
    real(dp), parameter :: turn = 6.3_dp
    !> From parts of an atom to a large wheel, from a breath of air to diamond, from a gel a metre thick to a layer of atoms, from
-   !> van der Waals forces in a liquid to tearing rubber, from creep to sound in solids.
+   !> van der Waals forces in a liquid to soft glue, from creep to sound in solids.
    type(plausible_row_t), parameter :: table(*) = [ &
       & plausible_row_t('m', 1.0e-13_dp, 10.0_dp), &
       & plausible_row_t('Pa', 1.0e-6_dp, 1.0e13_dp), &
       & plausible_row_t('Pa/m', 1.0e2_dp, 1.0e22_dp), &
-      & plausible_row_t('J/m^2', 1.0e-7_dp, 1.0e4_dp), &
+      & plausible_row_t('J/m^2', 1.0e-7_dp, 1.0e2_dp), &
       & plausible_row_t('m/s', 1.0e-15_dp, 1.0e4_dp), &
       & plausible_row_t('s', 1.0e-15_dp, 1.0e15_dp), &
       & plausible_row_t('N', 1.0e-18_dp, 1.0e12_dp), &

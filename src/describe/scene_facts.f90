@@ -20,6 +20,8 @@ module adfric_describe_scene_facts
       character(:), allocatable :: state, theory
       !> Word of `&solid curve_modulus`; empty or not allocated if there is none.
       character(:), allocatable :: curve
+      !> Does the scene say that shear stress does not move the contact?
+      logical :: is_uncoupled = .false.
       !> One of: `half_space`, `relaxing`, `layer`, `foundation`.
       character(:), allocatable :: solid
       !> One of: `none`, `adhesion`, `shear`, `coulomb`, `adhesion+shear`, `adhesion+coulomb`.
@@ -47,8 +49,11 @@ module adfric_describe_scene_facts
       & 'coupled friction%coupling', &
       & 'tangential operating%tangential_force operating%tangential_displacement operating%tangential_stress '// &
       & 'operating%base_displacement history%tangential_forces history%tangential_displacements', &
-      & 'path history%loads history%approaches history%tangential_forces history%tangential_displacements', &
-      & 'relaxes solid%modulus solid%moduli solid%young_moduli solid%relaxation_times solid%relaxation_time solid%master_curve', &
+      & 'path history%loads history%approaches history%base_approaches history%times history%path '// &
+      & 'history%mean_pressures history%tangential_forces history%tangential_displacements', &
+      & 'oscillates history%frequency', &
+      & 'relaxes solid%modulus solid%moduli solid%young_moduli solid%relaxation_times solid%relaxation_time solid%master_curve '// &
+      & 'solid%power_law_modulus solid%power_law_exponent', &
       & 'young solid%young_modulus solid%young_moduli', &
       & 'events output%events', &
       & 'driven operating%base_displacement friction%law', &
@@ -82,6 +87,7 @@ contains
       do i = 1, size(signs)
          do k = 2, count_words(signs(i))
             if (.not. is_named(self%names, get_word(signs(i), k))) cycle
+            if (self%is_uncoupled .and. get_word(signs(i), 1) == 'coupled') cycle
             self%facts = self%facts//' '//get_word(signs(i), 1)
             exit
          end do

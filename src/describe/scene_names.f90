@@ -79,8 +79,8 @@ contains
       name = scene_name_of(variable_rules, solver, variable%group//'%'//variable%name, facts)
       variable%solver_group = variable%group
       variable%solver_name = variable%name
-      variable%is_hidden = name == hidden
-      if (variable%is_hidden) then
+      variable%is_hidden = name == hidden .or. variable%is_hidden
+      if (name == hidden) then
          variable%group = hidden
          variable%name = hidden
          return
@@ -115,8 +115,8 @@ contains
       if (allocated(result%flag_meanings)) call rename_list(solver, facts, 'results%'//result%name, result%flag_meanings)
       name = scene_name_of(result_rules, solver, result%name, facts)
       result%solver_name = result%name
-      result%is_hidden = name == hidden
-      if (result%is_hidden) then
+      result%is_hidden = name == hidden .or. result%is_hidden
+      if (name == hidden) then
          result%is_main = .false.
          result%flag_meanings = ''
       end if

@@ -24,7 +24,7 @@ module adfric_describe_scene_rules
       & sums = 'hertz,adhesive_cylinder,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,indenter,surface_sliding'
 
    !> Solvers of contacts that shear stress may move.
-   character(*), parameter :: couples = 'hertz,wave_1d,surface_sliding'
+   character(*), parameter :: couples = 'hertz,wave_1d,surface_sliding,rigid_punch'
 
    !> Variables. A group stands for all its variables that no rule before it names.
    character(*), parameter :: variable_rules(*) = [character(120) :: &
@@ -44,7 +44,8 @@ module adfric_describe_scene_rules
       & 'surface_sliding layer%poisson_ratio - !layer', &
       & 'surface_sliding layer% solid%', &
       & in_elastic//' solid%contact_modulus,solid%young_modulus,solid%poisson_ratio,solid%second_young_modulus - relaxing', &
-      & in_elastic//' solid%second_poisson_ratio,friction%coupling - relaxing', &
+      & in_elastic//' solid%second_poisson_ratio - relaxing', &
+      & in_elastic//' friction%coupling - relaxing coupled', &
       & in_elastic//' material% - !relaxing', &
       & in_elastic//' material%poisson_ratio - contact_curve', &
       & '* material% solid%', &
@@ -76,7 +77,7 @@ module adfric_describe_scene_rules
       & '* shape% surface%', &
       & '* operating%tangential_axis operating%direction', &
       & 'rigid_punch numerics%points numerics%collocation_points', &
-      & 'wave_2d_elastic,surface_elastic,surface_sliding numerics%relative_tolerance numerics%contact_tolerance', &
+      & 'wave_2d_elastic,surface_elastic,surface_sliding,surface_time numerics%relative_tolerance numerics%contact_tolerance', &
       & with_depth//' output%y_min output%z_min', &
       & with_depth//' output%y_max output%z_max', &
       & with_depth//' output%n_y output%n_z', &
@@ -124,6 +125,8 @@ module adfric_describe_scene_rules
       & 'indenter jump_in_base_approach,pull_off_base_approach,base_approach - !machine', &
       & 'indenter stress_zz,stress_rr - !position', &
       & 'sphere theory_error - !adhesion', &
+      & 'indenter_time storage_modulus,loss_modulus - !oscillates', &
+      & 'adhesive_indenter_time storage_modulus,loss_modulus -', &
       & round//' peak_force,peak_displacement,sliding_force,force_drop,snap_off_force,snap_off_displacement - !lateral', &
       & round//' peak_force peak_tangential_force', &
       & round//' peak_displacement peak_tangential_displacement', &
@@ -163,6 +166,12 @@ module adfric_describe_scene_rules
       & 'hertz contact_half_width contact_radius paraboloid', &
       & 'hertz contact_half_width major_half_width ellipsoid', &
       & 'hertz friction_force,friction_coefficient - !slides', &
+      & 'hertz contact_shift,energy_imbalance - ellipsoid', &
+      & 'rigid_punch friction_force,friction_coefficient - !slides', &
+      & 'rigid_punch contact_shift,energy_imbalance - !coupled', &
+      & 'rigid_punch hysteretic_friction_force,interfacial_friction_force,interfacial_share - !shear', &
+      & 'rigid_punch velocity_slope -', &
+      & 'rigid_punch contact_violation,edge_intensity - coupled', &
       & 'hertz,wave_1d contact_shift,energy_imbalance - !slides', &
       & 'wave_1d dissipation - !slides', &
       & 'wave_1d dissipation - coupled', &
@@ -197,12 +206,11 @@ module adfric_describe_scene_rules
       & 'wavy_sliding interfacial_friction_force interfacial_friction_stress', &
       & sums//' interfacial_share - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !shear', &
-      & 'surface_sliding velocity_slope -', &
       & couples//' largest_coupling,smallest_stiffness_ratio - !coupled', &
       & couples//' coupling_left_out - coupled', &
       & couples//',wave_2d_elastic,surface_elastic coupling_left_out - !shear', &
       & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
-      & 'hertz,indenter velocity_slope - heat', &
+      & heats//' velocity_slope - heat', &
       & 'indenter bulk_heat -', &
       & heats//' contact_temperature,flash_temperature,peak_flash_temperature - !heat', &
       & heats//' background_temperature_rise - !heat', &
@@ -221,16 +229,16 @@ module adfric_describe_scene_rules
    !> Words: the solvers, the variable in their language, each word that is another one in scenes, `old=new`, and the facts.
    character(*), parameter :: word_rules(*) = [character(120) :: &
       & 'wavy_sliding surface%kind wave_2d=wave_1d wave_3d=wave_product map=heights', &
-      & 'surface_sliding surface%kind heights=profile profile', &
+      & 'surface_sliding,surface_time surface%kind heights=profile profile', &
       & 'hertz,hertz_history contact%kind line=cylinder circular=paraboloid elliptical=ellipsoid', &
       & 'rigid_punch punch%kind flat=line_punch polynomial=line_polynomial', &
-      & 'indenter,indenter_history shape%kind flat=flat_punch', &
+      & 'indenter,indenter_history,indenter_time,adhesive_indenter_time shape%kind flat=flat_punch', &
       & 'indenter model%theory none=hertz', &
       & 'indenter results%theory_used none=hertz', &
       & '* adhesion%branch approach=loading']
 
    !> What a variable is, where the words of the solvers say only what it is for one of them; and what a result of a solver is.
-   character(*), parameter :: meanings(*) = [character(120) :: &
+   character(*), parameter :: meanings(*) = [character(122) :: &
       & 'surface%radius radius of the body, or of curvature at its tip', &
       & 'surface%amplitude amplitude of each wave: half its height from valley to crest', &
       & 'surface%length_x length of the heights along x: samples times spacing', &
@@ -254,9 +262,17 @@ module adfric_describe_scene_rules
       & 'operating%approach approach of the body from first touch of the undisturbed surface', &
       & 'operating%penetration penetration of the crests below the mean of the deformed surface', &
       & 'friction%shear_strength tau0 of the shear stress in contact; in reduced units: in the scale of lambda', &
+      & 'operating%state does the body slide (sliding), or rest under a tangential force (static)', &
+      & 'operating%tangential_displacement tangential displacement of the static state, instead of the force', &
+      & 'operating%base_displacement displacement of the base of a lateral spring, from rest, instead of the force', &
+      & 'operating%lateral_stiffness stiffness of a lateral spring; the events then have its jumps', &
+      & 'operating%contact_half_width half-width of contact, instead of the load; not for a flat punch', &
+      & 'solid%stiffness stiffness of columns after a long time; E/((1 - nu^2) H) of a layer of the thickness H', &
+      & 'numerics%relative_tolerance largest relative error of load and friction (wave_product), or of approach and load in time', &
+      & 'numerics%collocation_points number of points where the contact of line_polynomial is solved', &
       & 'friction%law law of the shear stress in contact, shear_strength if not given; peeling: it sticks and peels (JKR)', &
       & 'sphere%friction_force force that keeps the body sliding', &
-      & 'operating%load load pressing the bodies together; of a line per length, of a period in foundations']
+      & 'operating%load load pressing the bodies together; of a line per length, of a period in foundations; others have pressures']
 
    !> Values that follow from what a scene leaves out: the solvers, the variable in their language, its value, and the facts.
    !> Without a range adhesion is that of JKR (the third word of `theory`).

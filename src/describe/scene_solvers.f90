@@ -11,8 +11,8 @@ module adfric_describe_scene_solvers
    character(*), parameter :: round = 'sphere,paraboloid,cone,power,flat_punch,flat_cone,flat_paraboloid,rounded_punch,'// &
       & 'rounded_cone,polynomial'
    !> Words of `&surface kind`, of `&traction kind` and of `&solid extent`.
-   character(*), parameter :: known_surfaces = 'sphere paraboloid cone power flat_punch flat_cone flat_paraboloid '// &
-      & 'rounded_punch rounded_cone polynomial ellipsoid cylinder line_punch wedge line_polynomial '// &
+   character(*), parameter :: known_surfaces = 'sphere paraboloid cone power flat_cone flat_paraboloid '// &
+      & 'rounded_punch rounded_cone polynomial flat_punch ellipsoid cylinder line_punch wedge line_polynomial '// &
       & 'wave_1d wave_2d wave_product cosines profile heights'
    character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer foundation'
    !> Words of `&solid curve_modulus`: which modulus a master curve is one of.
@@ -29,6 +29,9 @@ module adfric_describe_scene_solvers
       & round//' half_space shear,adhesion+shear press,slide,tangential indenter exact', &
       & round//' half_space coulomb press,tangential indenter exact', &
       & round//' half_space coulomb path indenter_history exact', &
+      & round//' relaxing none path indenter_time exact', &
+      & 'sphere,paraboloid,cone,power,flat_cone,flat_paraboloid,rounded_punch,rounded_cone,polynomial relaxing adhesion '// &
+      & 'path adhesive_indenter_time numerical', &
       & 'paraboloid,ellipsoid half_space none press hertz exact', &
       & 'paraboloid,ellipsoid half_space coulomb press,tangential hertz exact', &
       & 'paraboloid,ellipsoid half_space coulomb path hertz_history exact', &
@@ -36,6 +39,7 @@ module adfric_describe_scene_solvers
       & 'cylinder half_space coulomb press,tangential hertz exact', &
       & 'cylinder relaxing none slide hertz exact', &
       & 'line_punch,cylinder,wedge,line_polynomial half_space none press rigid_punch exact', &
+      & 'line_punch,wedge,line_polynomial half_space shear slide rigid_punch exact', &
       & 'wave_1d half_space none,adhesion press wave_1d exact', &
       & 'wave_1d half_space shear,adhesion+shear press,slide wave_1d exact', &
       & 'wave_1d half_space coulomb press,tangential wave_1d exact', &
@@ -49,12 +53,13 @@ module adfric_describe_scene_solvers
       & 'profile,heights half_space none,adhesion press surface_elastic numerical', &
       & 'profile,heights half_space shear,adhesion+shear press,slide surface_elastic numerical', &
       & 'profile,heights half_space coulomb press,tangential surface_elastic numerical', &
+      & 'wave_1d,wave_2d,profile,heights relaxing none path surface_time numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer none press,slide surface_sliding numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer adhesion press,slide surface_sliding numerical', &
       & 'wave_1d,wave_product,cosines,profile,heights foundation none,adhesion press,slide wavy_sliding exact', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer shear,adhesion+shear press,slide surface_sliding numerical', &
       & 'wave_1d,wave_product,cosines,profile,heights foundation shear,adhesion+shear press,slide wavy_sliding exact', &
-      & 'cylinder half_space shear slide hertz exact', &
+      & 'cylinder,ellipsoid half_space shear slide hertz exact', &
       & 'wave_1d,wave_2d,profile,heights half_space shear press,slide surface_sliding numerical', &
       & 'line half_space none press,tangential line_load exact', &
       & 'strip half_space none press strip_load exact', &
@@ -129,6 +134,8 @@ contains
          nearest(k) = words(k)
          if (.not. has_item(list, trim(words(k)))) nearest(k) = list(:scan(list//',', ',') - 1)
       end do
+      ! over a solid that relaxes, and on a layer, a contact is solved while it slides: the solver asks for the velocity
+      if (nearest(2) /= 'half_space' .and. nearest(4) == 'press') nearest(4) = 'slide'
    end subroutine find_nearest
 
    !> How far a row is from a scene: 0 if it has it.

@@ -15,7 +15,7 @@ module adfric_describe_table
    !> Kinds of namelist variables. No model has a text: names of files and the like stand in the groups that every model shares.
    integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5, kind_text = 6
 
-   !> A namelist variable. Every kind is held as a real number: integers as they are, logicals as 0 and 1,
+   !> A namelist variable. Every kind is kept as a real number: integers as they are, logicals as 0 and 1,
    !> choices as their index in `choices` (from 1), datasets of a file as 1, and what was not given as `unset`.
    type :: variable_t
       !> Group it stands in, without `&`.

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A fit on its way: what its parts share, from the data to the minima.
+!> A fit that goes on: what its parts share, from the data to the minima.
 module adfric_fit_course
    use adfric_base_kinds, only: dp
    use adfric_fit_fold_search, only: searched_t, find_minimum
@@ -21,7 +21,7 @@ module adfric_fit_course
    !> The same for the best minimum with exact derivatives.
    real(dp), parameter :: last_step = 1.0e-9_dp
 
-   !> A fit on its way: what its parts share.
+   !> A fit that goes on: what its parts share.
    type, extends(searched_t) :: course_t
       !> All minima.
       type(minima_t) :: minima

@@ -65,7 +65,7 @@ contains
       type(fit_t), intent(in) :: fit
       !> A start; what is not looked for keeps its values.
       real(dp), intent(in) :: v(:)
-      !> Receives starts; shape `(n_free, n)`, n = 0 if no place has a value.
+      !> Receives starts; shape `(n_free, n)`, n = 0 if no position has a value.
       real(dp), allocatable, intent(out) :: starts(:, :)
       type(scan_t) :: scan
       real(dp) :: all_starts(size(v), n_positions), sums(n_positions), position(2, n_positions)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the bounds of a theory are held against in a fit: the largest of each measure over the points of contact that are used. So the
+!> What the bounds of a theory are compared with in a fit: the largest of each measure over the points of contact that are used. So the
 !> doubt of the curve is the first in the list of doubts that any of its points has.
 module adfric_fit_doubt
    use adfric_base_kinds, only: dp
@@ -52,7 +52,7 @@ contains
 
       results = not_a_number()
       do i = 1, curve%n
-         ! a point of the base line, or beyond the fold, has no place
+         ! a point of the base line, or beyond the fold, has no position
          if (curve%is_apart(i) .or. .not. curve%t(i) > 0) cycle
          call get_state(curve%path%theory, curve%path%lambda, curve%t(i), s)
          results(out%contact_radius) = curve%basis%length*s%a
@@ -78,7 +78,7 @@ contains
       x = pack(curve%foot, .not. (curve%is_apart .or. curve%is_beyond)) - x_zero
       do first = 1, size(x), most_at_once
          n = min(most_at_once, size(x) - first + 1)
-         all_values = spread(values, 2, n)
+         all_values = spread(curve%own_values(values, nuisance), 2, n)
          all_values(curve%points%abscissa, :) = x(first:first + n - 1)
          allocate (results(size(model%results), n), error_estimate(n), status(n))
          call model%solve_block(all_values, results, error_estimate, status, counts)

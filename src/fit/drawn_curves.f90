@@ -114,6 +114,7 @@ contains
       if (allocated(data%is_contact)) deallocate (data%is_contact)
       if (allocated(data%segment)) deallocate (data%segment)
       if (allocated(data%is_used)) deallocate (data%is_used)
+      if (allocated(data%prescribed)) deallocate (data%prescribed)
       data%loss = loss_gauss
       data%x = x
       data%y = 0*x

@@ -19,8 +19,10 @@ module adfric_fit_model_curve
    use adfric_fit_order, only: median_step
    use adfric_fit_parts, only: set_values_at, take_part
    use adfric_fit_problem, only: data_set_t, free_t, fit_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &
-      & nuisance_contact_point, nuisance_lateral_gain, nuisance_tilt, event_pull_off_load
+      & nuisance_contact_point, nuisance_lateral_gain, nuisance_tilt, nuisance_drift_rate, event_pull_off_load
    use adfric_fit_sphere_curve, only: is_plain_sphere
+   use adfric_describe_model, only: model_t
+   use adfric_describe_of_fits, only: is_abscissa_of_fits
    implicit none (type, external)
    private
    public :: model_curve_t, new_model_curve
@@ -33,6 +35,10 @@ module adfric_fit_model_curve
       integer :: x_nuisance = 0
       !> The free variables.
       type(free_t), allocatable :: frees(:)
+      !> Variables of the model that zero and drift of a history are added to; 0: they are no such variables.
+      integer :: of_model(n_nuisances) = 0
+      !> Variable that says whose history it is; 0: it is that of all.
+      integer :: history = 0
       !> How well loads of the abscissa are resolved, for points beyond the fold.
       real(dp) :: resolution = 1
       !> Indices of the feet at the last evaluation.
@@ -45,6 +51,7 @@ module adfric_fit_model_curve
       procedure :: evaluate
       procedure :: find_event
       procedure :: most_rows
+      procedure :: own_values
    end type model_curve_t
 
 contains
@@ -68,6 +75,7 @@ contains
       associate (whole => fit%data_sets(number))
          call new_model_points(self%points, fit%model, base, data%abscissa, data%ordinate, is_plain_sphere(fit, data))
          self%frees = fit%frees
+         if (is_abscissa_of_fits(fit%model%variables(data%abscissa))) call find_shifts(self, fit%model)
          if (self%points%is_by_load) self%resolution = median_step(abscissas_of(self, whole))/sqrt(12.0_dp)
          select case (fit%model%variables(data%abscissa)%name)
          case ('load')
@@ -77,6 +85,42 @@ contains
          end select
       end associate
    end subroutine new_model_curve
+
+   !> Zero and drift of a history are variables of the model.
+   subroutine find_shifts(self, model)
+      type(model_curve_t), intent(inout) :: self
+      class(model_t), intent(in) :: model
+      integer :: k
+
+      self%of_model(nuisance_contact_point) = model%index_of('history', 'contact_point')
+      self%of_model(nuisance_drift_rate) = model%index_of('history', 'drift_rate')
+      do k = 1, size(model%variables)
+         if (model%variables(k)%is_hidden .and. model%variables(k)%group == 'history' .and. model%variables(k)%name == 'data') &
+            & self%history = k
+      end do
+      do k = 1, size(self%frees)
+         associate (free => self%frees(k))
+            if (free%data_set /= self%data_set .or. free%nuisance == 0) cycle
+            free%variable = self%of_model(free%nuisance)
+         end associate
+      end do
+   end subroutine find_shifts
+
+   !> Values of all variables of the model, with zero and drift of the measurement.
+   pure function own_values(self, values, nuisance) result(own)
+      !> The curve.
+      class(model_curve_t), intent(in) :: self
+      !> Values of all variables, and of the nuisances.
+      real(dp), intent(in) :: values(:), nuisance(:)
+      real(dp) :: own(size(values))
+      integer :: k
+
+      own = values
+      if (self%history > 0) own(self%history) = self%data_set
+      do k = 1, n_nuisances
+         if (self%of_model(k) > 0) own(self%of_model(k)) = own(self%of_model(k)) + nuisance(k)
+      end do
+   end function own_values
 
    !> See `fit_curve_t`: a second row for a point whose load, or foot, is not on the curve.
    pure integer function most_rows(self)
@@ -96,9 +140,11 @@ contains
       logical, intent(out) :: is_valid
       type(slopes_t) :: of
       real(dp) :: of_nuisance(size(slopes), n_nuisances), x_zero, x_zero_by(size(slopes))
+      real(dp) :: own(size(values))
       integer :: contacts(count(self%is_contact)), k
 
       n_rows = self%n
+      own = self%own_values(values, nuisance)
       call nuisance_slopes(self%frees, self%data_set, slopes, of_nuisance)
       x_zero = 0
       x_zero_by = 0
@@ -110,15 +156,15 @@ contains
       call take_base_line(self, nuisance, of_nuisance, r, j)
       associate (gain => nuisance(nuisance_lateral_gain), gain_by => of_nuisance(:, nuisance_lateral_gain))
          if (self%is_latent) then
-            call find_feet(self%points, values, self%x(contacts) - x_zero, self%y(contacts) - self%fitted(contacts), &
+            call find_feet(self%points, own, self%x(contacts) - x_zero, self%y(contacts) - self%fitted(contacts), &
                & self%x_sigma(contacts), self%sigma(contacts), gain, self%feet, is_valid)
             if (.not. is_valid) return
-            call set_slopes(of, self%points, values, self%feet%x, maxval(abs(self%x)), self%frees, slopes, &
+            call set_slopes(of, self%points, own, self%feet%x, maxval(abs(self%x)), self%frees, slopes, &
                & is_exact, .true., is_valid)
             if (.not. is_valid) return
             call add_latent(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
          else
-            call set_slopes(of, self%points, values, self%x(contacts) - x_zero, maxval(abs(self%x)), self%frees, slopes, &
+            call set_slopes(of, self%points, own, self%x(contacts) - x_zero, maxval(abs(self%x)), self%frees, slopes, &
                & is_exact, any(abs(x_zero_by) > 0), is_valid)
             if (.not. is_valid) return
             call add_exact(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)

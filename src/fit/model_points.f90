@@ -11,6 +11,7 @@ module adfric_fit_model_points
    use adfric_fit_problem, only: free_t
    use adfric_fit_sphere_basis, only: basis_t, set_basis
    use adfric_describe_model, only: model_t
+   use adfric_describe_of_fits, only: is_abscissa_of_fits
    use adfric_describe_status, only: status_solved
    use adfric_round_sphere_contact, only: theory_hertz
    implicit none (type, external)
@@ -20,10 +21,10 @@ module adfric_fit_model_points
    !> Regime of a point beyond the fold, and of one that has no solution.
    integer, parameter :: regime_beyond = huge(1)
    integer, parameter, public :: regime_none = -1
-   !> Least and largest error that a result is held to have.
+   !> Least and largest error that a result is taken to have.
    real(dp), parameter :: least_error = 1.0e-13_dp, largest_error = 1.0e-4_dp
    !> Points that the model is asked for at once.
-   integer, parameter :: most_at_once = 1024
+   integer, parameter :: most_at_once = 1024, most_of_history = 1000000000
    !> Distance from the fold, as a part of its abscissa, from which an ordinate at the fold is extrapolated.
    real(dp), parameter :: beside_fold = 1.0e-10_dp
 
@@ -49,6 +50,8 @@ module adfric_fit_model_points
       logical :: is_by_load = .false., is_load = .false.
       !> Is it the approach of a smooth sphere, whose fold has a closed form?
       logical :: is_sphere = .false.
+      !> Points that the model is asked for at once: all, where they are those of one history.
+      integer :: most = most_at_once
    contains
       procedure :: ask
       procedure :: find_fold
@@ -95,6 +98,7 @@ contains
       case default
          self%pull_off_load = 0
       end select
+      if (is_abscissa_of_fits(model%variables(abscissa))) self%most = most_of_history
       self%is_sphere = is_sphere .and. model%variables(abscissa)%name == 'approach'
    end subroutine new_model_points
 
@@ -125,12 +129,12 @@ contains
       error = least_error
       if (size(x) == 0) return
       if (self%is_sphere) call find_sphere_fold(values, fold)
-      last = min(most_at_once, size(x))
+      last = min(self%most, size(x))
       call ask_block(self, values, x(:last), y(:last), regimes(:last), errors(:last), found)
       if (.not. self%is_sphere) call read_fold(self, values, found, fold)
-      !$omp parallel do schedule(dynamic) private(last, found) if (size(x) > 2*most_at_once)
-      do first = most_at_once + 1, size(x), most_at_once
-         last = min(first + most_at_once - 1, size(x))
+      !$omp parallel do schedule(dynamic) private(last, found) if (size(x)/2 > self%most)
+      do first = self%most + 1, size(x), self%most
+         last = min(first + self%most - 1, size(x))
          call ask_block(self, values, x(first:last), y(first:last), regimes(first:last), errors(first:last), found)
       end do
       !$omp end parallel do

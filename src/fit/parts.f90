@@ -122,6 +122,7 @@ contains
       if (allocated(from%x_sigma)) part%x_sigma = from%x_sigma(points)
       if (allocated(from%at)) part%at = from%at(:, points)
       if (allocated(from%is_contact)) part%is_contact = from%is_contact(points)
+      if (allocated(from%prescribed)) part%prescribed = from%prescribed(points)
       if (allocated(from%segment)) part%segment = from%segment(points)
       if (allocated(from%is_used)) part%is_used = from%is_used(points)
    end subroutine take_part

@@ -26,7 +26,7 @@ module adfric_fit_path
    type :: sphere_path_t
       !> One of `theory_...`.
       integer :: theory = theory_maugis_dugdale
-      !> Is the base of a spring held, not the load?
+      !> Is the base of a spring prescribed, not the load?
       logical :: is_base = .false.
       !> Does the path end where intimate contact does?
       logical :: ends_at_touch = .true.
@@ -55,7 +55,7 @@ contains
       !> In: the path of a neighbour that helps the search, or a new one. Out: the path.
       type(sphere_path_t), intent(inout) :: path
       integer, intent(in) :: theory
-      !> Is the base of a spring held, not the load?
+      !> Is the base of a spring prescribed, not the load?
       logical, intent(in) :: is_base
       !> Maugis's parameter, > 0; without meaning in the other theories.
       real(dp), intent(in) :: lambda

@@ -6,7 +6,8 @@
 !> what:
 !>
 !> - `load_offset` is the zero of the load: it is taken off an abscissa `load`, and added to an ordinate `load`.
-!> - `contact_point` is the zero of the position: it is taken off an abscissa `approach`.
+!> - `contact_point` is the zero of the position: it is taken off an abscissa `approach`, and of a history off what is prescribed.
+!> - `drift_rate` times the time is added to the approaches of a history.
 !> - `friction_offset` is added to the ordinate, whatever that is.
 !> - `lateral_gain` multiplies what the model says, not the offsets.
 !> - `tilt` is the slope of the base line: times the abscissa as it was measured, it is added to an ordinate `load`.
@@ -19,15 +20,16 @@ module adfric_fit_problem
    private
    public :: free_t, data_set_t, event_t, fit_t, get_nuisance_defaults
    public :: n_nuisances, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, &
-      & nuisance_spring_stiffness, nuisance_tilt, nuisance_names
+      & nuisance_spring_stiffness, nuisance_tilt, nuisance_drift_rate, nuisance_names
    public :: loss_gauss, loss_huber, loss_soft_l1, loss_cauchy, loss_names
    public :: event_pull_off_load, event_jump_in_approach, event_pull_off_approach, event_names
    public :: intervals_covariance, intervals_profile, intervals_bootstrap, interval_names
 
    !> The nuisances of a data set, in the order of `nuisance_names`.
    integer, parameter :: nuisance_load_offset = 1, nuisance_friction_offset = 2, nuisance_contact_point = 3, &
-      & nuisance_lateral_gain = 4, nuisance_spring_stiffness = 5, nuisance_tilt = 6, n_nuisances = 6
-   character(*), parameter :: nuisance_names = 'load_offset friction_offset contact_point lateral_gain spring_stiffness tilt'
+      & nuisance_lateral_gain = 4, nuisance_spring_stiffness = 5, nuisance_tilt = 6, nuisance_drift_rate = 7, n_nuisances = 7
+   character(*), parameter :: nuisance_names = 'load_offset friction_offset contact_point lateral_gain spring_stiffness tilt '// &
+      & 'drift_rate'
    !> What a residual costs, in the order of `loss_names`.
    integer, parameter :: loss_gauss = 1, loss_huber = 2, loss_soft_l1 = 3, loss_cauchy = 4
    character(*), parameter :: loss_names = 'gauss huber soft_l1 cauchy'
@@ -46,6 +48,9 @@ module adfric_fit_problem
       character(:), allocatable :: unit
       !> Position in the model's table of variables; 0 for a nuisance.
       integer :: variable = 0
+      !> Position of the list whose member is free, and which member that is, from 1; 0: it is none. `variable` is then that of the
+      !> member in a model whose lists vary.
+      integer :: list = 0, member = 0
       !> Number of the data set of a nuisance, and which one it is (`nuisance_...`); 0 for a variable of the model.
       integer :: data_set = 0, nuisance = 0
       !> Is ln v fitted, not v? Then v > 0.
@@ -79,6 +84,8 @@ module adfric_fit_problem
       logical, allocatable :: is_contact(:)
       !> Which part of the measurement the point belongs to; not allocated: one part. It sorts residuals for the runs test.
       integer, allocatable :: segment(:)
+      !> What the history prescribes at the points, where the abscissa is the time [m or N]; not allocated elsewhere.
+      real(dp), allocatable :: prescribed(:)
       !> Is the point used? Not allocated: all with finite numbers are.
       logical, allocatable :: is_used(:)
       !> One of `loss_...`, and its width in standard errors.
@@ -86,7 +93,7 @@ module adfric_fit_problem
       !> Width of the loss [standard errors]; not set: 1.345 (huber), 1 (soft_l1), 2.385 (cauchy).
       real(dp) :: loss_width = unset
       !> Values of the nuisances that are not free; `unset`: no spring.
-      real(dp) :: nuisance(n_nuisances) = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset, 0.0_dp]
+      real(dp) :: nuisance(n_nuisances) = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset, 0.0_dp, 0.0_dp]
    end type data_set_t
 
    !> Something measured beside the points.
@@ -109,6 +116,9 @@ module adfric_fit_problem
       type(free_t), allocatable :: frees(:)
       !> Measured curves.
       type(data_set_t), allocatable :: data_sets(:)
+      !> Positions of the times and of what is prescribed in the table of the model, where each curve of a stack has a history of
+      !> its own; else 0.
+      integer :: history_lists(2) = 0
       !> Events, size 0 if there is none.
       type(event_t), allocatable :: events(:)
       !> One of `intervals_...`.
@@ -135,7 +145,7 @@ contains
    pure function get_nuisance_defaults() result(values)
       real(dp) :: values(n_nuisances)
 
-      values = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset, 0.0_dp]
+      values = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset, 0.0_dp, 0.0_dp]
    end function get_nuisance_defaults
 
 end module adfric_fit_problem

@@ -15,7 +15,7 @@ module adfric_fit_profile_nodes
    !> Accuracy of S at a node, as a step in standard errors.
    real(dp), parameter :: node_step = 1.0e-4_dp
 
-   !> A profile on its way.
+   !> A profile that is being found.
    type :: interval_profile_t
       !> Number of the variable, and of nodes.
       integer :: free = 0, n = 0

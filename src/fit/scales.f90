@@ -5,7 +5,7 @@ module adfric_fit_scales
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_fit_problem, only: fit_t, free_t, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
-      & nuisance_spring_stiffness, nuisance_tilt
+      & nuisance_spring_stiffness, nuisance_tilt, nuisance_drift_rate
    use adfric_fit_sphere_curve, only: is_sphere_curve
    use adfric_numerics_bounded_least_squares, only: most_variables
    use adfric_round_sphere_variables, only: in => sphere_input
@@ -99,6 +99,9 @@ contains
                unit = largest_of(data%y)
             case (nuisance_contact_point)
                unit = largest_of(data%x)
+               if (allocated(data%prescribed)) unit = largest_of(data%prescribed)
+            case (nuisance_drift_rate)
+               if (allocated(data%prescribed)) unit = largest_of(data%prescribed)/max(largest_of(data%x), tiny(unit))
             case (nuisance_tilt)
                unit = largest_of(data%y)/max(largest_of(data%x), tiny(unit))
             end select
@@ -147,7 +150,8 @@ contains
                & nuisance_spring_stiffness)) reason = 'errors of the abscissa are not those of the base of a spring'
          else if (.not. is_sphere .and. (is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness)) .or. &
             & any(fit%frees%nuisance == nuisance_spring_stiffness .and. fit%frees%data_set == k))) then
-            reason = 'a spring_stiffness is for a sphere only, an indenter has a machine_stiffness with the abscissa base_approach'
+            reason = 'spring_stiffness belongs to a smooth paraboloid; other bodies have machine_stiffness of &operating, and '// &
+               & 'the abscissa base_approach'
          end if
          if (is_sphere .and. fit%data_sets(k)%abscissa == in%load &
             & .and. is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness))) &

@@ -8,8 +8,15 @@ module adfric_fit_solution
    public :: solution_t, data_solution_t, profile_grid_t, derived_value_t, theory_solution_t
    public :: fit_solved, fit_too_few_points, fit_not_converged, fit_not_identifiable, fit_status_meanings
 
-   !> Status of a fit.
-   integer, parameter :: fit_solved = 0, fit_too_few_points = 1, fit_not_converged = 2, fit_not_identifiable = 3
+   !> The best values were found.
+   integer, parameter :: fit_solved = 0
+   !> There are fewer measured points, or fewer in contact, than free variables need.
+   integer, parameter :: fit_too_few_points = 1
+   !> No search is known to have ended at the least sum of squares.
+   integer, parameter :: fit_not_converged = 2
+   !> The data do not determine the free variables: other values fit as well.
+   integer, parameter :: fit_not_identifiable = 3
+   !> Their names, from 0 on.
    character(*), parameter :: fit_status_meanings = 'fitted too_few_points not_converged not_identifiable'
 
    !> What there is of one data set.
@@ -73,7 +80,7 @@ module adfric_fit_solution
       real(dp), allocatable :: correlation(:, :)
       !> Was the covariance multiplied by S/(n - p), since sigma is not known?
       logical :: covariance_scaled = .false.
-      !> -1, 1: the variable is held by its lower, upper bound; else 0.
+      !> -1, 1: the variable is kept by its lower, upper bound; else 0.
       integer, allocatable :: at_bound(:)
       !> Least S; with a robust loss twice the least cost.
       real(dp) :: chi2 = 0
@@ -99,7 +106,7 @@ module adfric_fit_solution
       integer :: iterations = 0, evaluations = 0
       !> Points used, points beyond the fold at the best fit and anywhere in the profile.
       integer :: points_used = 0, points_beyond_fold = 0, points_beyond_fold_in_profile = 0
-      !> What the bounds of the theory are held against, the largest of all points of contact, in the order of the doubts.
+      !> What the bounds of the theory are compared with, the largest of all points of contact, in the order of the doubts.
       real(dp) :: measures(n_doubts) = not_measured
       !> Residuals beyond 3 standard errors: how many, and data set and point of each; shape `(2, n_outliers)`.
       integer :: n_outliers = 0

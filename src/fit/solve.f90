@@ -159,7 +159,7 @@ contains
       real(dp), allocatable, intent(out) :: start(:)
       !> Receives S; NaN where the model has no value.
       real(dp), intent(out) :: chi2
-      !> Receives what the bounds of the theory are held against, as a solution has it; shape `(n_doubts)`.
+      !> Receives what the bounds of the theory are compared with, as a solution has it; shape `(n_doubts)`.
       real(dp), intent(out) :: measures(:)
       !> Receives why the fit is refused; empty if it is not.
       character(:), allocatable, intent(out) :: reason

@@ -6,7 +6,7 @@
 !>
 !> - Exact abscissas: t is where X(t) = X_i, so dY = Y0 (y dlnY0 + y_l dl + (y_t/phi_t) (-phi dlnX0 - dx0/X0 - phi_l dl - P dks)) + dy0.
 !> - Abscissas with errors: the state is the nearest point of the curve, the foot (`adfric_fit_foot`). By the envelope theorem the distance
-!>   along the normal changes as if t were held.
+!>   along the normal changes as if t were prescribed.
 !> - The foot is the fold: both components count, and the fold moves with lambda and ks.
 !> - A point of contact beyond the fold has the fold's ordinate; where the abscissa is a load, one more row says how far it is beyond,
 !>   in units of the median step of the loads over the root of 12. S has a kink there, and its count is reported.

@@ -3,7 +3,9 @@
 !>
 !> So blocks, threads, processes, parts and results files serve fits as they serve sweeps. Each curve starts cold: its results depend
 !> on no other. A single fit is a stack of one; it is solved when the model is prepared, and the results file has more of it.
+!> The file is long by its answers to `model_t`.
 module adfric_fit_stack_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp, i8
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
@@ -16,7 +18,8 @@ module adfric_fit_stack_model
    use adfric_fit_problem, only: fit_t, data_set_t
    use adfric_fit_result_rows, only: get_result_rows, get_result_values
    use adfric_fit_data_extras, only: get_units
-   use adfric_fit_solution, only: data_solution_t, solution_t, fit_solved, fit_not_converged, fit_status_meanings
+   use adfric_fit_solution, only: data_solution_t, solution_t, fit_solved, fit_not_converged, fit_status_meanings, &
+      & fit_too_few_points
    use adfric_fit_solve, only: solve_fit
    use adfric_describe_model, only: model_t, derived_t
    use adfric_describe_rows, only: dataset, whole_number
@@ -294,6 +297,7 @@ contains
       real(dp), intent(inout), optional :: profiles(:, :, :)
       class(profile_receiver_t), intent(inout), optional :: receiver
       type(data_set_t), allocatable :: curves(:, :)
+      class(model_t), allocatable, target :: own
       type(fit_t) :: fit
       type(solution_t) :: solution
       integer :: i
@@ -319,9 +323,18 @@ contains
       end do
       call self%source%get_curves(curve_number(self, values(:, 1)), curves, is_read)
       if (.not. is_read) return
+      if (any(fit%history_lists > 0)) then
+         ! lists belong to a model, and other threads have other curves
+         allocate (own, source=self%fitted_model)
+         fit%model => own
+      end if
       do i = 1, size(status)
          if (self%is_stopped()) return
          fit%data_sets = curves(:, i)
+         if (any(fit%history_lists > 0)) then
+            call take_history(fit%history_lists, curves(1, i), own, status(i))
+            if (status(i) == fit_too_few_points) cycle
+         end if
          call solve_fit(fit, solution)
          call keep(self, solution, results(:, i), error_estimate(i), status(i))
          if (.not. present(receiver) .or. status(i) /= fit_solved) cycle
@@ -330,6 +343,35 @@ contains
          if (.not. goes_on) return
       end do
    end subroutine solve_curves
+
+   !> Give a model the history of a curve. Times that fall are none.
+   subroutine take_history(lists, curve, model, status)
+      !> Positions of the times and of what is prescribed.
+      integer, intent(in) :: lists(2)
+      !> The curve.
+      type(data_set_t), intent(in) :: curve
+      !> The model, whose lists are changed.
+      class(model_t), intent(inout) :: model
+      !> Becomes `fit_too_few_points` where the curve has no history.
+      integer, intent(inout) :: status
+      type(problems_t) :: unused
+      logical :: is_there(size(curve%x))
+      real(dp), allocatable :: times(:), prescribed(:)
+
+      is_there = ieee_is_finite(curve%x) .and. ieee_is_finite(curve%prescribed)
+      times = pack(curve%x, is_there)
+      prescribed = pack(curve%prescribed, is_there)
+      associate (n => size(times))
+         if (n < 2) then
+            status = fit_too_few_points
+         else if (any(times(2:) < times(:n - 1))) then
+            status = fit_too_few_points
+         else
+            call model%take_dataset(lists(1), reshape(times, [n, 1]), unused)
+            call model%take_dataset(lists(2), reshape(prescribed, [n, 1]), unused)
+         end if
+      end associate
+   end subroutine take_history
 
    !> Points and residuals of a curve.
    pure subroutine fill_profiles(curve, found, profiles)

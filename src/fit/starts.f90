@@ -15,6 +15,7 @@ module adfric_fit_starts
    use adfric_fit_problem, only: fit_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset, &
       & nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness
    use adfric_fit_sphere_basis, only: theory_of
+   use adfric_fit_time_starts, only: level_moduli, scale_moduli, touch_of
    use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_numerics_bounded_least_squares, only: squares_work_t
@@ -110,6 +111,7 @@ contains
       if (size(starts, 2) > 0) v = starts(:, 1)
       call take_numbers(self, v, q)
       if (size(self%spheres) > 0) call look_at_sizes(self, fit, work, v, q)
+      if (any([(allocated(fit%data_sets(k)%prescribed), k=1, size(fit%data_sets))])) call look_at_moduli(self, fit, work, v, q)
    end subroutine get_start
 
    !> Starts beside the first one, the best first; none where a look at the curve says nothing.
@@ -239,6 +241,7 @@ contains
                & .not. is_contact)/count(is_number .and. .not. is_contact)
          case (nuisance_contact_point)
             if (any(is_first)) value = minval(data%x, is_first)
+            if (allocated(data%prescribed)) value = touch_of(pack(data%prescribed, is_first), pack(data%y, is_first))
             if (allocated(fit%events)) then
                do k = 1, size(fit%events)
                   if (fit%events(k)%data_set == data_set .and. fit%events(k)%kind == event_jump_in_approach) &
@@ -252,6 +255,22 @@ contains
          end select
       end associate
    end function start_of_nuisance
+
+   !> Moduli of a history in time: loads are proportional to all of them together.
+   subroutine look_at_moduli(self, fit, work, v, q)
+      type(objective_t), intent(inout) :: self
+      type(fit_t), intent(in) :: fit
+      type(squares_work_t), intent(inout) :: work
+      !> Values of the free variables; moduli are changed.
+      real(dp), intent(inout) :: v(:)
+      !> The same as numbers that are fitted.
+      real(dp), intent(inout) :: q(:)
+
+      call level_moduli(fit, v)
+      call take_numbers(self, v, q)
+      call scale_moduli(self, fit, work, q, v)
+      call take_numbers(self, v, q)
+   end subroutine look_at_moduli
 
    !> The work of adhesion from the lowest load, and E* from the largest one.
    subroutine look_at_loads(self, fit, lambda, v)

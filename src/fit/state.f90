@@ -18,7 +18,7 @@ module adfric_fit_state
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
    use adfric_round_sphere_contact, only: theory_jkr, theory_dmt, theory_maugis_dugdale
-   use adfric_round_sphere_dugdale_curve, only: curve_angle_t, curve_point_t, get_angle_point, get_disc, &
+   use adfric_round_sphere_dugdale_curve, only: curve_angle_t, dugdale_point_t, get_angle_point, get_disc, &
       & get_disc_radius
    implicit none (type, external)
    private
@@ -84,7 +84,7 @@ contains
    pure subroutine get_dugdale(lambda, th, s)
       real(dp), intent(in) :: lambda, th
       type(fit_state_t), intent(inout) :: s
-      type(curve_point_t) :: point
+      type(dugdale_point_t) :: point
 
       s%angle = curve_angle_t(th, sin(th), cos(th))
       associate (angle => s%angle)

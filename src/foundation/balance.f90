@@ -299,7 +299,7 @@ contains
    !> Change of the integral of the pressure with the depth of the strip while the edges of adhesion stay where they are: the
    !> largest change that this penetration and all smaller ones can have (docs/theory/columns_load.md).
    !>
-   !> Where the phases of release and attachment are held, the length e of the dashpot, K p = w + (beta - 1)(w - e), answers
+   !> Where the phases of release and attachment are prescribed, the length e of the dashpot, K p = w + (beta - 1)(w - e), answers
    !> continuously to everything else: over a change of the depth of 1 it relaxes towards 1 in contact, over the phase u, and
    !> towards 0 where the pressure is prescribed, over the phase v. The mean displacement tells the mean pressure.
    pure real(dp) function get_slope_bound(strip, state) result(bound)

@@ -32,7 +32,7 @@ contains
 
    !> 1 - exp(-x) without loss of digits: what a decay over x takes away.
    elemental real(dp) function decay(x)
-      !> Way over the length of the decay [-]; back, where it is negative.
+      !> Distance over the length of the decay [-]; back, where it is negative.
       real(dp), intent(in) :: x
 
       decay = -expm1(-x)

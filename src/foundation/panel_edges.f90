@@ -25,7 +25,7 @@ module adfric_foundation_panel_edges
    !> A contact of this half width carries next to nothing, and the edge where it is lost need not be sharper.
    real(dp), parameter :: narrow = 1.0e-3_dp, sharp_enough = 1.0e-9_dp
 
-   !> How far beyond an edge the next regime is looked at, as a share of the path left; the latter where the edge has been
+   !> How far beyond an edge the next regime is looked at, as a share of the remaining path; the latter where the edge has been
    !> solved for.
    real(dp), parameter :: beyond_edge = 1.0e-4_dp, beyond_end = 1.0e-8_dp
    !> How far before its end a branch is looked at, as a share of the path there.

@@ -33,7 +33,7 @@ module adfric_foundation_period_bounds
 
    !> Share of a bound that is relied upon; the rest is for round-off.
    real(dp), parameter :: reliable = 0.999_dp
-   !> Longest way over which displacements are compared, over the retardation phase.
+   !> Longest path over which displacements are compared, over the retardation phase.
    real(dp), parameter :: longest = longest_decay/2
    !> Least denominator of a bound from above.
    real(dp), parameter :: least = 1.0e-60_dp

@@ -10,7 +10,7 @@ module adfric_foundation_phases
 
 contains
 
-   !> Phase left from xi to the next end of the interval where the drive is above a bound, or below it;
+   !> Phase remaining from xi to the next end of the interval where the drive is above a bound, or below it;
    !> a whole period if it always is, negative if it never is.
    pure real(dp) function remaining_phases(strip, xi, bound, below, is_outside) result(left)
       type(strip_t), intent(in) :: strip

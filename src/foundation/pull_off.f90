@@ -19,7 +19,7 @@ module adfric_foundation_pull_off
    public :: pull_off_t, find_pull_off, is_below_pull_off
 
    integer, parameter :: max_turns = 20, max_steps = 400, max_iterations = 80
-   !> A step that is short enough to tell the load's way by its ends, as a share of stress and range, the longest one where these are
+   !> A step that is short enough to tell by its ends where the load goes, as a share of stress and range, the longest one where these are
    !> small [h], and by how much each one is longer than the one before.
    real(dp), parameter :: short_step = 2.0e-3_dp, longest_step = 0.1_dp, growth = 2.0_dp
    !> A step between the same regimes over which the load has one turn at most, where its slope is not known [h].
@@ -283,7 +283,7 @@ contains
          ! heights are known to the round-off of 1
          margin = max(indistinct*abs(least%penetration)/4, 4*epsilon(margin))
          if (abs(least%penetration - middle) <= 2*margin - (high - low)/2) exit
-         ! a smooth turn is so flat that its place matters less than its load
+         ! a smooth turn is so flat that its position matters less than its load
          if (maxval(ends) - least%totals%load <= enough*surface%adhesion%stress) exit
          call choose_step(least, second, third, low, high, before, last)
          step = last

@@ -4,6 +4,7 @@ module adfric_foundation_stepped_check
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_count
    use adfric_base_unset, only: is_set
    use adfric_interface_adhesion_rows, only: check_stress
    use adfric_solid_given_spectrum, only: check_curve, check_fit, check_numbers_of_arms
@@ -76,7 +77,8 @@ contains
             call c%need([in%period, in%amplitudes, in%phases])
             call c%refuse([of_heights, in%strip_spacing, in%height], 'has no meaning for kind cosines')
             if (allocated(given%amplitudes) .and. allocated(given%phases)) then
-               if (size(given%amplitudes) /= size(given%phases)) call c%add(in%phases, 'are not as many as amplitudes')
+               if (size(given%amplitudes) /= size(given%phases)) call c%add(in%phases, 'are not as many as amplitudes, given '// &
+                  & show_count(size(given%phases))//', allowed: '//show_count(size(given%amplitudes)))
             end if
          case default
             call c%need([in%heights])

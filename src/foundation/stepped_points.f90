@@ -2,7 +2,8 @@
 !> Points of `wavy_sliding` on heights or with a spectrum, one after the other.
 !>
 !> Rows and spectrum are found once for neighbouring points that share them, and so are the paths of the rows for points of one
-!> velocity and temperature. A point has no other memory of its neighbours.
+!> velocity and temperature. A point has no other memory of its neighbours. The file is long by what a point stores: sums over rows,
+!> bounds, and profiles.
 module adfric_foundation_stepped_points
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
@@ -56,9 +57,9 @@ module adfric_foundation_stepped_points
       type(relief_t) :: relief, coarse
       !> The spectrum [Pa/m, s].
       type(prony_t) :: prony
-      !> Periods that pass in a second at the ways that are there; negative if there are none.
+      !> Periods that pass in a second on the paths that are there; negative if there are none.
       real(dp) :: pace = -1
-      !> The rows with their ways, and those of every second sample.
+      !> The rows with their paths, and those of every second sample.
       type(stepping_surface_t) :: surface, coarse_surface
       !> The last point and its state.
       type(stepped_case_t) :: point
@@ -184,7 +185,7 @@ contains
       end associate
    end function has_numbers
 
-   !> Rows, spectrum, ways and law for a point.
+   !> Rows, spectrum, paths and law for a point.
    subroutine prepare_rows(self, values, given, has_samples, error)
       !> What the last point has left, of which everything that has changed is made anew.
       class(stepped_points_t), intent(inout) :: self

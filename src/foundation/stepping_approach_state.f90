@@ -153,7 +153,7 @@ contains
             best = sum(step)
             self%step = step
          else if (best < sum(own(:, 1))*share) then
-            ! shorter ways cannot lead farther
+            ! shorter paths cannot lead farther
             exit
          end if
       end do

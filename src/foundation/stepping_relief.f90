@@ -40,7 +40,7 @@ contains
       real(dp), intent(in) :: amplitudes(:)
       !> Their phases at x = 0 [rad]; as many.
       real(dp), intent(in) :: phases(:)
-      !> Is the row crossed the other way?
+      !> Is the row crossed from its end to its start?
       logical, intent(in) :: is_reversed
 
       allocate (self%rows(1))
@@ -59,7 +59,7 @@ contains
       type(preparation_t), intent(in) :: preparation
       !> Pieces between samples, `linear_pieces` or `cubic_pieces`.
       integer, intent(in) :: interpolation
-      !> Are the rows crossed the other way?
+      !> Are the rows crossed from their ends to their starts?
       logical, intent(in) :: is_reversed
       !> Is every second sample left out, to see what the interpolation costs?
       logical, intent(in) :: is_coarse

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What ends a zone, within one piece of the heights, and the first place where it does.
+!> What ends a zone, within one piece of the heights, and the first position where it does.
 !>
 !> The curve is a polynomial in theta and a sum of decays. A step towards its first zero uses a bound of its second derivative on the
 !> rest of the piece, so that it cannot pass a zero: with h'' >= -B, h is positive before the zero of h + h' s - B s^2/2.
@@ -65,7 +65,7 @@ contains
       end do
    end subroutine evaluate
 
-   !> Find the first place in a piece, from the anchor on, where the curve falls to zero. What has passed since the anchor is kept apart
+   !> Find the first position in a piece, from the anchor on, where the curve falls to zero. What has passed since the anchor is kept apart
    !> from theta, since arms may relax in less than the round-off of a position.
    pure subroutine find_first_zero(self, tolerance, has_risen, passed, has_zero, is_found)
       type(zone_curve_t), intent(in) :: self

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the bounds of a foundation of columns are held against: the slope of the surface, and the thickness of the layer over the
+!> What the bounds of a foundation of columns are compared with: the slope of the surface, and the thickness of the layer over the
 !> shortest wave, for columns know nothing of their neighbours.
 module adfric_foundation_surface_bounds
    use adfric_base_kinds, only: dp

@@ -146,7 +146,8 @@ contains
          & meaning='share of the length that a blend or a taper changes; 0.05 if not given', lower=0.0_dp, upper=0.5_dp)
       v(foundation_input%shortest_wavelength) = any_number(group='surface', name='shortest_wavelength', unit='m', &
          & meaning='shorter waves are taken out of the heights; 0 or not given: none', lower=0.0_dp)
-      v(foundation_input%reverse) = switch(group='surface', name='reverse', meaning='the heights are crossed the other way')
+      v(foundation_input%reverse) = switch(group='surface', name='reverse', &
+         & meaning='the heights are crossed from the last to the first: x becomes -x')
       v(foundation_input%height_factor) = above_zero(group='surface', name='height_factor', unit='-', &
          & meaning='factor of all heights or amplitudes; 1 if not given')
    end subroutine set_surface_rows

@@ -7,10 +7,25 @@ module adfric_hdf5_labels
    use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
-   public :: read_label
+   public :: label_t, read_label
 
    !> Longest text that is read; a longer one is cut.
    integer, parameter :: longest_label = 256
+
+   !> An attribute that others have written.
+   type :: label_t
+      !> Is there such an attribute?
+      logical :: exists = .false.
+      !> Its id, and those of its type and its space.
+      integer(hid_t) :: id = no_id, type_id = no_id, space = no_id
+      !> Class of its type.
+      integer :: type_class = -1
+      !> Number of its values.
+      integer(hsize_t) :: n_values = 0
+   contains
+      procedure :: open
+      procedure :: close
+   end type label_t
 
    interface
       !> Length of a text that ends with a null character, looked for no further than `most`.
@@ -36,40 +51,53 @@ contains
       character(:), allocatable, intent(out) :: label
       !> False if the attribute is no text, or has several.
       logical, intent(out) :: is_text
-      integer(hid_t) :: attribute, type_id, space
-      integer(hsize_t) :: n_texts
-      integer :: type_class
-      logical :: exists
+      type(label_t) :: attribute
 
       label = ''
       is_text = .true.
-      attribute = no_id
-      type_id = no_id
-      space = no_id
-      exists = .false.
-      n_texts = 0
-      type_class = -1
-      if (calls%is_good()) call h5aexists_f(index, name, exists, calls%status)
-      call calls%check()
-      if (.not. (calls%is_good() .and. exists)) return
-      call h5aopen_f(index, name, attribute, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5aget_type_f(attribute, type_id, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5aget_space_f(attribute, space, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5tget_class_f(type_id, type_class, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5sget_select_npoints_f(space, n_texts, calls%status)
-      call calls%check()
-      if (calls%is_good() .and. n_texts > 0) then
-         is_text = n_texts == 1 .and. type_class == H5T_STRING_F
-         if (is_text) call read_text(calls, attribute, type_id, space, label)
+      call attribute%open(calls, index, name)
+      if (calls%is_good() .and. attribute%n_values > 0) then
+         is_text = attribute%n_values == 1 .and. attribute%type_class == H5T_STRING_F
+         if (is_text) call read_text(calls, attribute%id, attribute%type_id, attribute%space, label)
       end if
-      call calls%close_id(space)
-      call calls%close_id(type_id)
-      call calls%close_id(attribute)
+      call attribute%close(calls)
    end subroutine read_label
+
+   !> Open an attribute, if there is one of the name.
+   subroutine open(self, calls, index, name)
+      class(label_t), intent(out) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the dataset or group that the attribute belongs to.
+      integer(hid_t), intent(in) :: index
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+
+      if (calls%is_good()) call h5aexists_f(index, name, self%exists, calls%status)
+      call calls%check()
+      if (.not. (calls%is_good() .and. self%exists)) return
+      call h5aopen_f(index, name, self%id, calls%status)
+      call calls%check()
+      if (calls%is_good()) call h5aget_type_f(self%id, self%type_id, calls%status)
+      call calls%check()
+      if (calls%is_good()) call h5aget_space_f(self%id, self%space, calls%status)
+      call calls%check()
+      if (calls%is_good()) call h5tget_class_f(self%type_id, self%type_class, calls%status)
+      call calls%check()
+      if (calls%is_good()) call h5sget_select_npoints_f(self%space, self%n_values, calls%status)
+      call calls%check()
+   end subroutine open
+
+   !> Close an attribute; nothing is done with one that is not open.
+   subroutine close(self, calls)
+      class(label_t), intent(inout) :: self
+      !> Chain of HDF5 calls.
+      type(hdf5_calls_t), intent(inout) :: calls
+
+      call calls%close_id(self%space)
+      call calls%close_id(self%type_id)
+      call calls%close_id(self%id)
+   end subroutine close
 
    !> Read a text of fixed or of variable length.
    subroutine read_text(calls, attribute, type_id, space, label)

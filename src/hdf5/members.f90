@@ -3,13 +3,13 @@
 !> are numbers.
 module adfric_hdf5_members
    use, intrinsic :: iso_c_binding, only: c_loc, c_ptr
-   use hdf5, only: hid_t, hsize_t, h5aexists_f, h5aget_space_f, h5aget_type_f, h5aopen_f, h5aread_f, h5gopen_f, &
-      h5lexists_f, h5oclose_f, h5oopen_f, h5sget_select_npoints_f, h5tget_class_f, H5T_FLOAT_F, H5T_INTEGER_F, H5T_NATIVE_DOUBLE
+   use hdf5, only: hid_t, h5aread_f, h5gopen_f, h5lexists_f, h5oclose_f, h5oopen_f, H5T_FLOAT_F, H5T_INTEGER_F, H5T_NATIVE_DOUBLE
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: get_word
    use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    use adfric_hdf5_file, only: close_file
+   use adfric_hdf5_labels, only: label_t
    use adfric_hdf5_samples, only: open_foreign_file
    implicit none (type, external)
    private
@@ -111,39 +111,20 @@ contains
       type(number_label_t), intent(out) :: label
       real(dp), target :: buffer
       type(c_ptr) :: address
-      integer(hid_t) :: attribute, type_id, space
-      integer(hsize_t) :: n
-      integer :: type_class
+      type(label_t) :: attribute
 
-      attribute = no_id
-      type_id = no_id
-      space = no_id
-      type_class = -1
-      n = 0
-      if (calls%is_good()) call h5aexists_f(index, name, label%exists, calls%status)
-      call calls%check()
-      if (.not. (calls%is_good() .and. label%exists)) return
-      call h5aopen_f(index, name, attribute, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5aget_type_f(attribute, type_id, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5aget_space_f(attribute, space, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5tget_class_f(type_id, type_class, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5sget_select_npoints_f(space, n, calls%status)
-      call calls%check()
-      label%is_number = calls%is_good() .and. n == 1 .and. any(type_class == [H5T_FLOAT_F, H5T_INTEGER_F])
+      call attribute%open(calls, index, name)
+      label%exists = attribute%exists
+      label%is_number = calls%is_good() .and. attribute%n_values == 1 &
+         & .and. any(attribute%type_class == [H5T_FLOAT_F, H5T_INTEGER_F])
       if (label%is_number) then
          buffer = 0
          address = c_loc(buffer)
-         call h5aread_f(attribute, H5T_NATIVE_DOUBLE, address, calls%status)
+         call h5aread_f(attribute%id, H5T_NATIVE_DOUBLE, address, calls%status)
          call calls%check()
          label%number = buffer
       end if
-      call calls%close_id(space)
-      call calls%close_id(type_id)
-      call calls%close_id(attribute)
+      call attribute%close(calls)
    end subroutine read_number_label
 
    !> Say that a call has failed, unless something else is wrong.

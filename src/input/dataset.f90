@@ -145,8 +145,8 @@ contains
          return
       end if
       missing = findloc(ieee_is_nan(column), .true., dim=1)
-      if (missing > 0) flaw = dataset%file//': column '//show_text(dataset%path)//': no value (line ' &
-         //show_count(table%line_of_row(missing))//')'
+      if (missing > 0) flaw = dataset%file//', line '//show_count(table%line_of_row(missing))//': column ' &
+         //show_text(dataset%path)//': no value'
       dataset%counts = [size(column, kind=i8)]
       dataset%units = table%unit_of(dataset%path)
       dataset%form = table%describe()

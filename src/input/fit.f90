@@ -16,7 +16,8 @@ module adfric_input_fit
    use adfric_input_dataset_loading, only: load_datasets
    use adfric_input_fit_data, only: check_data, load_data, loaded_data_t
    use adfric_input_fit_data_group, only: data_group_t, read_data_group
-   use adfric_input_fit_free, only: hold_variable, read_frees
+   use adfric_input_fit_free, only: check_members, hold_variable, read_frees
+   use adfric_input_fit_history, only: hold_histories, let_vary, n_others, stack_history_t, take_histories
    use adfric_input_fit_identity, only: check_identity
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows
    use adfric_input_fit_settings, only: read_events, read_settings
@@ -30,6 +31,8 @@ module adfric_input_fit
    use adfric_describe_table, only: result_t, variable_t
    use adfric_run_conversion, only: follows_nothing
    use adfric_run_converted_model, only: converted_model_t
+   use adfric_run_dataset, only: dataset_t
+   use adfric_run_listed_model, only: own_history_t
    use adfric_run_plan, only: axis_t, new_axis
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
@@ -85,6 +88,8 @@ contains
       type(fit_t) :: fit
       type(reader_t), allocatable :: readers(:)
       type(variable_t), allocatable :: rows(:)
+      type(own_history_t), allocatable :: histories(:)
+      type(stack_history_t) :: of_stack
       logical :: is_together
 
       allocate (rows, source=get_fit_rows())
@@ -103,15 +108,21 @@ contains
          'is ''all'' beside several &data; the points of a stack are written where it has one')
       if (problems%is_enough()) return
       call load_datasets(run%model, input, problems)
+      call check_members(r, fit%frees, readers)
+      call hold_histories(r, details%groups)
       call check_each_abscissa(r, details%groups)
       call check_identity(r, details%groups, fit%frees, readers)
       if (problems%count() > 0) return
       call set_units(run%model, input, details%groups)
       call load_data(r, details%groups, is_together, details%loaded)
       if (problems%count() == 0) call check_data(r, details%groups, details%loaded, fit)
+      if (problems%count() == 0) call take_histories(r, details%groups, details%loaded%data_sets, &
+         size(details%loaded%lengths) > 0, histories, of_stack)
       if (problems%count() == 0) call check_each_curve(r, details%loaded%data_sets)
       if (problems%count() > 0) return
-      call set_run(input, fit, details, run, problems)
+      call let_vary(r, histories, fit%frees, run%model)
+      call extend_case(run%model, input)
+      call set_run(input, fit, details, of_stack, run, problems)
    end subroutine read_fit
 
    !> Report what only a run can write beside its results.
@@ -171,7 +182,8 @@ contains
       integer :: g
 
       do g = 1, size(groups)
-         if (groups(g)%data_set%abscissa > 0 .and. size(groups(g)%others) == 0) call check_abscissa(r, groups(g)%data_set%abscissa)
+         if (groups(g)%data_set%abscissa > 0 .and. n_others(r%model, groups(g)) == 0) &
+            call check_abscissa(r, groups(g)%data_set%abscissa)
       end do
    end subroutine check_each_abscissa
 
@@ -235,12 +247,31 @@ contains
       end do
    end subroutine set_units
 
+   !> Values of variables that the model has got behind those of its table: members of lists, and the number of the `&data`.
+   subroutine extend_case(model, input)
+      class(model_t), intent(in) :: model
+      type(case_t), intent(inout) :: input
+      type(dataset_t), allocatable :: datasets(:)
+      integer :: n, more
+
+      n = size(input%values)
+      more = size(model%variables) - n
+      if (more == 0) return
+      input%values = [input%values, spread(1.0_dp, 1, more)]
+      input%is_given = [input%is_given, spread(.false., 1, more)]
+      allocate (datasets(n + more))
+      datasets(:n) = input%datasets
+      call move_alloc(datasets, input%datasets)
+   end subroutine extend_case
+
    !> Make the run of the stack.
-   subroutine set_run(input, fit, details, run, problems)
+   subroutine set_run(input, fit, details, of_stack, run, problems)
       type(case_t), intent(inout) :: input
       !> What is fitted, without model, values and points.
       type(fit_t), intent(inout) :: fit
       type(fit_input_t), intent(in) :: details
+      !> Where the curves of a stack over time have their histories from.
+      type(stack_history_t), intent(in) :: of_stack
       !> In: the run with the model. Out: the run with the stack.
       type(run_input_t), intent(inout) :: run
       type(problems_t), intent(inout) :: problems
@@ -265,6 +296,8 @@ contains
          allocate (stack)
          stack%groups = details%groups
          stack%files = details%loaded%files
+         stack%history = of_stack
+         fit%history_lists = of_stack%lists
          call move_alloc(stack, source)
       end if
       n_samples = 0

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The points of all `&data` groups: read, counted, and held against what a fit needs.
+!> The points of all `&data` groups: read, counted, and compared with what a fit needs.
 module adfric_input_fit_data
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: show_count

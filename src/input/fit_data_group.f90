@@ -12,11 +12,12 @@ module adfric_input_fit_data_group
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: find_variable, is_number, list_numbers
+   use adfric_describe_of_fits, only: is_abscissa_of_fits, is_ordinate_of_fits
    use adfric_describe_table, only: result_t, variable_t
    use adfric_system_files, only: kind_of_path, path_free
    implicit none (type, external)
    private
-   public :: data_group_t, other_column_t, read_data_group
+   public :: data_group_t, other_column_t, read_data_group, is_history
 
    !> The column of a further variable.
    type :: other_column_t
@@ -130,13 +131,18 @@ contains
       type(reading_t), intent(in) :: r
       !> Receives the index of the variable; 0 if it is none.
       type(data_group_t), intent(inout) :: self
-      character(:), allocatable :: name, flaw
+      character(:), allocatable :: name, flaw, of_fits
       integer :: position
 
       call self%reader%read_text(r, 'abscissa', name)
       call self%reader%report_missing(r, 'abscissa')
       if (.not. allocated(name)) return
-      call find_variable(r%model, to_lower(name), list_numbers(r%model), position, flaw)
+      call find_of_fits(r, to_lower(name), position, of_fits)
+      if (position == 0) then
+         call find_variable(r%model, to_lower(name), list_numbers(r%model)//of_fits, position, flaw)
+      else
+         flaw = ''
+      end if
       if (position > 0) then
          if (.not. is_number(r%model%variables(position))) then
             flaw = 'not a number, given '''//show_text(name)//''', allowed: '//join_words(list_numbers(r%model), ', ')
@@ -146,6 +152,26 @@ contains
       if (position == 0) call self%reader%report(r, 'abscissa', flaw)
       self%data_set%abscissa = position
    end subroutine read_abscissa
+
+   !> Find an abscissa that fits alone have.
+   subroutine find_of_fits(r, name, position, names)
+      type(reading_t), intent(in) :: r
+      !> Name of the abscissa, in small letters.
+      character(*), intent(in) :: name
+      !> Receives the index of the variable; 0 if it is none.
+      integer, intent(out) :: position
+      !> Receives the names of all of them, with a blank before each.
+      character(:), allocatable, intent(out) :: names
+      integer :: i
+
+      position = 0
+      names = ''
+      do i = 1, size(r%model%variables)
+         if (.not. is_abscissa_of_fits(r%model%variables(i))) cycle
+         names = names//' '//r%model%variables(i)%name
+         if (r%model%variables(i)%name == name) position = i
+      end do
+   end subroutine find_of_fits
 
    !> Find the further variables that have a value for each point, and their columns.
    subroutine read_others(r, self)
@@ -191,7 +217,8 @@ contains
       call find_variable(r%model, name, list_numbers(r%model), position, flaw)
       if (position == 0) return
       associate (row => r%model%variables(position))
-         if (.not. is_number(row)) then
+         if (is_history(row) .and. .not. r%input%is_given(position) .and. .not. any(self%data_set%others == position)) return
+         if (.not. is_number(row) .and. .not. is_history(row)) then
             flaw = 'not a number, given '''//show_text(name)//''', allowed: '//join_words(list_numbers(r%model), ', ')
          else if (position == self%data_set%abscissa) then
             flaw = row%name//' is the abscissa, allowed: other variables'
@@ -203,6 +230,13 @@ contains
          end if
       end associate
    end subroutine find_other
+
+   !> Is a variable a list of what a history prescribes, over the abscissa time?
+   pure logical function is_history(row)
+      type(variable_t), intent(in) :: row
+
+      is_history = row%is_list .and. row%group == 'history' .and. row%name /= 'times'
+   end function is_history
 
    !> Find the ordinate among the results of the model.
    subroutine read_ordinate(r, self)
@@ -217,7 +251,7 @@ contains
       if (.not. allocated(name)) return
       known = ''
       do i = 1, size(r%model%results)
-         if (r%model%results(i)%is_hidden) cycle
+         if (.not. is_there(r%model%results(i))) cycle
          if (is_smooth(r%model%results(i))) known = known//' '//r%model%results(i)%name
          if (r%model%results(i)%name == to_lower(name)) self%data_set%ordinate = i
       end do
@@ -229,13 +263,26 @@ contains
             //'fitted, given '''//show_text(name)//''', allowed: '//join_words(known, ', '))
          self%data_set%ordinate = 0
       end if
+
+   contains
+
+      !> Is it a result of a run, or over an abscissa of fits one of these?
+      logical function is_there(result)
+         type(result_t), intent(in) :: result
+
+         is_there = .not. result%is_hidden
+         if (self%data_set%abscissa == 0) return
+         if (is_abscissa_of_fits(r%model%variables(self%data_set%abscissa))) is_there = is_ordinate_of_fits(result)
+      end function is_there
+
    end subroutine read_ordinate
 
    !> Does a result vary smoothly with the variables?
    pure logical function is_smooth(result)
       type(result_t), intent(in) :: result
 
-      is_smooth = result%n_states() == 0 .and. .not. (result%is_counted .or. result%is_hidden)
+      is_smooth = result%n_states() == 0 .and. .not. result%is_counted
+      if (is_smooth) is_smooth = .not. result%is_hidden .or. is_ordinate_of_fits(result)
    end function is_smooth
 
    !> Read the names of the columns.

@@ -6,7 +6,7 @@ module adfric_input_fit_free
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
    use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_contact_point, nuisance_lateral_gain, &
-      nuisance_spring_stiffness, nuisance_tilt, nuisance_names, n_nuisances
+      nuisance_spring_stiffness, nuisance_tilt, nuisance_drift_rate, nuisance_names, n_nuisances
    use adfric_input_case, only: case_t, mark_meant
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_values, only: reader_t, new_reader
@@ -19,12 +19,14 @@ module adfric_input_fit_free
    use adfric_describe_table, only: kind_real, variable_t
    implicit none (type, external)
    private
-   public :: read_frees, hold_variable
+   public :: read_frees, hold_variable, check_members
 
    !> Indices of the words of `scale`.
    integer, parameter :: scale_log = 1
    !> Most free variables.
    integer, parameter :: most_frees = 10
+   !> Most digits of the number of a member, and two.
+   integer, parameter :: most_digits = 8
    !> What stands before the nuisances of a data set.
    character(*), parameter :: data_prefix = 'data'
 
@@ -71,7 +73,8 @@ contains
    elemental logical function is_same(one, other)
       type(free_t), intent(in) :: one, other
 
-      is_same = one%variable == other%variable .and. one%data_set == other%data_set .and. one%nuisance == other%nuisance
+      is_same = one%variable == other%variable .and. one%data_set == other%data_set .and. one%nuisance == other%nuisance &
+         .and. one%list == other%list .and. one%member == other%member
    end function is_same
 
    !> Find what is free; its name is not allocated if nothing can be.
@@ -92,6 +95,8 @@ contains
       name = to_lower(name)
       if (is_nuisance_name(r%model, name)) then
          call find_nuisance(name, groups, free, flaw)
+      else if (index(name, '(') > 0) then
+         call find_member(r, name, free, flaw)
       else
          call find_variable(r%model, name, list_numbers(r%model)//' data%'//join_words(nuisance_names, ' data%'), free%variable, &
             flaw)
@@ -112,6 +117,66 @@ contains
       end if
    end subroutine find_free
 
+   !> Find a member of a list by `solid%moduli(2)`; the list gives the start.
+   subroutine find_member(r, name, free, flaw)
+      type(reading_t), intent(in) :: r
+      !> Name of the list, in small letters, with the member in parentheses.
+      character(*), intent(in) :: name
+      !> Receives list, member, name, unit and scale.
+      type(free_t), intent(inout) :: free
+      character(:), allocatable, intent(out) :: flaw
+      integer :: open, last, status
+
+      open = index(name, '(')
+      last = len_trim(name)
+      call find_variable(r%model, name(:open - 1), list_numbers(r%model), free%list, flaw)
+      if (free%list == 0) return
+      status = 1
+      if (name(last:last) == ')' .and. last > open + 1 .and. last < open + most_digits) then
+         if (verify(name(open + 1:last - 1), '0123456789') == 0) read (name(open + 1:last - 1), *, iostat=status) free%member
+      end if
+      associate (row => r%model%variables(free%list))
+         if (.not. row%is_list) then
+            flaw = row%name//' is no list, given '''//show_text(name)//''', allowed: '//row%name
+         else if (status /= 0 .or. free%member < 1) then
+            flaw = 'no member of a list, given '''//show_text(name)//''', allowed: '//row%name//'(1), '//row%name//'(2) and so on'
+         else if (.not. r%input%is_given(free%list)) then
+            flaw = row%name//' is not given; of a list that is given, where the search starts, a member may be free'
+         else if (row%name == 'times' .or. row%unit == '') then
+            flaw = row%name//' is no quantity that data give, given '''//show_text(name)//''''
+         end if
+         if (len(flaw) > 0) return
+         free%name = row%group//'%'//row%name//'('//show_count(free%member)//')'
+         free%unit = row%unit
+         free%is_log = row%lower >= 0
+      end associate
+   end subroutine find_member
+
+   !> Is there such a member, and is it above 0 where its logarithm is fitted? It starts where it is given.
+   subroutine check_members(r, frees, readers)
+      type(reading_t), intent(in) :: r
+      !> The free variables; members receive their start.
+      type(free_t), intent(inout) :: frees(:)
+      !> Their groups.
+      type(reader_t), intent(in) :: readers(:)
+      integer :: i
+
+      do i = 1, size(frees)
+         if (frees(i)%list == 0) cycle
+         associate (row => r%model%variables(frees(i)%list), data => r%input%datasets(frees(i)%list))
+            if (.not. allocated(data%numbers)) cycle
+            if (frees(i)%member > size(data%numbers)) then
+               call readers(i)%report(r, 'variable', row%name//' has '//show_count(size(data%numbers))//' values, given ' &
+                  //show_count(frees(i)%member)//', allowed: 1 to '//show_count(size(data%numbers)))
+            else if (.not. is_set(frees(i)%start)) then
+               frees(i)%start = data%numbers(frees(i)%member)
+               if (frees(i)%is_log .and. .not. frees(i)%start > 0) call readers(i)%report(r, 'variable', frees(i)%name &
+                  //' starts at 0, and its logarithm is fitted, needed: a number > 0 in the list, or start')
+            end if
+         end associate
+      end do
+   end subroutine check_members
+
    !> Is it the name of a nuisance?
    pure logical function is_nuisance_name(model, name)
       !> The model, which may have a variable of the name.
@@ -123,7 +188,8 @@ contains
       is_nuisance_name = index(name, data_prefix//'%') == 1 .or. index(name, data_prefix//'[') == 1
       if (is_nuisance_name) return
       do k = 1, size(model%variables)
-         if (model%variables(k)%name == name) return
+         ! what shifts a history belongs to the measurement
+         if (model%variables(k)%name == name .and. model%variables(k)%group /= 'history') return
       end do
       do k = 1, n_nuisances
          is_nuisance_name = is_nuisance_name .or. get_word(nuisance_names, k) == name
@@ -185,6 +251,8 @@ contains
          free%unit = 'N'
       case (nuisance_contact_point)
          free%unit = 'm'
+      case (nuisance_drift_rate)
+         free%unit = 'm/s'
       case default
          ! that of an offset of the ordinate is known later
          free%unit = '-'

@@ -5,12 +5,13 @@ module adfric_input_fit_identity
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
    use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
-      nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
+      nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt, nuisance_drift_rate
    use adfric_input_case, only: case_t
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_values, only: reader_t
    use adfric_input_reading, only: reading_t
    use adfric_describe_model, only: model_t
+   use adfric_describe_of_fits, only: is_abscissa_of_fits
    implicit none (type, external)
    private
    public :: check_identity
@@ -44,19 +45,22 @@ contains
       !> Which of them it is.
       integer, intent(in) :: index
       type(reader_t), intent(in) :: reader
-      logical :: is_x_load, is_y_load, is_approach, has_effect
+      logical :: is_x_load, is_y_load, is_approach, is_time, has_effect
       integer :: i
 
       if (group%data_set%abscissa == 0 .or. group%data_set%ordinate == 0) return
       is_x_load = r%model%variables(group%data_set%abscissa)%name == 'load'
       is_y_load = r%model%results(group%data_set%ordinate)%name == 'load'
       is_approach = r%model%variables(group%data_set%abscissa)%name == 'approach'
+      is_time = is_abscissa_of_fits(r%model%variables(group%data_set%abscissa))
       has_effect = .true.
       select case (frees(index)%nuisance)
       case (nuisance_load_offset)
          has_effect = is_x_load .or. is_y_load
       case (nuisance_contact_point)
-         has_effect = is_approach .or. r%model%variables(group%data_set%abscissa)%name == 'base_approach'
+         has_effect = is_approach .or. r%model%variables(group%data_set%abscissa)%name == 'base_approach' .or. is_time
+      case (nuisance_drift_rate)
+         has_effect = is_time
       case (nuisance_spring_stiffness)
          has_effect = is_approach
       case (nuisance_tilt)
@@ -131,7 +135,7 @@ contains
          //'contact_area')
    end subroutine check_friction_alone
 
-   !> Is the stress or the range of adhesion held, so that the modulus has a part in lambda?
+   !> Is the stress or the range of adhesion prescribed, so that the modulus has a part in lambda?
    pure logical function is_dugdale_given(model, input)
       class(model_t), intent(in) :: model
       type(case_t), intent(in) :: input

@@ -9,6 +9,7 @@ module adfric_input_fit_points
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_variable, only: find_outlier
    use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
    private
@@ -118,7 +119,8 @@ contains
       end do
    end subroutine find_flaw
 
-   !> A value of a further variable that the model does not take.
+   !> A value of the abscissa or of a further variable that the model does not take. An approach has a zero of its own, which is not
+   !> known here.
    pure subroutine find_outside(group, model, columns, flaw)
       !> The `&data` group with its further variables.
       class(data_group_t), intent(in) :: group
@@ -126,23 +128,44 @@ contains
       type(columns_t), intent(in) :: columns
       !> Receives what is wrong; empty if nothing is.
       character(:), allocatable, intent(out) :: flaw
-      integer :: i, k, first
+      integer :: i, k
 
       flaw = ''
+      associate (row => model%variables(group%data_set%abscissa))
+         if (row%own_name() /= 'approach') then
+            do i = 1, size(columns%x)
+               if (is_set(group%from) .and. is_above(-columns%x(i), -group%from)) cycle
+               if (is_set(group%to) .and. is_above(columns%x(i), group%to)) cycle
+               call check_value(row, columns%x(i), i, flaw)
+               if (len(flaw) > 0) return
+            end do
+         end if
+      end associate
       if (.not. allocated(columns%at)) return
       do k = 1, size(columns%at, 1)
-         associate (row => model%variables(group%data_set%others(k)))
-            do i = 1, size(columns%at, 2)
-               if (.not. ieee_is_finite(columns%at(k, i))) cycle
-               call find_outlier(columns%at(k, i:i), row, first, flaw)
-               if (len(flaw) == 0) cycle
-               flaw = row%name//' is out of range at point '//show_count(i)//', given '//show_number(columns%at(k, i))// &
-                  flaw(index(flaw, ', allowed'):)
-               return
-            end do
-         end associate
+         do i = 1, size(columns%at, 2)
+            call check_value(model%variables(group%data_set%others(k)), columns%at(k, i), i, flaw)
+            if (len(flaw) > 0) return
+         end do
       end do
    end subroutine find_outside
+
+   !> Say what is wrong with the value of a point for its variable; what is no number is no value.
+   pure subroutine check_value(row, value, point, flaw)
+      type(variable_t), intent(in) :: row
+      real(dp), intent(in) :: value
+      !> Number of the point.
+      integer, intent(in) :: point
+      !> Receives what is wrong; empty if nothing is.
+      character(:), allocatable, intent(out) :: flaw
+      integer :: first
+
+      flaw = ''
+      if (.not. ieee_is_finite(value)) return
+      call find_outlier([value], row, first, flaw)
+      if (len(flaw) > 0) flaw = row%name//' is out of range at point '//show_count(point)//', given '//show_number(value)// &
+         flaw(index(flaw, ', allowed'):)
+   end subroutine check_value
 
    !> Find a standard error that is none.
    pure subroutine find_not_positive(sigma, whose, flaw)

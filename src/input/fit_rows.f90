@@ -12,7 +12,7 @@ module adfric_input_fit_rows
    !> The groups.
    character(*), parameter :: fit_groups = 'data event free fit'
    !> Number of rows of all groups.
-   integer, parameter :: n_rows = 45
+   integer, parameter :: n_rows = 46
    !> How a variable is fitted, and what the curves of a stack are.
    character(*), parameter :: scale_names = 'log linear', curves_names = 'each together', &
       & residuals_names = 'none all'
@@ -25,10 +25,10 @@ contains
 
       allocate (rows(n_rows))
       rows(:17) = rows_of_data()
-      rows(18:24) = rows_of_nuisances()
-      rows(25:28) = rows_of_event()
-      rows(29:35) = rows_of_free()
-      rows(36:) = rows_of_fit()
+      rows(18:25) = rows_of_nuisances()
+      rows(26:29) = rows_of_event()
+      rows(30:36) = rows_of_free()
+      rows(37:) = rows_of_fit()
    end function get_fit_rows
 
    !> The rows of `&data` that say where the points are and what they are.
@@ -61,7 +61,7 @@ contains
    function rows_of_nuisances() result(rows)
       type(variable_t), allocatable :: rows(:)
 
-      allocate (rows(7))
+      allocate (rows(8))
       rows(1) = above_zero('data', 'loss_width', '-', 'width of the loss in standard errors; default 1.345, 1 or 2.385')
       rows(2) = any_number('data', 'load_offset', 'N', 'zero of the load', default=0.0_dp)
       rows(3) = any_number('data', 'friction_offset', 'unit of the ordinate', 'zero of the ordinate', default=0.0_dp)
@@ -69,6 +69,8 @@ contains
       rows(5) = any_number('data', 'lateral_gain', '-', 'factor between the model and the ordinate', default=1.0_dp)
       rows(6) = above_zero('data', 'spring_stiffness', 'N/m', 'spring k: the abscissa is the place of its base, approach + load/k')
       rows(7) = any_number('data', 'tilt', 'N/m', 'slope of the base line, load per abscissa as measured', default=0.0_dp)
+      rows(8) = any_number('data', 'drift_rate', 'm/s', 'of a history in time: drift towards the sample, which adds drift_rate '// &
+         'times the time to approaches', default=0.0_dp)
    end function rows_of_nuisances
 
    !> The rows of `&event`.

@@ -4,7 +4,7 @@
 !> HDF5 serves one thread at a time: what reads here while points are solved takes turns with what writes the results.
 module adfric_input_fit_stack
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_text, only: join_words, show_count
+   use adfric_base_text, only: join_words, show_count, show_text
    use adfric_base_units, only: unit_t, to_si
    use adfric_base_unset, only: is_set
    use adfric_fit_curve_source, only: curve_source_t
@@ -12,7 +12,8 @@ module adfric_input_fit_stack
    use adfric_hdf5_members, only: find_members
    use adfric_hdf5_stacks, only: row_stack_t, open_row_stack
    use adfric_input_dataset, only: honour_name
-   use adfric_input_fit_data_group, only: data_group_t
+   use adfric_input_fit_data_group, only: data_group_t, is_history
+   use adfric_input_fit_history, only: prescribe_curve, stack_history_t
    use adfric_input_fit_points, only: columns_t, set_points
    use adfric_input_fit_table, only: is_wanted
    use adfric_input_unit_match, only: match_units
@@ -60,6 +61,8 @@ module adfric_input_fit_stack
       type(data_group_t), allocatable :: groups(:)
       !> Columns of each group.
       type(stack_file_t), allocatable :: files(:)
+      !> Where curves over time have their histories from.
+      type(stack_history_t) :: history
    contains
       procedure :: get_curves
       procedure :: close => close_stack
@@ -93,7 +96,7 @@ contains
       path = name(index(name, divider, back=.true.) + 1:)
    end function path_of
 
-   !> Open the columns of a group.
+   !> Open the columns of a group. It is long by these: each has a name, a unit and a rule of its own.
    subroutine open_stack_file(self, group, model, variable, flaw)
       type(stack_file_t), intent(out) :: self
       !> The `&data` group.
@@ -111,6 +114,7 @@ contains
       folder = folder(:index(folder, '/', back=.true.))
       call open_column(self%columns(c_y), file_of(group%file), path_of(group%file), group%y_unit, flaw)
       if (len(flaw) > 0) then
+         if (index(flaw, 'given') == 0) flaw = flaw//', given '''//show_text(group%file)//''''
          call self%close()
          return
       end if
@@ -118,7 +122,8 @@ contains
          self%lengths = counts(:size(counts) - 1)
          self%n_points = int(counts(size(counts)))
       end associate
-      if (size(self%lengths) > 0 .and. size(group%others) > 0) then
+      if (size(self%lengths) > 0 .and. .not. all([(is_history(model%variables(group%data_set%others(k))), &
+         k=1, size(group%others))])) then
          variable = 'variables'
          flaw = 'beside a stack of curves, given '//show_count(product(self%lengths))//' curves in '//file_of(group%file)// &
             ', allowed: one curve'
@@ -285,11 +290,19 @@ contains
       end do
       if (.not. allocated(self%others)) return
       if (size(self%others) == 0) return
-      ! those of one curve have been read when they were opened
       do i = 1, size(curves)
          allocate (curves(i)%at(size(self%others), self%n_points), source=0.0_dp)
-         do c = 1, size(self%others)
-            curves(i)%at(c, :) = self%others(c)%shared
+      end do
+      do c = 1, size(self%others)
+         ! those that all curves share have been read when they were opened
+         if (.not. allocated(self%others(c)%shared)) then
+            call self%others(c)%rows%read_rows(first, values, is_read)
+            if (.not. is_read) return
+            values = to_si(values, self%others(c)%unit)
+         end if
+         do i = 1, size(curves)
+            if (allocated(self%others(c)%shared)) values(:, i) = self%others(c)%shared
+            curves(i)%at(c, :) = values(:, i)
          end do
       end do
    end subroutine read_columns
@@ -329,6 +342,7 @@ contains
          if (.not. is_read) return
          do i = 1, size(curves)
             call set_points(self%groups(g), curves(i), data_sets(g, i))
+            call prescribe_curve(self%history, data_sets(g, i))
          end do
       end do
    end subroutine get_curves

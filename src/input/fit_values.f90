@@ -63,7 +63,7 @@ contains
       has = file%find_assignment(self%group, name) > 0
    end function has
 
-   !> Read a number, or a choice as its place; the default where it is not given, or wrong.
+   !> Read a number, or a choice as its index; the default where it is not given, or wrong.
    subroutine read_number(self, r, name, value)
       class(reader_t), intent(in) :: self
       type(reading_t), intent(in) :: r
@@ -82,7 +82,7 @@ contains
       end associate
    end subroutine read_number
 
-   !> Read a whole number, or a choice as its place.
+   !> Read a whole number, or a choice as its index.
    subroutine read_whole(self, r, name, value)
       class(reader_t), intent(in) :: self
       type(reading_t), intent(in) :: r

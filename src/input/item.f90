@@ -81,7 +81,7 @@ contains
          call next_item(text, position, second, flaw)
          if (len(flaw) > 0) return
          flaw = 'several values, given '//show_text(text)
-         if (is_name(text(second%first:second%last))) flaw = flaw//' (is a quote or a = missing?)'
+         if (is_name(text(second%first:second%last))) flaw = flaw//' (is a quote or a = missing?); numbers stand without their unit'
       end if
       if (len(flaw) == 0) word = text(item%first:item%last)
    end subroutine take_only_word

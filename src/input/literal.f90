@@ -30,7 +30,7 @@ module adfric_input_literal
    end interface convert
 
    interface
-      !> The number that a text means, rounded to the nearest that can be held.
+      !> The number that a text means, rounded to the nearest that can be kept.
       pure real(c_double) function c_strtod(text, end_of_number) bind(c, name='strtod')
          import :: c_char, c_double, c_ptr
          implicit none (type, external)
@@ -47,7 +47,7 @@ contains
    pure subroutine convert_real(word, value, flaw)
       !> The value as it is written, without blanks.
       character(*), intent(in) :: word
-      !> The nearest number that can be held; 0 if something is wrong.
+      !> The nearest number that can be kept; 0 if something is wrong.
       real(dp), intent(out) :: value
       character(:), allocatable, intent(out) :: flaw
       integer :: first, exponent

@@ -5,7 +5,7 @@ module adfric_input_scene
    use adfric, only: known_models, new_model
    use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: join_words
+   use adfric_base_text, only: join_words, to_lower
    use adfric_base_words, only: count_words, get_word, has_word
    use adfric_input_group_values, only: take_choice, take_words
    use adfric_input_namelist_file, only: namelist_file_t
@@ -156,6 +156,7 @@ contains
 
       n_before = r%problems%count()
       call list_given(r, scene%names)
+      scene%is_uncoupled = is_off(r, 'friction', 'coupling')
       scene%extent = 'half_space'
       call read_choice(r, 'solid', 'extent', known_extents, scene%extent)
       call check_extent(scene, r%problems)
@@ -270,6 +271,22 @@ contains
       names = adjustl(names)
    end subroutine list_given
 
+   !> Has a variable the value .false.? What is no logical is said by those who read it.
+   pure logical function is_off(r, group, name)
+      type(reading_t), intent(in) :: r
+      character(*), intent(in) :: group, name
+      character(:), allocatable :: word
+      integer :: i
+
+      is_off = .false.
+      word = ''
+      do i = 1, size(r%file%assignments)
+         if (r%file%groups(r%file%assignments(i)%group)%name /= group .or. r%file%assignments(i)%name /= name) cycle
+         word = to_lower(trim(adjustl(r%file%value_of(i))))
+         is_off = index(word, '.f') == 1 .or. index(word, 'f') == 1
+      end do
+   end function is_off
+
    !> Read a word of a list; what is wrong, or not given, leaves it as it is.
    subroutine read_choice(r, group, name, known, word)
       type(reading_t), intent(in) :: r
@@ -336,9 +353,9 @@ contains
       call find_nearest(words, nearest)
       group = trim(groups(findloc(nearest /= words, .true., 1)))
       if (group == 'friction' .and. .not. scene%has('shear') .and. .not. scene%has('coulomb')) group = 'adhesion'
-      if (group == 'operating' .and. scene%has('path')) group = 'history'
+      if (group == 'operating' .and. (scene%has('path') .or. nearest(4) == 'path')) group = 'history'
       call problems%add(group, '', 'nothing solves '//describe_scene(words)//'; the nearest scene that can be solved is '// &
-         describe_scene(nearest)//hint_of_state(scene)//' (adfric help scenes)')
+         describe_scene(nearest)//hint_of_state(scene)//hint_of_history(scene, nearest)//' (adfric help scenes)')
    end subroutine report_no_solver
 
    !> What a scene needs whose body slides because `state` says so; empty where it has that, or says it otherwise.
@@ -354,5 +371,16 @@ contains
          hint = '; over a viscoelastic solid a velocity says that the body slides'
       end if
    end function hint_of_state
+
+   !> What a scene needs whose nearest one goes along a path; empty where it has one.
+   pure function hint_of_history(scene, nearest) result(hint)
+      type(scene_t), intent(in) :: scene
+      character(*), intent(in) :: nearest(4)
+      character(:), allocatable :: hint
+
+      hint = ''
+      if (nearest(4) == 'path' .and. scene%solid == 'relaxing' .and. .not. scene%has('path')) &
+         & hint = '; give &history times with what is prescribed, or a path'
+   end function hint_of_history
 
 end module adfric_input_scene

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the user may have meant: the nearest of the words that are known.
 module adfric_input_suggestion
-   use adfric_base_words, only: count_words, get_word
+   use adfric_base_words, only: count_words, get_word, has_word
    use adfric_base_text, only: to_lower
    implicit none (type, external)
    private
@@ -9,6 +9,15 @@ module adfric_input_suggestion
 
    !> A beginning of this length is enough to recognise a word.
    integer, parameter :: shortest_beginning = 3
+   !> What others call a variable, and its name here.
+   character(*), parameter :: synonyms(2, 20) = reshape([character(20) :: &
+      & 'contact_modulus', 'modulus', 'modulus', 'contact_modulus', 'elastic_modulus', 'young_modulus', &
+      & 'e_modulus', 'young_modulus', 'nu', 'poisson_ratio', &
+      & 'relaxation_time', 'relaxation_times', 'retardation_ratio', 'moduli', &
+      & 'pressure', 'mean_pressure', 'force', 'load', 'normal_force', 'load', &
+      & 'indentation', 'approach', 'depth', 'approach', 'speed', 'velocity', 'sliding_velocity', 'velocity', &
+      & 'wavelength', 'period', 'friction_coefficient', 'coulomb_coefficient', 'mu', 'coulomb_coefficient', &
+      & 'surface_energy', 'work_of_adhesion', 'adhesion_energy', 'work_of_adhesion', 'hold_time', 'dwell_time'], [2, 20])
 
 contains
 
@@ -37,7 +46,8 @@ contains
       edit_distance = last(len(b))
    end function edit_distance
 
-   !> The known word that is near enough to be meant; empty if there is none. Capitals do not count.
+   !> The known word that another name of the field means, or that is near enough in its letters; empty if there is none. Capitals
+   !> do not count.
    pure function find_nearest(word, known) result(nearest)
       !> The word that is not known, with any capitals.
       character(*), intent(in) :: word
@@ -48,6 +58,11 @@ contains
 
       nearest = ''
       lower = to_lower(trim(word))
+      do k = 1, size(synonyms, 2)
+         if (synonyms(1, k) /= lower .or. .not. has_word(known, trim(synonyms(2, k)))) cycle
+         nearest = trim(synonyms(2, k))
+         return
+      end do
       best = max(1, len(lower)/3) + 1
       do k = 1, count_words(known)
          candidate = get_word(known, k)

@@ -354,7 +354,7 @@ contains
       integer, intent(in) :: position
       type(error_t), allocatable, intent(out) :: error
 
-      call set_error(error, input_failure, self%path//': '//flaw//' (line '//show_count(line_at(self%text, position))//')')
+      call set_error(error, input_failure, self%path//', line '//show_count(line_at(self%text, position))//': '//flaw)
    end subroutine fail
 
 end module adfric_input_text_table

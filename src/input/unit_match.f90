@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The units in which a file has its numbers, held against the unit that is wanted: honoured or refused.
+!> The units in which a file has its numbers, compared with the unit that is wanted: honoured or refused.
 module adfric_input_unit_match
    use adfric_base_units, only: unit_t, read_unit, is_same_quantity
    use adfric_base_text, only: show_text

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The values of a model's variables: read from their groups, and held against what the model's table allows.
+!> The values of a model's variables: read from their groups, and compared with what the model's table allows.
 module adfric_input_variable
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use adfric_base_kinds, only: dp, i8
@@ -19,7 +19,7 @@ module adfric_input_variable
 
 contains
 
-   !> Read the value of a variable as it is held, as a real number.
+   !> Read the value of a variable as it is kept, as a real number.
    subroutine read_variable(text, variable, value, flaw, index)
       !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
@@ -90,7 +90,7 @@ contains
 
    !> Hold a number against what its variable allows.
    pure subroutine check_value(value, variable, flaw)
-      !> The value as it is held, a number in SI units.
+      !> The value as it is kept, a number in SI units.
       real(dp), intent(in) :: value
       !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
@@ -130,7 +130,7 @@ contains
 
    !> Is a value within the range of its variable?
    elemental logical function is_in_range(value, variable)
-      !> The value as it is held, a number in SI units.
+      !> The value as it is kept, a number in SI units.
       real(dp), intent(in) :: value
       !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
@@ -154,7 +154,7 @@ contains
       if (is_usable) is_usable = abs(value) <= largest .and. .not. (abs(value) > 0 .and. abs(value) < smallest)
    end function is_usable
 
-   !> Can a value be held as an integer of default kind?
+   !> Can a value be kept as an integer of default kind?
    elemental logical function is_integer(value)
       !> Any number; NaN is no integer.
       real(dp), intent(in) :: value
@@ -266,7 +266,7 @@ contains
 
    !> A value with its unit.
    pure function show_value(value, variable) result(text)
-      !> The value as it is held, a number in SI units, or NaN.
+      !> The value as it is kept, a number in SI units, or NaN.
       real(dp), intent(in) :: value
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text

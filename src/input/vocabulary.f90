@@ -100,9 +100,24 @@ contains
             join_words(list_groups(model), ', &')//'; leave the model out'
          return
       end if
-      text = 'unknown group for '//name_of(model)//', allowed: &'//join_words(known, ', &')
+      text = 'unknown group for '
+      if (allocated(model%scene) .and. has_word(order_of_scenes, group)) text = 'no solver knows this group in '
+      text = text//name_of(model)//reason_of(model, group)//', allowed: &'//join_words(known, ', &')
       if (len(find_nearest(group, known)) > 0) text = text//'; did you mean &'//find_nearest(group, known)//'?'
    end function say_unknown_group
+
+   !> Why a scene cannot have a group; empty where the names of the scene say so.
+   pure function reason_of(model, group) result(text)
+      class(model_t), intent(in) :: model
+      !> The group.
+      character(*), intent(in) :: group
+      character(:), allocatable :: text
+
+      text = ''
+      if (.not. allocated(model%scene) .or. group /= 'heat') return
+      if (index(model%scene, 'on a foundation') > 0) text = ' (heat flows along a layer and into its base, of which columns know ' &
+         //'nothing; extent = ''layer'' with its thickness has heat)'
+   end function reason_of
 
    !> Groups in which a scene has the variables that its solver has in a group of its own; empty if it has none such.
    pure function groups_in_scene(model, group) result(groups)

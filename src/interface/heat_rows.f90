@@ -4,16 +4,19 @@
 module adfric_interface_heat_rows
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_heat_sources, only: largest_of_disc
+   use adfric_interface_thermal_states, only: heated_contact_t, thermal_states_t
    use adfric_describe_check, only: require
    use adfric_describe_rows, only: above_zero, any_number, choice, result_row
    use adfric_describe_table, only: result_t, variable_t
    implicit none (type, external)
    private
-   public :: heat_t, set_heat_rows, has_heat, get_heat, check_heat, heat_results, doubt_heat
+   public :: heat_t, set_heat_rows, has_heat, get_heat, check_heat, heat_results, doubt_heat, velocity_that_heats
+   public :: usual_capacity, usual_conductivity
    public :: n_heat_rows, n_heat_results, h_contact, h_flash, h_peak, h_background, h_gain, h_states, h_share, h_bulk, h_interface
 
    !> Indices among the rows.
@@ -29,6 +32,8 @@ module adfric_interface_heat_rows
    integer, parameter :: n_heat_results = h_interface
    !> Change of the shear stress that matters, and steps of the search for its velocity, in decades.
    real(dp), parameter :: change_that_matters = 0.01_dp, first_decade = -12.0_dp, last_decade = 4.0_dp, step_of_decades = 0.01_dp
+   !> Conductivity [W/m/K] and heat capacity per volume [J/m^3/K] of polymers, as numbers go.
+   real(dp), parameter :: usual_conductivity = 0.2_dp, usual_capacity = 2.0e6_dp
 
    !> What an input says of heat.
    type :: heat_t
@@ -38,6 +43,8 @@ module adfric_interface_heat_rows
       real(dp) :: background = 0
       !> Of several states, is it the hottest one?
       logical :: is_hot = .false.
+   contains
+      procedure :: settle
    end type heat_t
 
 contains
@@ -91,6 +98,29 @@ contains
       end select
       if (is_set(values(branch))) heat%is_hot = nint(values(branch)) == is_hot
    end subroutine get_heat
+
+   !> The temperature of a contact that heats itself, and the results that are known with it. Until heat is found the peak is 0, and
+   !> there is no share.
+   pure subroutine settle(self, contact, temperature, results, is_valid)
+      class(heat_t), intent(in) :: self
+      !> The contact, with its weights.
+      type(heated_contact_t), intent(in) :: contact
+      !> Out: mean temperature of the contact [K]; as it was where the states are not found.
+      real(dp), intent(inout) :: temperature
+      !> Receives the results; shape `(n_heat_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Were the states found?
+      logical, intent(out) :: is_valid
+      type(thermal_states_t) :: states
+      integer :: i
+
+      call contact%find_states(states, is_valid)
+      if (.not. is_valid) return
+      i = merge(states%n, 1, self%is_hot)
+      temperature = states%temperature(i)
+      results([h_contact, h_gain, h_states]) = [temperature, states%gain(i), real(states%n, dp)]
+      results([h_flash, h_peak, h_share]) = [temperature - contact%base, 0.0_dp, not_a_number()]
+   end subroutine settle
 
    !> Which background is it?
    pure integer function background_of(values)
@@ -190,8 +220,7 @@ contains
       rows(h_states)%is_counted = .true.
    end function heat_results
 
-   !> A line on the velocity above which heat changes the shear stress by a hundredth, in contacts of a given size: where
-   !> |d ln tau/dT| dT reaches it, with the largest rise dT = 2 tau v a/(lambda sqrt(pi (4/pi + P))) under a disc.
+   !> A line on the velocity above which heat changes the shear stress by a hundredth, in contacts of a given size.
    subroutine doubt_heat(values, law, temperature, half_width, text)
       !> Values of the rows, which have been checked; shape `(n_heat_rows)`.
       real(dp), intent(in) :: values(:)
@@ -204,24 +233,48 @@ contains
       !> Receives the line; empty without heat.
       character(:), allocatable, intent(out) :: text
       character(250) :: line
-      real(dp) :: decade, v, change
-      type(heat_t) :: heat
-      integer :: k
+      real(dp) :: velocity
 
       text = ''
       if (.not. has_heat(values)) return
-      call get_heat(values, half_width, heat)
-      do k = 0, nint((last_decade - first_decade)/step_of_decades)
-         decade = first_decade + k*step_of_decades
-         v = 10**decade
-         call get_change(change)
-         if (.not. change > change_that_matters) cycle
-         write (line, '(2(a, es8.1), a)') 'heat changes the shear stress by a hundredth from a velocity of', v, &
+      velocity = velocity_that_heats(values, law, temperature, half_width)
+      if (is_set(velocity)) then
+         write (line, '(2(a, es8.1), a)') 'heat changes the shear stress by a hundredth from a velocity of', velocity, &
             & ' m/s on, in contacts of the half-width', half_width, ' m, if all of it goes into the solid'
          text = trim(line)//new_line('a')
+      else
+         text = 'heat does not change the shear stress by a hundredth at any velocity'//new_line('a')
+      end if
+   end subroutine doubt_heat
+
+   !> Velocity from which on heat changes the shear stress by a hundredth [m/s], in contacts of a given size: where
+   !> |d ln tau/dT| dT reaches it, with the largest rise dT = 2 tau v a/(lambda sqrt(pi (4/pi + P))) under a disc. Without heat in the
+   !> input the solid is the polymer of `usual_...`. Not set where there is no such velocity.
+   real(dp) function velocity_that_heats(values, law, temperature, half_width) result(velocity)
+      !> Values of the rows, which have been checked; shape `(n_heat_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> The law of the interface.
+      type(friction_law_t), intent(in) :: law
+      !> Temperature without heat [K], or unset.
+      real(dp), intent(in) :: temperature
+      !> Half-width of a contact [m].
+      real(dp), intent(in) :: half_width
+      type(heat_t) :: heat
+      real(dp) :: v, change
+      integer :: k
+
+      velocity = unset
+      if (.not. (is_set(temperature) .and. half_width > 0)) return
+      heat%conductivity = usual_conductivity
+      heat%diffusivity = usual_conductivity/usual_capacity
+      if (has_heat(values)) call get_heat(values, half_width, heat)
+      do k = 0, nint((last_decade - first_decade)/step_of_decades)
+         v = 10**(first_decade + k*step_of_decades)
+         call get_change(change)
+         if (.not. change > change_that_matters) cycle
+         velocity = v
          return
       end do
-      text = 'heat does not change the shear stress by a hundredth at any velocity'//new_line('a')
 
    contains
 
@@ -240,6 +293,6 @@ contains
             & *largest_of_disc(v*half_width/(2*heat%diffusivity))
       end subroutine get_change
 
-   end subroutine doubt_heat
+   end function velocity_that_heats
 
 end module adfric_interface_heat_rows

@@ -15,9 +15,10 @@ module adfric_interface_history_model
    use adfric_interface_tangential_history, only: history_t, start_history
    use adfric_describe_check, only: require
    use adfric_describe_derived, only: derived_t
-   use adfric_describe_pointwise, only: pointwise_model_t, point_state_t
+   use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_describe_table, only: profile_axis_t, profile_t, variable_t
+   use adfric_describe_stepwise, only: steps_t, stepwise_model_t
+   use adfric_describe_table, only: profile_t, variable_t
    implicit none (type, external)
    private
    public :: history_model_t, history_units_t, solve_path
@@ -31,7 +32,7 @@ module adfric_interface_history_model
    end type history_units_t
 
    !> A model with a path. Its rows are those of the bodies, and behind these the ones of the path.
-   type, abstract, extends(pointwise_model_t) :: history_model_t
+   type, abstract, extends(stepwise_model_t) :: history_model_t
       !> The path.
       type(history_path_t) :: path
       !> Number of the rows of the bodies.
@@ -43,11 +44,9 @@ module adfric_interface_history_model
       procedure :: largest_of
       procedure :: take_dataset
       procedure :: check_values
-      procedure :: wants_profiles
-      procedure :: get_profile_axes
+      procedure :: count_steps
       procedure :: describe_doubts
       procedure :: solve_point
-      procedure :: fill_profiles
       procedure :: derive_quantities
       procedure(check_bodies_i), deferred :: check_bodies
       procedure(find_contacts_i), deferred :: find_contacts
@@ -84,12 +83,6 @@ module adfric_interface_history_model
       end subroutine find_contacts_i
 
    end interface
-
-   !> What a point leaves: the profiles.
-   type, extends(point_state_t) :: history_state_t
-      !> Shape `(n_steps, n_path_profiles)`.
-      real(dp), allocatable :: steps(:, :)
-   end type history_state_t
 
 contains
 
@@ -174,38 +167,16 @@ contains
       end associate
    end subroutine check_values
 
-   !> See `model_t`: always.
-   pure logical function wants_profiles(self, values)
+   !> See `stepwise_model_t`.
+   pure integer function count_steps(self, values)
       class(history_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = .true.
-      associate (unused => self, unused_too => values)
-      end associate
-   end function wants_profiles
-
-   !> See `model_t`.
-   subroutine get_profile_axes(self, values, axes)
-      class(history_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives the axis of the steps.
-      type(profile_axis_t), allocatable, intent(out) :: axes(:)
-      integer :: n, k
-
-      allocate (axes(1))
-      axes(1)%name = self%profile_axes
-      axes(1)%unit = '-'
-      axes(1)%long_name = 'number of the step'
-      n = self%path%count_steps()
-      allocate (axes(1)%coordinates(n), source=0.0_dp)
-      do k = 1, n
-         axes(1)%coordinates(k) = k
-      end do
+      count_steps = self%path%count_steps()
       associate (unused => values)
       end associate
-   end subroutine get_profile_axes
+   end function count_steps
 
    !> See `model_t`: a force that no friction holds.
    function describe_doubts(self, values) result(text)
@@ -252,7 +223,7 @@ contains
       !> One of `status_...`.
       integer, intent(out) :: status
       class(normal_contact_t), allocatable :: contacts
-      type(history_state_t), allocatable :: found
+      type(steps_t), allocatable :: found
       type(history_units_t) :: units
       type(history_t) :: history
       logical :: is_possible
@@ -334,30 +305,6 @@ contains
          if (history%loss > history%loss_error) step(p_friction_loss) = mu**2*compliance*history%loss*(units%force*units%approach)
       end associate
    end subroutine show_step
-
-   !> See `pointwise_model_t`.
-   subroutine fill_profiles(self, values, results, state, axes, profiles)
-      class(history_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Results of the point, of which none is needed; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> The steps of the point.
-      class(point_state_t), allocatable, intent(in) :: state
-      !> The axis of the steps.
-      type(profile_axis_t), intent(in) :: axes(:)
-      !> In: all NaN. Out: the profiles; shape `(n_steps, 1, n_profiles)`.
-      real(dp), intent(inout) :: profiles(:, :, :)
-
-      profiles = not_a_number()
-      if (.not. allocated(state)) return
-      select type (state)
-      type is (history_state_t)
-         profiles(:, 1, :) = state%steps
-      end select
-      associate (unused => self, unused_too => values, unused_results => results, unused_axes => axes)
-      end associate
-   end subroutine fill_profiles
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)

@@ -31,6 +31,7 @@ module adfric_interface_normal_contact
    contains
       procedure(find_state_i), deferred :: under_load
       procedure(find_state_i), deferred :: at_approach
+      procedure :: get_spot
    end type normal_contact_t
 
    abstract interface
@@ -50,6 +51,22 @@ module adfric_interface_normal_contact
    end interface
 
 contains
+
+   !> Radius a of a round contact that no adhesion widens, and the integral of its depth function g over it: load and approach of an
+   !> elastic half-space of modulus 1 are P = 2 (a delta - that integral) and delta = g(a). Shapes with a closed form have it here.
+   elemental subroutine get_spot(self, depth, radius, moment)
+      class(normal_contact_t), intent(in) :: self
+      !> g(a), below 0 as 0.
+      real(dp), intent(in) :: depth
+      !> Receive a, and int g dx from 0 to a.
+      real(dp), intent(out) :: radius, moment
+      type(normal_state_t) :: state
+      logical :: is_converged
+
+      call self%at_approach(max(depth, 0.0_dp), state, is_converged)
+      radius = state%radius
+      moment = radius*max(depth, 0.0_dp) - state%load/2
+   end subroutine get_spot
 
    !> Is a tangential force no more than that of sliding, but for round-off?
    elemental logical function friction_holds(force, largest)

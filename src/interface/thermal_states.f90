@@ -5,15 +5,9 @@
 !> [K/Pa] tell by how much a shear stress at each position, or in each cell, warms the contact in the mean. The law has the mean
 !> temperature of the contact everywhere.
 !>
-!> A law that falls with the temperature has one state. One that rises with it, as rubber does that is colder than at the maximum
-!> of its law, may have several: cold with little friction, hot with more, and between both one that is not stable. States are
-!> where f(T) = T - T0 - sum of w_i tau is 0. f is below 0 at T0, and above 0 at T0 + sum of w_i times the largest stress.
-!> Between nodes it is looked for changes of sign, and for a least or largest value on the other side of 0.
-!>
-!> Of the law log_gaussian no state is missed. y = log10(v a_T/v_p) is linear in 1/T (Arrhenius) or 1/(T - T0 + c2) (WLF), and
-!> rises from the value y0 of hot contacts as these cool. d2 tau/dT2 has the sign of 2 c y^3 - 2 c y0 y^2 - 3 y + y0, which
-!> changes at most twice at y > y0. These changes are nodes, and between nodes f is convex or concave. So there are at most three
-!> states.
+!> States are where f(T) = T - T0 - sum of w_i tau is 0. f is below 0 at T0, and above 0 at T0 + sum of w_i times the largest stress.
+!> Between nodes it is looked for changes of sign, and for a least or largest value on the other side of 0. Of the law log_gaussian
+!> no state is missed: the changes of its curvature are nodes, so there are three states at most (docs/theory/heat.md).
 module adfric_interface_thermal_states
    use adfric_base_kinds, only: dp
    use adfric_interface_friction_law, only: friction_law_t, law_activated, law_constant, law_log_gaussian, law_power

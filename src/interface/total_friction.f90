@@ -33,6 +33,8 @@ module adfric_interface_total_friction
       !> Of losses, with the sign of the velocity or, on a leading slope, against it; that of the interface, >= 0; and its change by
       !> ln v in this contact.
       real(dp) :: hysteretic = 0, interfacial = 0, interfacial_slope = 0
+      !> Change of the sum by ln v with the contact, where it is known and needs no neighbours.
+      real(dp) :: contact_slope = 0
       !> Sums of both at the velocities of `near_ratios`, with the law at the velocity of the point; NaN where not solved. Of those
       !> furthest off both may be left out.
       real(dp) :: neighbours(4) = 0
@@ -77,9 +79,10 @@ contains
       if (.not. abs(total) > 0) return
       parts(3) = self%direction*self%interfacial/total
       if (.not. abs(velocity) > 0) return
+      change = self%contact_slope
       associate (t => self%neighbours)
-         change = (t(3) - t(2))/(2*step)
-         if (self%has_outer) change = (8*(t(3) - t(2)) - (t(4) - t(1)))/(12*step)
+         if (self%has_outer) change = change + (8*(t(3) - t(2)) - (t(4) - t(1)))/(12*step)
+         if (.not. self%has_outer) change = change + (t(3) - t(2))/(2*step)
       end associate
       parts(4) = self%direction*(change + self%interfacial_slope)/total
    end subroutine get_results

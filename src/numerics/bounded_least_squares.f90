@@ -6,7 +6,7 @@
 !> the sum of squares falls as foreseen (H. B. Nielsen 1999), and rises where it does not, or where there is no value at the trial
 !> position.
 !>
-!> A variable at its bound whose gradient points out is held: then the conditions of Karush, Kuhn and Tucker are those of an
+!> A variable at its bound whose gradient points out is kept there: then the conditions of Karush, Kuhn and Tucker are those of an
 !> unbounded problem in the rest. A step that would cross a bound ends on it, and the others' steps are found again with that one
 !> known. J = Q R is factored once a step; all the rest is done with R, whatever the number of rows.
 !>
@@ -267,7 +267,7 @@ contains
          & .or. has_short_step(step, limits, cost)
    end function is_below_judgement
 
-   !> Is the undamped step so long that its place is no minimum of a smooth sum?
+   !> Is the undamped step so long that its end is no minimum of a smooth sum?
    pure logical function is_far_from_level(step, limits, cost)
       type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits

@@ -78,7 +78,7 @@ contains
       class(integrand_t), intent(in) :: integrand
       !> Length of the range, > 0.
       real(dp), intent(in) :: length
-      !> The first place, >= 0; at 0 is the middle of the range.
+      !> The first position, >= 0; at 0 is the middle of the range.
       real(dp), intent(in) :: first
       !> Distance of the positions.
       real(dp), intent(in) :: step

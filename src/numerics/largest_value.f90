@@ -25,7 +25,7 @@ contains
 
    !> The largest value; NaN if a value is NaN.
    pure subroutine find_largest_value(function, length, value)
-      !> The function, with one maximum between the neighbours of a first place where it is larger than there.
+      !> The function, with one maximum between the neighbours of a first position where it is larger than there.
       class(integrand_t), intent(in) :: function
       !> Length of the range, > 0.
       real(dp), intent(in) :: length

@@ -13,7 +13,7 @@ module adfric_numerics_secant_root
    !> A secant step of the first size is the last, if the one before was within the second: the next would be of the size of their
    !> product. A secant over a wider range says little about the slope at the root.
    real(dp), parameter :: last_step = 1.0e-10_dp, near_step = 1.0e-5_dp
-   !> A bracket of this size has no place for a step.
+   !> A bracket of this size has no space for a step.
    real(dp), parameter :: last_digits = 4*epsilon(1.0_dp)
    !> The least step that gives a new slope.
    real(dp), parameter :: probe_step = 1.0e-6_dp
@@ -46,7 +46,7 @@ contains
       class(rising_equation_t), intent(in) :: equation
       !> Ends of the bracket, with a negative value at `low` and a positive one at `high`. They are not evaluated.
       real(dp), intent(in) :: low, high
-      !> A guess of the slope at the first place, > 0.
+      !> A guess of the slope at the first position, > 0.
       real(dp), intent(in) :: slope
       !> A value of this size is 0.
       real(dp), intent(in) :: round_off

@@ -64,19 +64,24 @@ contains
    end function part_name
 
    !> May a file of this name be written?
-   subroutine check_output_name(path, overwrite, error)
+   subroutine check_output_name(path, overwrite, error, advice)
       !> Name of the results file.
       character(*), intent(in) :: path
       !> May a file of this name be replaced?
       logical, intent(in) :: overwrite
       !> Not allocated if the file may be written.
       type(error_t), allocatable, intent(out) :: error
+      !> What else to do than to overwrite a file that exists; '--output writes another one' if absent.
+      character(*), intent(in), optional :: advice
 
       select case (kind_of_path(path))
       case (path_free)
       case (path_file)
-         if (.not. overwrite) call set_error(error, file_failure, &
-            path//': this file exists; --force overwrites it, --output writes another one')
+         if (.not. overwrite .and. present(advice)) then
+            call set_error(error, file_failure, path//': this file exists; --force overwrites it, '//advice)
+         else if (.not. overwrite) then
+            call set_error(error, file_failure, path//': this file exists; --force overwrites it, --output writes another one')
+         end if
       case default
          call set_error(error, file_failure, path//': cannot write: this is no regular file')
       end select

@@ -41,6 +41,7 @@ contains
             text = text//state_lines(results(i), summary%by_state(:, i))
          end if
       end do
+      if (any(summary%main > 0)) text = text//head_line()
       do i = 1, size(results)
          if (any(summary%main == i)) text = text//range_line(results(i), summary%lowest(i), summary%highest(i))
       end do
@@ -81,7 +82,7 @@ contains
 
       lines = ''
       if (all(counts == 0)) return
-      lines = words_of(result%name)//newline
+      lines = 'points by '//trim(words_of(result%name))//newline
       do i = 0, result%n_states() - 1
          if (counts(i) == 0) cycle
          lines = lines//count_line('  '//words_of(get_word(result%flag_meanings, i + 1)), counts(i))
@@ -113,12 +114,21 @@ contains
 
       lines = ''
       if (all(counts(doubt_none + 1:) == 0)) return
-      lines = 'beyond a bound of the theory'//newline
+      lines = 'points beyond a bound of the theory'//newline
       do i = doubt_none + 1, n_doubts
          if (counts(i) > 0) lines = lines//count_line('  '//words_of(get_word(doubt_meanings, i + 1)), counts(i)) &
             & //'    '//quantity_of(i)//' >= '//show_number(doubt_limits(i))//newline
       end do
    end function doubt_lines
+
+   !> What the columns of the lines with ranges are.
+   function head_line() result(line)
+      character(:), allocatable :: line
+      character(32) :: buffer
+
+      write (buffer, '(a12, a, a12)') 'lowest', ' to ', 'highest'
+      line = pad('result', name_width - 12)//trim(buffer)//' unit'//newline
+   end function head_line
 
    !> Line with the range of a result.
    function range_line(result, lowest, highest) result(line)
@@ -134,9 +144,7 @@ contains
          return
       end if
       write (buffer, '(es12.5, a, es12.5)') lowest, ' to ', highest
-      line = line//trim(buffer)
-      if (result%unit /= '-') line = line//' '//result%unit
-      line = line//newline
+      line = line//trim(buffer)//' '//result%unit//newline
    end function range_line
 
    !> Line with the duration of the run.

@@ -2,19 +2,14 @@
 !> Adhesive contact of a periodic surface under a load, on one grid: the most or the least adhered of its states.
 !>
 !> With the shares t of the cells within the range of adhesion (`adfric_periodic_cohesion`) the contact has one solution G(t)
-!> (`adfric_periodic_contact`), and a state is a gap g = T(g) = G(t(g)). A smaller gap has larger shares; where the stiffness A has no
-!> positive entries off its diagonal larger shares make a smaller gap. On lines that is exact. On maps the largest positive entry is
-!> 2.1 % of the diagonal and all of them add up to 15.6 %, so there it is not proved (`docs/theory/periodic_adhesion.md`). Where it
-!> holds T is monotone, and:
+!> (`adfric_periodic_contact`), and a state is a gap g = R(g) = G(t(g)). Rounds g -> R(g) from shares that are not below those of a
+!> state fall to the most adhered state below them; from shares that are not above, they rise to the least adhered one. On lines that
+!> is proved, on maps it is not (docs/theory/periodic_adhesion.md, Proofs).
 !>
-!> - From shares that are not below those of a state, shares found anew again and again fall to the **most adhered** state below them; from
-!>   shares that are not above, they rise to the **least adhered** one. No path is followed, and no state in between is passed.
-!> - These rounds close in by a constant factor, next to a fold by one near 1. Newton's method is faster, but may pass a state. Its
-!>   state g is taken only where none is passed on the way from a gap g -+ x, x >= 0, whose shares bound the wanted state: let m be the
-!>   largest slope of the shares on a piece of the path, |t(g -+ s x) - t(g)|/s, a < s <= b. If y = sigma0 A_OO^-1 m is below x where m > 0
-!>   (O open at g; for the least adhered one, at the far end), then T(g -+ s x) lies nearer to g than g -+ s x for all these s. Where
-!>   that is so for all pieces, a growing sequence passes the whole way and ends at g.
-!> - As way serves what a round has left, or the change of g with the load, (A - sigma0 dt/dg)_OO^-1 1, so far that zones move by a cell.
+!> - Newton's method is faster than rounds, but may pass a state. Its state g is taken only where none is passed from a gap g -+ x,
+!>   x >= 0, whose shares bound the wanted state: on each piece of that distance y = sigma0 A_OO^-1 m is below x, with the largest
+!>   slope m of the shares on the piece (the same page, Newton's method).
+!> - x is what a round has changed, or the change of g with the load, (A - sigma0 dt/dg)_OO^-1 1, so far that zones move by a cell.
 !>   A state under more load is more adhered, so that it bounds the wanted one.
 !> - Shares of a coarser grid, a cell wider or narrower, are a bound where one round changes them to no more than they are; else they
 !>   are joined with what the round made of them, until it is so.
@@ -165,12 +160,13 @@ contains
       real(dp), intent(in), contiguous :: share(:, :)
       !> By how much they differ from those of the contact before.
       real(dp), intent(in) :: change
-      !> Receives whether the load can be carried.
+      !> Receives whether the load can be carried; at the penetration of a layer there always is a state.
       logical, intent(out) :: has_contact
 
       call state%cohesion%hold()
       state%cohesion%share = share
-      has_contact = state%mean_pressure + state%cohesion%stress*(sum_of(share)/size(share)) > 0
+      has_contact = state%resists_mean
+      if (.not. has_contact) has_contact = state%mean_pressure + state%cohesion%stress*(sum_of(share)/size(share)) > 0
       if (.not. has_contact) return
       if (.not. allocated(state%gap)) call start_contact(state, operator)
       call solve_again(state, operator, gap_solver, &

@@ -17,7 +17,8 @@
 !> this way has passed delta, or has no state, no other load is in question.
 !>
 !> A body that slides over a viscoelastic solid has ordered branches where its order margin is not below 0 (`adfric_solid_order_margin`).
-!> Elsewhere the same search is made, and its state is one of slow parting or approach at the velocity of the point.
+!> Elsewhere the same search is made, and its state is one of slow parting or approach at the velocity of the point. Where the search
+!> does not end, time stepping at the mean gap decides (`adfric_periodic_sliding_steps`).
 module adfric_periodic_adhesive_penetration
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -28,6 +29,7 @@ module adfric_periodic_adhesive_penetration
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_grids, only: coarsen
    use adfric_periodic_maps, only: sum_of
+   use adfric_periodic_sliding_steps, only: solve_by_steps
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_friction, set_full_pressure, &
       & set_solution, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
    implicit none (type, external)
@@ -106,6 +108,8 @@ contains
       if (allocated(error)) return
       call search(self, shape, branch, tolerance, window, solution, error)
       if (allocated(error)) return
+      if (.not. (window%state%is_converged .or. (branch%has_turned .and. window%is_adhered))) &
+         & call step_on(self, shape, branch, tolerance, window, solution)
       if (window%state%is_converged) call collect(self, window%state, tolerance, solution)
    end subroutine solve_adhesive_penetration
 
@@ -286,7 +290,7 @@ contains
          end associate
          if (.not. window%has_state) exit
          load = merge(ends(1), ends(2), window%is_adhered)
-         reach = merge(-beyond, beyond, window%is_adhered)*(abs(load) + tension_of(state))
+         reach = merge(-beyond, beyond, window%is_adhered)*(abs(load) + state%cohesion%mean_tension())
          window%has_state = .false.
          do j = 1, most_looks
             call look(self, shape, load + reach, branch, tolerance, window, solution, error)
@@ -307,12 +311,28 @@ contains
       solution%status = contact_not_converged
    end subroutine search
 
-   !> The mean tension of adhesion [E*].
-   real(dp) function tension_of(state) result(tension)
-      type(contact_state_t), intent(in) :: state
+   !> Look for the state of a body that slides in time.
+   subroutine step_on(self, shape, branch, tolerance, window, solution)
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      type(periodic_adhesion_t), intent(in) :: branch
+      real(dp), intent(in) :: tolerance
+      !> The side; receives the state, if it is found.
+      type(window_t), intent(inout) :: window
+      !> Receives pairs of transforms.
+      type(periodic_solution_t), intent(inout) :: solution
+      integer :: n_before
 
-      tension = state%cohesion%stress*(sum_of(state%cohesion%share)/size(state%gap))
-   end function tension_of
+      associate (grid => self%grids(size(self%grids)), state => window%state)
+         call start_apart(self, shape, branch, window)
+         state%has_fixed_mean = .true.
+         state%mean_gap = sum_of(shape)/size(shape) - window%penetration
+         n_before = grid%operator%n_applied
+         call solve_by_steps(state, self%kernel, grid%operator, grid%gap_solver, tolerance, window%is_adhered)
+         solution%n_pairs = solution%n_pairs + grid%operator%n_applied - n_before
+      end associate
+   end subroutine step_on
 
    !> Collect the solution, with the area of coarser grids at the same mean gap, as far as they have the state.
    subroutine collect(self, state, tolerance, solution)

@@ -2,9 +2,10 @@
 !> Adhesive contact of a periodic surface, at rest or sliding steadily, on nested grids: load to pressure, gap and area on either
 !> branch.
 !>
-!> Each grid has the state of the wanted branch (`adfric_periodic_adhesive_contact`; where the body slides
-!> `adfric_periodic_sliding_rounds`), found from shares that are 1 or 0 everywhere; a coarser one says where Newton's method begins. On the finest grid alone the zones of the next coarser one, wider or narrower by a cell,
-!> are the bound, where that has contact. So the load of a jump is known as well as a grid of half the cells knows it: nearer to a jump
+!> Each grid has the state of the wanted branch, found from shares that are 1 or 0 everywhere (`adfric_periodic_adhesive_contact`).
+!> Where the body slides `adfric_periodic_sliding_rounds` finds it, and on the finest grid, if these do not settle,
+!> `adfric_periodic_sliding_steps`. A coarser grid says where Newton's method begins. On the finest grid alone the zones of the next
+!> coarser one, wider or narrower by a cell, are the bound, where that has contact. So the load of a jump is known as well as a grid of half the cells knows it: nearer to a jump
 !> the answer may be the state on its other side.
 module adfric_periodic_adhesive_solver
    use adfric_base_kinds, only: dp
@@ -14,12 +15,13 @@ module adfric_periodic_adhesive_solver
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_grids, only: coarsen
+   use adfric_periodic_sliding_steps, only: solve_by_steps
    use adfric_periodic_sliding_rounds, only: solve_by_rounds
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_friction, set_full_pressure, &
       & set_solution, start_from_coarse, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range
    implicit none (type, external)
    private
-   public :: adhesion_in_units, periodic_adhesion_t, solve_adhesive_load, solve_adhesive_state
+   public :: adhesion_in_units, periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load, solve_adhesive_state
 
    !> Adhesion of Maugis and Dugdale, and which of the states is wanted.
    type :: periodic_adhesion_t
@@ -74,6 +76,63 @@ contains
       end associate
    end subroutine solve_adhesive_load
 
+   !> Solve at a penetration of a layer, which resists a constant: with its mean compliance C the penetration D is a load D/C on a solid
+   !> whose constants are as stiff as it is. So rounds end in the least or the most adhered state at D, and there is no load to be sought.
+   subroutine solve_adhesive_layer(self, shape, penetration, adhesion, tolerance, solution, error)
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Penetration from first touch at the base of the layer, in the unit of `shape`; below 0 before it.
+      real(dp), intent(in) :: penetration
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended.
+      type(periodic_solution_t), intent(out) :: solution
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t), allocatable :: states(:), turned(:)
+      logical :: comes_back
+      integer :: n
+
+      call check_shape(self, shape, error)
+      if (allocated(error)) return
+      n = size(self%grids)
+      associate (compliance => self%grids(n)%operator%mean_compliance)
+         comes_back = .false.
+         if (adhesion%is_adhered .and. adhesion%has_turned) then
+            call set_states(self, shape, adhesion%turning_pressure, adhesion, turned)
+            call pass_grids(self, turned, .false., tolerance, solution)
+            if (solution%status == contact_not_converged) return
+            ! penetrations that the turn did not reach are those of approach
+            if (solution%status == contact_solved) comes_back = penetration < sum(turned(n)%shape - turned(n)%gap)/size(shape) &
+               & + compliance*adhesion%turning_pressure
+         end if
+         call set_states(self, shape, penetration/compliance, adhesion, states)
+      end associate
+      states%resists_mean = .true.
+      call resist(self, .true.)
+      if (comes_back) then
+         call pass_grids(self, states, .true., tolerance, solution, turned)
+      else
+         call pass_grids(self, states, adhesion%is_adhered .and. .not. adhesion%has_turned, tolerance, solution)
+      end if
+      call resist(self, .false.)
+      if (.not. allocated(states(n)%gap)) return
+      call set_full_pressure(self%grids(n)%operator, shape, solution)
+      call set_solution(states, self%grids(n)%operator, solution)
+      call set_friction(self, states, shape, solution)
+   end subroutine solve_adhesive_layer
+
+   !> Say of all grids whether a constant has the stiffness of the layer.
+   pure subroutine resist(self, resists)
+      type(periodic_solver_t), intent(inout) :: self
+      logical, intent(in) :: resists
+      integer :: k
+
+      do k = 1, size(self%grids)
+         call self%grids(k)%operator%resist_mean(resists)
+      end do
+   end subroutine resist
+
    !> Solve as `solve_adhesive_load`, for the state on the finest grid.
    subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, turned, state, solution, error)
       type(periodic_solver_t), intent(inout) :: self
@@ -117,15 +176,8 @@ contains
 
       call check_shape(self, shape, error)
       if (allocated(error)) return
-      n = size(self%grids)
-      allocate (states(n))
-      allocate (states(n)%shape, source=shape)
-      do k = n, 1, -1
-         if (k < n) allocate (states(k)%shape, source=coarsen(states(k + 1)%shape))
-         allocate (states(k)%cohesion)
-         call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%range, self%grids(k)%operator%is_quarter)
-         states(k)%mean_pressure = mean_pressure
-      end do
+      call set_states(self, shape, mean_pressure, adhesion, states)
+      n = size(states)
       if (adhesion%is_adhered .and. adhesion%has_turned .and. mean_pressure < adhesion%turning_pressure) then
          if (.not. allocated(turned)) then
             allocate (turned, source=states)
@@ -141,6 +193,29 @@ contains
          call pass_grids(self, states, adhesion%is_adhered .and. .not. adhesion%has_turned, tolerance, solution)
       end if
    end subroutine solve_on_grids
+
+   !> Shape, load and law on all grids.
+   subroutine set_states(self, shape, mean_pressure, adhesion, states)
+      type(periodic_solver_t), intent(in) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Mean pressure [E*].
+      real(dp), intent(in) :: mean_pressure
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> Receives the states, without a gap.
+      type(contact_state_t), allocatable, intent(out) :: states(:)
+      integer :: k, n
+
+      n = size(self%grids)
+      allocate (states(n))
+      allocate (states(n)%shape, source=shape)
+      do k = n, 1, -1
+         if (k < n) allocate (states(k)%shape, source=coarsen(states(k + 1)%shape))
+         allocate (states(k)%cohesion)
+         call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%range, self%grids(k)%operator%is_quarter)
+         states(k)%mean_pressure = mean_pressure
+      end do
+   end subroutine set_states
 
    !> Solve with adhesion on each grid, from the coarsest to the finest.
    subroutine pass_grids(self, states, is_adhered, tolerance, solution, turned)
@@ -189,6 +264,10 @@ contains
                      & is_sure, has_guess, has_contact)
                else
                   call solve_by_rounds(state, grid%operator, grid%gap_solver, grid_tolerance, bound, has_contact)
+                  ! steps of time have no turn to come from, and know no penetration of a layer
+                  if (k == size(states) .and. has_contact .and. .not. (state%is_converged .or. present(turned) &
+                     & .or. state%resists_mean)) &
+                     & call solve_by_steps(state, self%kernel, grid%operator, grid%gap_solver, grid_tolerance, is_adhered)
                end if
             end associate
             if (.not. has_contact) state = blank
@@ -211,7 +290,7 @@ contains
       type(contact_state_t) :: touch
 
       bound(:, :) = merge(1, 0, is_adhered)
-      if (is_adhered .or. state%mean_pressure > 0) return
+      if (is_adhered .or. state%resists_mean .or. state%mean_pressure > 0) return
       touch = state
       call touch%cohesion%set_share(state%shape)
       bound(:, :) = touch%cohesion%share

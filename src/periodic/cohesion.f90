@@ -14,8 +14,11 @@
 !> - t_i falls with every g_j. A smaller gap means larger shares, and those, where the stiffness has no positive entries off its
 !>   diagonal, a smaller gap (`adfric_periodic_adhesive_contact`).
 !> - -d t_i/d g_j = integral of H_i H_j/|grad g| along the line g = h0, symmetric; where the gap is flat, no width is spread over it.
+!>
+!> The file is long by shares and slopes, which are integrals over the same triangles.
 module adfric_periodic_cohesion
    use adfric_base_kinds, only: dp
+   use adfric_periodic_maps, only: sum_of
    implicit none (type, external)
    private
    public :: cohesion_t, new_cohesion
@@ -56,6 +59,7 @@ module adfric_periodic_cohesion
       procedure :: hold
       procedure :: subtract_slope
       procedure :: energy_of
+      procedure :: mean_tension
    end type cohesion_t
 
    !> Corners of the triangles among those of a square, which are counted round it; both ways to cut it.
@@ -360,6 +364,13 @@ contains
          end associate
       end do
    end subroutine subtract_slope
+
+   !> The mean tension of the shares [E*].
+   real(dp) function mean_tension(self)
+      class(cohesion_t), intent(in) :: self
+
+      mean_tension = self%stress*(sum_of(self%share)/size(self%share))
+   end function mean_tension
 
    !> Energy of adhesion per area, less than 0 where there is any: the mean of Phi [E* times the unit of the gap].
    pure real(dp) function energy_of(self, gap) result(energy)

@@ -208,15 +208,15 @@ contains
       call gap_solver%advance(0.0_dp, state%gap, state%pressure, extremes)
    end subroutine begin
 
-   !> See to it that there is contact, and under a given mean gap that there are open cells. At a given mean gap adhesion holds
-   !> surfaces that do not touch.
+   !> See to it that there is contact, and under a given mean gap that there are open cells. At a given mean gap or penetration of a
+   !> layer adhesion holds surfaces that do not touch.
    pure subroutine keep_region_sound(state)
       !> Contact whose open region is mended.
       type(contact_state_t), intent(inout) :: state
       integer :: cell(2)
 
       if (all(state%is_open)) then
-         if (state%has_fixed_mean .and. allocated(state%cohesion)) return
+         if ((state%has_fixed_mean .or. state%resists_mean) .and. allocated(state%cohesion)) return
          cell = minloc(state%shape)
          state%is_open(cell(1), cell(2)) = .false.
       else if (state%has_fixed_mean .and. .not. any(state%is_open)) then
@@ -250,7 +250,8 @@ contains
 
       if (extremes%peak > 0) state%pressure_scale = extremes%peak
       ! surfaces that do not touch have no pressure but that of adhesion, which the tension takes away
-      if (allocated(state%cohesion) .and. state%has_fixed_mean) state%pressure_scale = max(extremes%peak, state%cohesion%stress)
+      if (allocated(state%cohesion) .and. (state%has_fixed_mean .or. state%resists_mean)) &
+         & state%pressure_scale = max(extremes%peak, state%cohesion%stress)
       verdict%remaining = extremes%remaining
       if (extremes%overlap > tolerance*state%gap_scale) verdict%violation = state%cell_stiffness*extremes%overlap
       if (extremes%pull > tolerance*state%pressure_scale) verdict%violation = max(verdict%violation, extremes%pull)

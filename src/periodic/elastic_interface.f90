@@ -20,6 +20,7 @@ module adfric_periodic_elastic_interface
    use adfric_periodic_coupled_kernel, only: shear_coupling_t
    use adfric_periodic_coupled_losses, only: change_on_cells
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
+   use adfric_periodic_law_of_cells, only: get_mean_of_cells
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables, only: out => periodic_output
@@ -137,27 +138,13 @@ contains
       logical, intent(out) :: is_valid
       type(friction_law_t) :: law
       type(time_temperature_t) :: none
-      real(dp) :: of_cell, slope_of_cell
-      integer :: i, j, n
 
       call get_friction_law(values(of_interface), given, none, law)
       if (law%depends_on_pressure() .and. area > 0) then
-         stress = 0
-         slope = 0
-         n = 0
-         do j = 1, size(pressure, 2)
-            do i = 1, size(pressure, 1)
-               if (.not. pressure(i, j) > 0) cycle
-               call law%get_stress(abs(values(velocity)), pressure(i, j), values(temperature), of_cell, slope_of_cell, is_valid)
-               if (.not. is_valid) return
-               stress = stress + of_cell
-               slope = slope + of_cell*slope_of_cell
-               n = n + 1
-            end do
-         end do
-         stress = area*(stress/max(n, 1))
-         slope = area*(slope/max(n, 1))
-         is_valid = .true.
+         call get_mean_of_cells(law, abs(values(velocity)), values(temperature), pressure, pressure > 0, stress, slope, is_valid)
+         if (.not. is_valid) return
+         stress = area*stress
+         slope = area*slope
       else
          call get_shear_of_area(law, abs(values(velocity)), values(temperature), area, load, stress, slope, is_valid)
       end if

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the models of a periodic surface on an elastic half-space share, with or without adhesion; a model says what its surface is.
+!> The file is long by its answers to `periodic_model_t`.
 module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
@@ -163,13 +164,16 @@ contains
       !> Is the variable swept? Not asked here; shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
       type(problems_t), intent(inout) :: problems
+      integer :: n_before
 
       call check_friction(self, values, problems)
       associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, prescribed => self%before_prescribed)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, &
             & has_coulomb(coulomb_values(self, values)))
+         n_before = problems%count()
          call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
-         if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
+         ! a stress that is missing is told once
+         if (problems%count() == n_before .and. .not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
             if (values(prescribed + in%mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
             if (is_wanted(values(pull_off_index(self)))) &

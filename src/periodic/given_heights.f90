@@ -4,6 +4,7 @@
 module adfric_periodic_given_heights
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_describe_check, only: require
    use adfric_describe_rows, only: positive, dataset
@@ -143,7 +144,8 @@ contains
          call require(rows, values, [length_y], problems)
          if (is_set(values(length_x)) .and. is_set(values(length_y))) then
             if (is_too_long(shape(self%depths), values([length_x, length_y]))) call problems%add('surface', 'length_y', &
-               & 'and length_x make cells more than 1e6 times as long as wide')
+               & 'makes cells more than 1e6 times as long as wide, given '// &
+               & show_number(values(length_y))//' m beside length_x = '//show_number(values(length_x))//' m')
          end if
       else if (is_set(values(length_y))) then
          call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')

@@ -2,6 +2,7 @@
 !> Fields in the middles of the cells of nested grids.
 module adfric_periodic_grids
    use adfric_base_kinds, only: dp
+   use adfric_periodic_transfer, only: neighbour_of
    implicit none (type, external)
    private
    public :: coarsen, refine, n_grids_of
@@ -56,8 +57,8 @@ contains
          return
       end if
       do j = 1, n
-         fine(:, 2*j - 1) = (3*half(:, j) + half(:, neighbour(j, -1, n, is_quarter)))/4
-         fine(:, 2*j) = (3*half(:, j) + half(:, neighbour(j, 1, n, is_quarter)))/4
+         fine(:, 2*j - 1) = (3*half(:, j) + half(:, neighbour_of(j, -1, n, is_quarter)))/4
+         fine(:, 2*j) = (3*half(:, j) + half(:, neighbour_of(j, 1, n, is_quarter)))/4
       end do
    end function refine
 
@@ -73,28 +74,9 @@ contains
 
       n = size(coarse)
       do i = 1, n
-         fine(2*i - 1) = (3*coarse(i) + coarse(neighbour(i, -1, n, is_quarter)))/4
-         fine(2*i) = (3*coarse(i) + coarse(neighbour(i, 1, n, is_quarter)))/4
+         fine(2*i - 1) = (3*coarse(i) + coarse(neighbour_of(i, -1, n, is_quarter)))/4
+         fine(2*i) = (3*coarse(i) + coarse(neighbour_of(i, 1, n, is_quarter)))/4
       end do
    end subroutine refine_line
-
-   !> The cell beside a cell, by reflection or periodically at the ends.
-   pure integer function neighbour(i, step, n, is_quarter)
-      !> Number of the cell on its line, from 1.
-      integer, intent(in) :: i
-      !> Side on which the neighbour lies: -1 before the cell, 1 after it.
-      integer, intent(in) :: step
-      !> Number of cells on the line.
-      integer, intent(in) :: n
-      !> Does the field go on by reflection (else periodically)?
-      logical, intent(in) :: is_quarter
-
-      neighbour = i + step
-      if (is_quarter) then
-         neighbour = min(max(neighbour, 1), n)
-      else
-         neighbour = modulo(neighbour - 1, n) + 1
-      end if
-   end function neighbour
 
 end module adfric_periodic_grids

@@ -9,11 +9,9 @@
 !> and r alone: no digits are lost where D is small, since nothing is the difference of two contacts, and round-off of A g0 is in neither.
 !> What remains of the pressure is measured by the largest r, or the largest p - r where that is less.
 !>
-!> Where A has no positive entries off its diagonal, as on lines, it follows that h >= 0 and r >= 0, that no cell comes into contact, and
-!> that all cells of p < D leave it. For the gap of a load is the least of all g >= 0 with p >= 0 (R. W. Cottle, A. F. Veinott, Math.
-!> Program. 3, 1972, 238), a gap that will do for P - D will do for P, and so h >= 0. A cell that stays in contact lies in that of P then,
-!> so h = 0 there, A h <= 0, and r >= D. On maps A is so but nearly, and is not between cells that are far longer than wide. So the search
-!> begins with the cells of p < D open, and then opens and closes cells as that of any contact does: what is found fulfils all conditions.
+!> On lines no cell comes into contact, and all cells of p < D leave it (docs/theory/periodic_slip.md, Proofs). On maps that is nearly
+!> so. So the search begins with the cells of p < D open, and then opens and closes cells as that of any contact does: what is found
+!> fulfils all conditions.
 !>
 !> The slope of the mean gap where the contact stays as it is (`adfric_periodic_punch`) needs the same matrix, and begins from h.
 module adfric_periodic_lighter_load

@@ -16,7 +16,7 @@ module adfric_periodic_model
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, &
-      & solve_periodic, find_full_pressure
+      & solve_periodic, find_full_pressure, find_near_contacts
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
    use adfric_periodic_variables, only: get_periodic_results, n_prescribed, set_prescribed_rows, tolerance_row, &
@@ -298,6 +298,7 @@ contains
          ! what follows may end without a solution of its own
          state%solution%n_iterations = 0
          if (allocated(state%slip)) deallocate (state%slip)
+         if (allocated(state%solution%near)) deallocate (state%solution%near)
          call self%solve_in_closed_form(values, state%surface, goal, state%solution, is_known)
          if (.not. is_known) call solve_periodic(state%surface, goal, state%memory, state%solution, state%slip, error)
          if (allocated(error)) then
@@ -309,6 +310,7 @@ contains
          counts(1) = counts(1) + state%solution%n_iterations
          if (state%solution%status /= contact_solved) return
          status = status_solved
+         if (goal%wants_near) call find_near_contacts(state%surface, goal, state%memory, state%solution)
          call store(self, values, state%surface%solid, state%solution, results)
          call self%finish_point(values, state%surface, state%solution, results, error_estimate)
          if (allocated(state%slip)) call self%store_slip(values, state%surface, state%slip, results)

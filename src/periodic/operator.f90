@@ -11,6 +11,7 @@ module adfric_periodic_operator
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_text, only: show_number
    use adfric_base_watch, only: watch_t
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
    use adfric_periodic_kernel, only: kernel_t
@@ -76,10 +77,13 @@ contains
       type(error_t), allocatable, intent(out) :: error
 
       if (.not. all(period > 0)) then
-         call set_error(error, input_failure, 'the periods of a surface must be positive')
+         call set_error(error, input_failure, 'the periods of a surface are given as '//show_number(period(1))//' and '// &
+            & show_number(period(2))//', allowed: numbers > 0')
          return
       else if (is_too_long(n_cells, period)) then
-         call set_error(error, input_failure, 'the cells of a surface are far longer than wide')
+         call set_error(error, input_failure, 'the cells of a surface are far longer than wide, given '// &
+            & show_number(maxval(period/n_cells)/minval(period/n_cells))// &
+            & ' times, allowed: up to '//show_number(longest_cell)//' times')
          return
       end if
       call new_spectral_filter(self%filter, n_cells(1), n_cells(2), is_quarter, is_measured, error)

@@ -9,9 +9,12 @@ module adfric_periodic_point
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
-   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
+   use adfric_periodic_cohesion, only: new_cohesion
+   use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
+   use adfric_periodic_near_contact, only: solve_near_contact
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_pull_off_table, only: get_pull_off
    use adfric_periodic_slip, only: periodic_slip_t, solve_slip
@@ -20,9 +23,16 @@ module adfric_periodic_point
    implicit none (type, external)
    private
    public :: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
+   public :: find_near_contacts
 
    !> Largest difference of a cell's share of two solutions of one state; rounds end within 1e-5.
    real(dp), parameter :: same_share = 1.0e-3_dp
+
+   !> A kernel at another velocity.
+   type :: near_kernel_t
+      !> The kernel.
+      class(kernel_t), allocatable :: kernel
+   end type near_kernel_t
 
    !> What a surface is pressed against.
    type :: periodic_solid_t
@@ -30,6 +40,8 @@ module adfric_periodic_point
       real(dp) :: modulus = 1
       !> Its surface, with lengths in periods along x and pressures in E*; not allocated: an elastic half-space.
       class(kernel_t), allocatable :: kernel
+      !> Kernels at velocities a little off; not allocated: the velocity does not count.
+      type(near_kernel_t), allocatable :: near_kernels(:)
       !> Numbers from which the kernel was made; kernels of equal numbers are equal. Only beside a kernel.
       real(dp), allocatable :: numbers(:)
    end type periodic_solid_t
@@ -64,6 +76,8 @@ module adfric_periodic_point
       type(coulomb_t), allocatable :: friction
       !> Is the pull-off wanted? Is the state of the other branch?
       logical :: wants_pull_off = .false., wants_other_branch = .false.
+      !> Are contacts at velocities a little off wanted?
+      logical :: wants_near = .false.
       !> Pull-offs that the points of a run share; null: of this point alone.
       type(found_once_t), pointer :: pull_offs => null()
       !> Whom iterations ask whether they shall end; null: nobody.
@@ -140,6 +154,52 @@ contains
       solution%adhesion_energy = solution%adhesion_energy*unit
    end subroutine solve_periodic
 
+   !> Find the contacts of a solution at velocities a little off, as far as they are found.
+   subroutine find_near_contacts(surface, goal, memory, solution)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      type(periodic_goal_t), intent(in) :: goal
+      !> Solver of the point; made anew where a closed form needed none.
+      type(periodic_memory_t), intent(inout) :: memory
+      !> In: solved; lengths in m, pressures in E*. Out: with these contacts.
+      type(periodic_solution_t), intent(inout) :: solution
+      type(periodic_operator_t), allocatable :: operator
+      type(contact_state_t) :: state
+      type(error_t), allocatable :: error
+      integer :: k, n
+
+      n = 0
+      if (allocated(surface%solid%near_kernels)) n = size(surface%solid%near_kernels)
+      allocate (solution%near(n))
+      if (n == 0) return
+      call prepare(surface, memory, error)
+      if (allocated(error)) return
+      associate (unit => surface%period(1), grid => memory%solver%grids(size(memory%solver%grids)))
+         do k = 1, n
+            allocate (operator)
+            call new_periodic_operator(operator, surface%solid%near_kernels(k)%kernel, shape(surface%shape), surface%period/unit, &
+               & .false., .false., error)
+            if (allocated(error)) return
+            operator%watch => goal%watch
+            state = contact_state_t()
+            state%shape = surface%shape/unit
+            state%gap = solution%gap/unit
+            state%is_open = solution%gap > 0
+            state%has_fixed_mean = .not. (goal%is_pressure .or. operator%mean_compliance > 0)
+            state%resists_mean = .not. (goal%is_pressure .or. state%has_fixed_mean)
+            state%mean_pressure = solution%mean_pressure
+            if (state%resists_mean) state%mean_pressure = goal%value/unit/operator%mean_compliance
+            state%mean_gap = sum(state%gap)/size(state%gap)
+            if (allocated(goal%adhesion) .and. allocated(solution%share)) then
+               allocate (state%cohesion)
+               call new_cohesion(state%cohesion, goal%adhesion%stress, goal%adhesion%range/unit, .false.)
+            end if
+            call solve_near_contact(state, operator, grid%gap_solver, goal%tolerance, solution%near(k))
+            deallocate (operator)
+         end do
+      end associate
+   end subroutine find_near_contacts
+
    !> Solve a point with adhesion, and find its pull-off if it is wanted and not known.
    subroutine solve_adhesive(surface, goal, memory, solution, error)
       !> Periods and undeformed gap of the surface [m].
@@ -204,6 +264,8 @@ contains
 
       if (goal%is_pressure) then
          call solve_adhesive_load(solver, shape, value, adhesion, goal%tolerance, solution, error)
+      else if (solver%grids(size(solver%grids))%operator%mean_compliance > 0) then
+         call solve_adhesive_layer(solver, shape, value, adhesion, goal%tolerance, solution, error)
       else
          call solve_adhesive_penetration(solver, shape, value, adhesion, goal%tolerance, solution, error)
       end if

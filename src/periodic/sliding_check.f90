@@ -9,7 +9,7 @@ module adfric_periodic_sliding_check
    use adfric_interface_heat_rows, only: has_heat
    use adfric_interface_shear_coupling, only: check_coupling, is_coupled
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
+   use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows, needs_velocity
    use adfric_describe_check, only: require, refuse_given, refuse_swept
    use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
@@ -96,7 +96,7 @@ contains
          & abs(without_temperature(values, spectrum) - values) > 0))
          call check_spectrum(rows(:n_spectrum_rows), of_solid(:n_spectrum_rows), spectrum, needs(:n_spectrum_rows), problems)
       end associate
-      call require(rows, values, [s_velocity], problems)
+      call require(rows, values, [s_velocity], problems, needs_velocity)
       call check_adhesion(rows(s_adhesion:s_last_adhesion), values(s_adhesion:s_last_adhesion), problems)
       if (problems%count() == before) then
          if (.not. speed_of(values, spectrum) <= fastest) call problems%add(rows(s_velocity)%group, rows(s_velocity)%name, &

@@ -9,9 +9,8 @@ module adfric_periodic_sliding_heat
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_friction_law, only: friction_law_t
-   use adfric_interface_heat_rows, only: get_heat, h_background, h_bulk, h_contact, h_flash, h_gain, h_interface, h_peak, h_share, &
-      & h_states, heat_t
-   use adfric_interface_thermal_states, only: heated_contact_t, thermal_states_t
+   use adfric_interface_heat_rows, only: get_heat, h_background, h_bulk, h_flash, h_interface, h_peak, h_share, heat_t
+   use adfric_interface_thermal_states, only: heated_contact_t
    use adfric_interface_total_friction, only: interface_tractions
    use adfric_periodic_flash_cells, only: flash_cells_t, heated_bodies_t, new_flash_cells
    use adfric_periodic_point, only: periodic_surface_t
@@ -47,38 +46,31 @@ contains
       type(flash_cells_t) :: flash
       type(heat_t) :: heat
       type(heated_contact_t) :: contact
-      type(thermal_states_t) :: states
       real(dp), allocatable :: weights(:, :), tractions(:, :)
-      integer :: n
 
       results = not_a_number()
       allocate (rise(size(pressure, 1), size(pressure, 2)), source=0.0_dp)
       temperature = values(s_temperature)
       call get_heat(values(s_heat:s_last_heat), values(s_thickness), heat)
-      n = count(is_contact)
       associate (speed => values(s_velocity))
          is_valid = .true.
          results([h_bulk, h_background]) = speed*losses*[1.0_dp, heat%background]
          temperature = temperature + results(h_background)
          results(h_interface) = 0
-         if (n == 0) return
+         if (.not. any(is_contact)) return
          allocate (weights, source=rise)
          if (speed > 0) call set_flash(heat, values, surface, flash, is_valid)
          if (speed > 0 .and. is_valid) call flash%get_weights(is_contact, weights, is_valid)
          if (.not. is_valid) return
          contact = heated_contact_t(law=law, speed=speed, base=temperature, pressure=pack(pressure, is_contact), &
             & weights=speed*(pack(weights, is_contact) + heat%background/size(is_contact)))
-         call contact%find_states(states, is_valid)
+         call heat%settle(contact, temperature, results, is_valid)
          if (.not. is_valid) return
-         n = merge(states%n, 1, heat%is_hot)
-         temperature = states%temperature(n)
-         results([h_contact, h_gain, h_states]) = [temperature, states%gain(n), real(states%n, dp)]
          allocate (tractions, mold=weights)
          tractions(:, :) = interface_tractions(law, speed, temperature, pressure, is_contact)
          results(h_interface) = speed*sum(tractions)/size(tractions)
          results(h_background) = results(h_background) + heat%background*results(h_interface)
          results(h_flash) = speed*sum(weights*tractions)
-         results([h_peak, h_share]) = [0.0_dp, not_a_number()]
          if (.not. results(h_interface) > 0) return
          call flash%get_temperature(is_contact, speed*tractions, rise, results(h_share), is_valid)
          results(h_peak) = maxval(rise)

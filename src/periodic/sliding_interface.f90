@@ -13,7 +13,7 @@ module adfric_periodic_sliding_interface
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_interface, n_interface_rows, needs_temperature
    use adfric_interface_heat_rows, only: check_heat, doubt_heat, h_background, h_bulk, h_contact, h_interface, has_heat, &
-      & n_heat_results
+      & n_heat_results, velocity_that_heats
    use adfric_interface_shear_coupling, only: is_coupled
    use adfric_interface_shear_strength_rows, only: p_shear_stress
    use adfric_interface_total_friction, only: coupling_of, doubt_coupling, get_shear_of_area, interface_tractions, &
@@ -24,17 +24,21 @@ module adfric_periodic_sliding_interface
    use adfric_describe_table, only: variable_t
    use adfric_periodic_coupled_kernel, only: coupled_kernel_t, coupling_of_layer, shear_coupling_t
    use adfric_periodic_coupled_losses, only: change_on_cells, heat_of_half_space
+   use adfric_periodic_near_contact, only: near_contact_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_sliding_case, only: poisson_ratio_of_solid
    use adfric_periodic_sliding_heat, only: find_contact_temperature
+   use adfric_periodic_law_of_cells, only: get_mean_of_cells
+   use adfric_periodic_sliding_slope, only: contact_slope
    use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_coupling, s_friction, s_heat, s_last_adhesion, &
       & s_last_heat, s_temperature, s_thickness, s_velocity, out => sliding_output
    use adfric_periodic_variables, only: periodic_output
    implicit none (type, external)
    private
    public :: has_surface_interface, without_temperature, check_surface_interface, add_surface_interface, set_interface_maps
-   public :: add_left_out, doubt_surface_coupling, has_surface_heat, doubt_surface_heat
+   public :: add_left_out, doubt_surface_coupling, has_surface_heat, doubt_surface_heat, velocity_that_heats_surface
+   public :: wants_velocity_slope
 
 contains
 
@@ -115,7 +119,8 @@ contains
    end subroutine check_surface_interface
 
    !> Add the interface to the friction of a point, and its heat.
-   subroutine add_surface_interface(values, spectrum, given, surface, pressure, is_contact, results, flash, is_valid)
+   subroutine add_surface_interface(values, spectrum, given, surface, pressure, is_contact, near, results, flash, &
+      & is_valid)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
@@ -125,6 +130,8 @@ contains
       !> Pressure in the cells, below 0 where adhesion pulls [Pa], and where the faces touch; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
       logical, intent(in) :: is_contact(:, :)
+      !> Contacts at velocities a little off; not allocated: not known.
+      type(near_contact_t), allocatable, intent(in) :: near(:)
       !> In: results of the frictionless contact. Out: with both parts of the friction; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Receives with heat the flash temperatures [K]; shape `(nx, ny)`.
@@ -145,8 +152,10 @@ contains
       if (.not. is_valid) return
       associate (area => results(periodic_output%contact_fraction))
          if (law%depends_on_pressure() .and. area > 0) then
-            call get_mean_of_cells(law, values(s_velocity), temperature, pressure, is_contact, friction%interfacial, is_valid)
+            call get_mean_of_cells(law, values(s_velocity), temperature, pressure, is_contact, friction%interfacial, &
+               & friction%interfacial_slope, is_valid)
             friction%interfacial = area*friction%interfacial
+            friction%interfacial_slope = area*friction%interfacial_slope
          else
             carried = results(periodic_output%mean_pressure)
             if (tension_of(values) > 0) carried = carried + tension_of(values)*results(out%adhesion_fraction)
@@ -156,8 +165,14 @@ contains
       end associate
       if (.not. is_valid) return
       if (has_surface_heat(values)) results(out%heat(h_interface)) = values(s_velocity)*friction%interfacial
-      ! the slope of a contact on cells is not known
-      friction%neighbours = not_a_number()
+      friction%contact_slope = not_a_number()
+      if (allocated(near)) then
+         select type (solid => surface%solid)
+         type is (viscoelastic_solid_t)
+            friction%contact_slope = contact_slope(law, values(s_velocity), values(s_temperature), tension_of(values), &
+               & solid, near, friction%hysteretic + friction%interfacial)
+         end select
+      end if
       call friction%store(values(s_velocity), results(periodic_output%mean_pressure), results(out%friction_stress), &
          & results(out%friction_coefficient), results(out%hysteretic_friction_stress:out%velocity_slope))
       if (.not. (has_surface_heat(values) .and. law%is_coulomb())) return
@@ -166,6 +181,15 @@ contains
          call share_heat(values, law, solid, pressure, surface%period, results)
       end select
    end subroutine add_surface_interface
+
+   !> Is the slope over the velocity to be found? With heat the contact has another temperature at another velocity.
+   pure logical function wants_velocity_slope(values)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_velocity_slope = has_surface_interface(values) .and. .not. has_surface_heat(values)
+      if (wants_velocity_slope) wants_velocity_slope = values(s_velocity) > 0
+   end function wants_velocity_slope
 
    !> Share the heat of a shear stress that is proportional to the pressure: a part of its work is lost in the solid.
    subroutine share_heat(values, law, solid, pressure, period, results)
@@ -197,36 +221,6 @@ contains
       results(out%heat(h_bulk)) = values(s_velocity)*losses
       results(out%heat(h_interface)) = values(s_velocity)*results(out%friction_stress) - results(out%heat(h_bulk))
    end subroutine share_heat
-
-   !> Mean shear stress of the cells in contact.
-   pure subroutine get_mean_of_cells(law, speed, temperature, pressure, is_contact, mean, is_valid)
-      type(friction_law_t), intent(in) :: law
-      !> Speed [m/s], and temperature of the contact [K].
-      real(dp), intent(in) :: speed, temperature
-      !> Pressure in the cells [Pa].
-      real(dp), intent(in) :: pressure(:, :)
-      !> Do the faces touch? Shape of `pressure`.
-      logical, intent(in) :: is_contact(:, :)
-      !> The mean [Pa].
-      real(dp), intent(out) :: mean
-      logical, intent(out) :: is_valid
-      real(dp) :: stress, slope
-      integer :: i, j, n
-
-      mean = 0
-      n = 0
-      is_valid = .true.
-      do j = 1, size(pressure, 2)
-         do i = 1, size(pressure, 1)
-            if (.not. is_contact(i, j)) cycle
-            call law%get_stress(speed, pressure(i, j), temperature, stress, slope, is_valid)
-            if (.not. is_valid) return
-            mean = mean + stress
-            n = n + 1
-         end do
-      end do
-      mean = mean/max(n, 1)
-   end subroutine get_mean_of_cells
 
    !> Set the map of the shear stress, and with heat that of the temperature.
    subroutine set_interface_maps(values, spectrum, given, results, maps)
@@ -274,6 +268,22 @@ contains
       call law_of_surface(values, spectrum, given, law)
       call doubt_heat(values(s_heat:s_last_heat), law, values(s_temperature), half_width, text)
    end subroutine doubt_surface_heat
+
+   !> Velocity from which on heat matters [m/s], or unset.
+   real(dp) function velocity_that_heats_surface(values, spectrum, given, half_width) result(velocity)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      !> Half-width of a contact [m].
+      real(dp), intent(in) :: half_width
+      type(friction_law_t) :: law
+
+      velocity = unset
+      if (.not. has_surface_interface(values)) return
+      call law_of_surface(values, spectrum, given, law)
+      velocity = velocity_that_heats(values(s_heat:s_last_heat), law, values(s_temperature), half_width)
+   end function velocity_that_heats_surface
 
    !> Add the change of the friction by a coupling that is left out, where Poisson's ratio is known.
    subroutine add_left_out(values, spectrum, given, solid, pressure, is_contact, period, results)

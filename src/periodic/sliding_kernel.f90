@@ -17,7 +17,6 @@ module adfric_periodic_sliding_kernel
 
    !> A viscoelastic solid that passes below a body.
    type, extends(kernel_t) :: sliding_kernel_t
-      private
       !> The elastic solid of unit modulus.
       class(kernel_t), allocatable :: solid
       !> Relaxation spectrum; pressures are in its unit.

@@ -21,12 +21,13 @@ module adfric_periodic_sliding_model
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
+   use adfric_periodic_near_contact, only: near_contact_t, near_steps
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_sliding_case, only: set_sliding_solid
    use adfric_periodic_sliding_check, only: check_pull, check_sliding_surface, check_sliding_solid
    use adfric_periodic_sliding_description, only: derive_surface, doubt_one_contact, doubt_surface, slope_of_surface
    use adfric_periodic_sliding_interface, only: add_left_out, add_surface_interface, doubt_surface_heat, has_surface_heat, &
-      & has_surface_interface, set_interface_maps
+      & has_surface_interface, set_interface_maps, velocity_that_heats_surface, wants_velocity_slope
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
@@ -35,11 +36,11 @@ module adfric_periodic_sliding_model
       & set_solid_rows, set_surface_rows, &
       & in => sliding_input, out => sliding_output
    use adfric_periodic_solver, only: periodic_solution_t
-   use adfric_periodic_variables, only: is_wanted, prescribed => periodic_input
+   use adfric_periodic_variables, only: is_wanted, contact => periodic_output
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
    use adfric_periodic_wave_contact, only: wave_pressure_of_full_contact, mean_pressure_at, &
-      & set_full_contact
+      & set_full_contact, wave_friction_of_full_contact
    implicit none (type, external)
    private
    public :: sliding_model_t, new_sliding_model
@@ -69,6 +70,7 @@ module adfric_periodic_sliding_model
       procedure :: derive_solid
       procedure :: describe_case
       procedure :: describe_doubts
+      procedure :: velocity_of_heat
       procedure :: measure
       procedure, private :: adhesion_of
       procedure, private :: height_of
@@ -175,9 +177,7 @@ contains
             & is_swept(first:last), problems)
       end associate
       is_adhesive = has_adhesion(values(self%first_of_solid + s_adhesion - 1:self%first_of_solid + s_last_adhesion - 1))
-      associate (before => self%first_of_solid - 1, depth => self%before_prescribed + prescribed%penetration)
-         if (is_adhesive .and. is_set(values(depth)) .and. is_set(values(before + s_thickness))) call problems%add('operating', &
-            & 'penetration', 'of a layer has no answer with adhesion; give the mean pressure')
+      associate (before => self%first_of_solid - 1)
          if (.not. is_adhesive) call check_pull(self%variables, values, self%before_prescribed, &
             & before + [s_pull_off, s_other_branch], problems)
       end associate
@@ -316,6 +316,7 @@ contains
       type(periodic_goal_t), intent(inout) :: goal
       type(adhesion_law_t) :: law
 
+      goal%wants_near = wants_velocity_slope(values(self%first_of_solid:self%last_of_solid))
       law = self%adhesion_of(values)
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
       if (.not. law%stress > 0) return
@@ -368,8 +369,10 @@ contains
          call set_sliding_results(values, self%adhesion_of(values), surface, solid, solution, results, error_estimate)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
       end select
+      if (allocated(solution%near) .and. nint(values(in%kind)) /= kind_heights) call set_near_losses(values, surface, results, &
+         & solution%near)
       call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, surface, &
-         & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, results, solution%flash, is_valid)
+         & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, solution%near, results, solution%flash, is_valid)
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
          if (is_valid) call add_left_out(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, solid, &
@@ -378,6 +381,29 @@ contains
       ! so large an error is that of a point which is not solved
       if (.not. is_valid) error_estimate = huge(error_estimate)
    end subroutine finish_point
+
+   !> Set the losses of a wave in full contact, which are those of the wave and not those of its cells.
+   subroutine set_near_losses(values, surface, results, near)
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t), intent(in) :: surface
+      !> Results of the point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: contacts on the cells at velocities a little off. Out: of full contact, with the loss of the wave.
+      type(near_contact_t), intent(inout) :: near(:)
+      type(viscoelastic_solid_t) :: other
+      integer :: k
+
+      if (.not. results(contact%mean_pressure) >= results(contact%full_contact_pressure)) return
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         other = solid
+         do k = 1, size(near)
+            other%motion%velocity = solid%motion%velocity*exp(near_steps(k))
+            near(k)%loss = solid%motion%direction()*wave_friction_of_full_contact(other, values(in%amplitude)/values(in%period), &
+               & nint(values(in%kind)) == kind_wave_2d)
+         end do
+      end select
+   end subroutine set_near_losses
 
    !> See `model_t`: the shear stress belongs to friction of the interface, the temperature to heat.
    pure integer function count_profiles(self, values)
@@ -449,6 +475,17 @@ contains
       law = self%adhesion_of(values)
       if (law%stress > 0) text = text//doubt_zone(law, surface)
    end function describe_doubts
+
+   !> See `model_t`: in contacts of half of the period.
+   real(dp) function velocity_of_heat(self, values) result(velocity)
+      class(sliding_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t) :: surface
+
+      call self%get_cells(values, surface)
+      velocity = velocity_that_heats_surface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, &
+         & surface%period(1)/4)
+   end function velocity_of_heat
 
    !> See `model_t`: the steepest slope of waves, the mean one of heights.
    subroutine measure(self, values, results, measures)

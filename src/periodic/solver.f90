@@ -5,7 +5,7 @@
 !> The contact is solved on the coarsest grid first and carried from grid to grid, each of half the cell size, so that on the
 !> finest one only cells at the perimeter are wrong. Without shear stress at the surfaces; equations in `adfric_periodic_contact`.
 !> Surfaces that adhere have a solver of their own (`adfric_periodic_adhesive_solver`). Pressures are in the unit of the kernel, E* or
-!> E0, which the comments below call E*; lengths in any unit.
+!> E0, which the comments below call E*; lengths in any unit. The file is long by what a solution has, each with its comment.
 module adfric_periodic_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, input_failure
@@ -18,6 +18,7 @@ module adfric_periodic_solver
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_line_contact, only: solve_line
    use adfric_periodic_maps, only: sum_of
+   use adfric_periodic_near_contact, only: near_contact_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    implicit none (type, external)
    private
@@ -55,6 +56,9 @@ module adfric_periodic_solver
       real(dp), allocatable :: share(:, :)
       !> Flash temperatures of a surface that slides [K], not allocated without heat; shape of the cells.
       real(dp), allocatable :: flash(:, :)
+      !> Contacts at velocities a little off, in the order of `near_steps`; none where the velocity does not count; not allocated where
+      !> they are not wanted.
+      type(near_contact_t), allocatable :: near(:)
       !> Energy of an elastic solid, and of adhesion below 0, per area [E* times the unit of the gap].
       real(dp) :: elastic_energy = 0, adhesion_energy = 0
       !> Pull-off, where it was sought and found [E*]; else the largest number.
@@ -96,6 +100,8 @@ module adfric_periodic_solver
    type :: periodic_solver_t
       !> The finest is the last. They are `adfric_periodic_adhesive_solver`'s as well, and nobody else's.
       type(grid_t), allocatable :: grids(:)
+      !> The surface of the solid, from which they were made.
+      class(kernel_t), allocatable :: kernel
    contains
       procedure :: solve_load
       procedure :: solve_penetration
@@ -127,6 +133,7 @@ contains
       if (present(is_measured)) measured = is_measured
       n_grids = n_grids_of(n_cells)
       allocate (self%grids(n_grids))
+      allocate (self%kernel, source=kernel)
       do k = 1, n_grids
          associate (n => max(n_cells/2**(n_grids - k), min(n_cells, 1)))
             call new_periodic_operator(self%grids(k)%operator, kernel, n, period, is_quarter, measured, error)
@@ -361,7 +368,9 @@ contains
       solution%status = merge(contact_solved, contact_not_converged, states(n)%is_converged)
       solution%n_iterations = states(n)%n_iterations
       solution%mean_pressure = states(n)%mean_pressure
-      if (states(n)%resists_mean) solution%mean_pressure = sum_of(states(n)%pressure)/size(states(n)%pressure)
+      if (states(n)%resists_mean) solution%mean_pressure = load_of(states(n))
+      if (states(n)%resists_mean .and. allocated(states(n)%cohesion)) solution%mean_pressure = solution%mean_pressure &
+         & - states(n)%cohesion%mean_tension()
       solution%penetration = sum(states(n)%shape - states(n)%gap)/size(states(n)%shape) &
          & + operator%mean_compliance*solution%mean_pressure
       solution%gap = max(states(n)%gap, 0.0_dp)
@@ -390,8 +399,8 @@ contains
       type(contact_state_t), intent(in) :: state
 
       load = state%mean_pressure
+      if (allocated(state%cohesion)) load = load + state%cohesion%mean_tension()
       if (state%resists_mean) load = sum_of(state%pressure)/size(state%pressure)
-      if (allocated(state%cohesion)) load = load + state%cohesion%stress*(sum_of(state%cohesion%share)/size(state%pressure))
    end function load_of
 
 end module adfric_periodic_solver

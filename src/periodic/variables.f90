@@ -87,7 +87,7 @@ contains
    type(result_t) function pull_off_pressure_row() result(r)
 
       r = result_row(name='pull_off_pressure', unit='Pa', &
-         & long_name='least mean pressure of the adhered branch, with &output pull_off')
+         & long_name='least mean pressure of the adhered branch, with &output pull_off', is_main=.true.)
    end function pull_off_pressure_row
 
    !> Is a switch on, which a model may not have?

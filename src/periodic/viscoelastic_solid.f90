@@ -12,6 +12,7 @@ module adfric_periodic_viscoelastic_solid
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_layer_kernel, only: layer_kernel_t
+   use adfric_periodic_near_contact, only: near_steps
    use adfric_periodic_point, only: periodic_solid_t
    use adfric_periodic_sliding_kernel, only: sliding_kernel_t, new_sliding_kernel
    implicit none (type, external)
@@ -63,8 +64,9 @@ contains
       !> Friction coefficient and Poisson's ratio where shear moves the surface; absent: it does not.
       type(shear_coupling_t), intent(in), optional :: coupling
       type(layer_kernel_t) :: reduced
-      type(sliding_kernel_t), allocatable :: kernel
+      type(sliding_kernel_t), allocatable :: kernel, other
       real(dp) :: velocity
+      integer :: k
 
       self%modulus = prony%relaxed
       call new_prony(self%prony, 1.0_dp, prony%moduli/prony%relaxed, prony%times)
@@ -84,6 +86,12 @@ contains
       if (velocity > 0 .and. size(self%prony%times) > 0) then
          allocate (kernel)
          call new_sliding_kernel(kernel, self%elastic, self%prony, velocity, merge(motion%steps, 0, motion%varies))
+         allocate (self%near_kernels(size(near_steps)))
+         do k = 1, size(near_steps)
+            allocate (other, source=kernel)
+            other%velocity = velocity*exp(near_steps(k))
+            call move_alloc(other, self%near_kernels(k)%kernel)
+         end do
          call move_alloc(kernel, self%kernel)
       else
          allocate (self%kernel, source=self%elastic)
@@ -102,6 +110,7 @@ contains
       !> The layer with lengths in periods along x; counts where it is bonded.
       type(layer_kernel_t), intent(in) :: layer
       type(coupled_kernel_t), allocatable :: kernel
+      integer :: k
 
       self%coupling = coupling
       self%coupling%thickness = 0
@@ -111,6 +120,14 @@ contains
       call move_alloc(self%kernel, kernel%solid)
       kernel%coupling = self%coupling
       call move_alloc(kernel, self%kernel)
+      if (allocated(self%near_kernels)) then
+         do k = 1, size(self%near_kernels)
+            allocate (kernel)
+            call move_alloc(self%near_kernels(k)%kernel, kernel%solid)
+            kernel%coupling = self%coupling
+            call move_alloc(kernel, self%near_kernels(k)%kernel)
+         end do
+      end if
       self%numbers = [self%numbers, coupling%friction_coefficient, coupling%poisson_ratio]
    end subroutine couple
 

@@ -8,14 +8,17 @@
 !>
 !> - `adhered`, slow unloading from full contact: saturated or full from the end of saturation on, else the partial state.
 !> - `approach`, slow loading from apart, q >= 0: the partial state up to the saturation fold, else saturated or full.
+!> - Where partial states are a closed curve, these two branches begin and end at extremes of the load on it: first touch has no
+!>   state, and what `approach` begins with at no load is the arc of rising load whose contacts are narrower.
 !> - Under penetration, `approach` is free up to -d0 and follows the partial states upwards; `adhered` comes from full contact.
 module adfric_plane_adhesive_sliding_branch
    use adfric_base_kinds, only: dp
    use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t, slide_zones_t
-   use adfric_plane_adhesive_sliding_curve, only: slide_curve_t, trace_curve, state_between
+   use adfric_plane_adhesive_sliding_bulges, only: keep_states
+   use adfric_plane_adhesive_sliding_curve, only: slide_curve_t, trace_curve, trace_from_corner, roughly, &
+      & state_between
    use adfric_plane_adhesive_sliding_folds, only: insert_folds
    use adfric_plane_adhesive_sliding_point_of_curve, only: curve_point_t, correct_point, by_load, by_penetration
-   use adfric_plane_adhesive_sliding_profile, only: slide_profile_t, new_slide_profile, short_gap, zone_violation
    use adfric_plane_adhesive_sliding_saturation, only: find_saturated_contact
    use adfric_plane_sliding_wave, only: wave_contact_t, get_full_contact, wave_of_pressure, wave_of_penetration
    implicit none (type, external)
@@ -26,9 +29,6 @@ module adfric_plane_adhesive_sliding_branch
    integer, parameter, public :: regime_none = 0, regime_free = 1, regime_zones = 2, regime_saturated = 3, regime_full = 4
    !> Branches.
    integer, parameter, public :: branch_adhered = 1, branch_approach = 2
-
-   !> Gap above the range, over the range, in a zone that still counts as one.
-   real(dp), parameter :: allowed_violation = 1.0e-6_dp
 
    !> Ends of the branches at a speed.
    type :: slide_branches_t
@@ -44,6 +44,8 @@ module adfric_plane_adhesive_sliding_branch
       logical :: is_at_touch = .false.
       !> Does the curve go beyond its largest load, or to the end of saturation?
       logical :: is_complete = .false.
+      !> Are there partial states whose load rises with their width, so that they are stable under load? Those at first touch count.
+      logical :: has_rise = .false.
       !> Loads of these two, and the one from which contact is full.
       real(dp) :: pull_off_load = 0, fold_load = 0, full_load = 0
       !> Load and penetration at the end of saturation.
@@ -73,8 +75,10 @@ contains
       logical, intent(out) :: is_found
       !> Load up to which the curve of a cylinder is wanted.
       real(dp), intent(in), optional :: largest_load
-      type(wave_contact_t) :: full
+      type(wave_contact_t) :: full, corner
+      real(dp) :: zones(2)
       real(dp), allocatable :: loads(:)
+      logical :: begins_at_touch
       integer :: n
 
       branches%slide = slide
@@ -82,50 +86,57 @@ contains
       if (slide%is_wave) then
          call get_full_contact(slide%solid, full)
          branches%full_load = full%mean_pressure/2 - slide%stress
-         call find_end_of_saturation(slide, branches, is_found)
+         call find_end_of_saturation(slide, branches, corner, zones, is_found)
          if (.not. is_found) return
       end if
       call trace_curve(slide, branches%curve, branches%has_curve, largest_load)
+      if (slide%is_wave .and. slide%range < 2 .and. .not. branches%curve%is_closed .and. &
+         & .not. (branches%curve%reaches_touch .and. branches%curve%reaches_corner)) call trace_from_corner(slide, &
+         & corner%shift%shift, corner%half_width, zones, branches%curve, branches%has_curve)
       if (.not. branches%has_curve) return
       call insert_folds(slide, branches%curve)
-      if (slide%is_wave) call end_at_corner(slide, branches%curve)
+      begins_at_touch = .true.
+      if (slide%is_wave) call keep_states(roughly(slide), branches%curve, begins_at_touch)
       loads = branches%curve%points%load
       n = size(loads)
       branches%fold = maxloc(loads, 1)
       branches%pull_off = minloc(loads(:branches%fold), 1)
-      branches%is_complete = branches%curve%reaches_touch .and. (branches%fold < n .or. branches%curve%reaches_corner)
+      branches%is_complete = branches%curve%is_closed &
+         & .or. branches%curve%reaches_touch .and. (branches%fold < n .or. branches%curve%reaches_corner)
       branches%is_at_touch = loads(branches%pull_off) > loads(1) - 1.0e-9_dp*maxval(abs(loads(:branches%fold)))
-      branches%pull_off_load = loads(branches%pull_off)
-      branches%fold_load = loads(branches%fold)
+      call sharpen(slide, branches%curve%points(branches%pull_off))
+      call sharpen(slide, branches%curve%points(branches%fold))
+      branches%pull_off_load = branches%curve%points(branches%pull_off)%load
+      branches%fold_load = branches%curve%points(branches%fold)%load
+      branches%has_rise = begins_at_touch .or. branches%pull_off < branches%fold
    end subroutine find_branches
 
-   !> Cut the curve behind the end of saturation. There it goes on with zones whose gap is larger than the range: no states.
-   pure subroutine end_at_corner(slide, curve)
+   !> Bring a point that is near the curve onto it.
+   pure subroutine sharpen(slide, point)
       type(adhesive_slide_t), intent(in) :: slide
-      type(slide_curve_t), intent(inout) :: curve
-      type(slide_profile_t) :: profile
-      integer :: i
+      type(curve_point_t), intent(inout) :: point
+      type(curve_point_t) :: sharp
+      logical :: is_found
 
-      do i = 1, size(curve%points) - 1
-         if (curve%points(i)%zones%free > short_gap) cycle
-         call new_slide_profile(slide, curve%points(i)%zones, profile)
-         if (zone_violation(profile) <= allowed_violation) cycle
-         curve%points = curve%points(:i)
-         return
-      end do
-   end subroutine end_at_corner
+      sharp = point
+      call correct_point(slide, point%z, point%tangent, sharp, is_found)
+      if (is_found) point = sharp
+   end subroutine sharpen
 
    !> The saturated state whose largest gap is the range. Without contact the gap is 2 at most.
-   pure subroutine find_end_of_saturation(slide, branches, is_found)
+   pure subroutine find_end_of_saturation(slide, branches, contact, zones, is_found)
       type(adhesive_slide_t), intent(in) :: slide
       type(slide_branches_t), intent(inout) :: branches
+      !> The contact, and the distances of its largest gap from both edges, if the range is below 2.
+      type(wave_contact_t), intent(out) :: contact
+      real(dp), intent(out) :: zones(2)
       logical, intent(out) :: is_found
-      type(wave_contact_t) :: contact
 
       is_found = .true.
+      zones = 0
       branches%saturation_load = -slide%stress
       if (slide%range >= 2) return
-      call find_saturated_contact(slide%solid, slide%range, contact, is_found)
+      call find_saturated_contact(slide%solid, slide%range, contact, zones, is_found)
       branches%saturation_load = contact%mean_pressure/2 - slide%stress
       branches%saturation_penetration = contact%penetration
    end subroutine find_end_of_saturation
@@ -140,13 +151,15 @@ contains
       logical :: is_partial, is_saturated
 
       is_solved = .true.
-      is_partial = branches%has_curve
+      is_partial = branches%has_rise
       if (is_partial) is_partial = load >= branches%pull_off_load .and. load <= branches%fold_load
       is_saturated = branches%slide%is_wave .and. load >= branches%saturation_load .and. load > -branches%slide%stress
       if (branch == branch_approach .and. load < 0) return
       if (branch == branch_approach .and. is_partial) is_saturated = .false.
       if (is_saturated) then
          call solve_saturated(branches, load, state, is_solved)
+         ! what unloading from full contact keeps does not depend on other states
+         if (branch == branch_adhered) return
       else if (is_partial) then
          ! a cylinder that unloads comes from the wide end of its curve
          call search(branches, by_load, load, branches%pull_off, branches%fold, &
@@ -154,14 +167,14 @@ contains
       end if
       ! where the curve could not be followed to its end nothing is known of what is not on it
       if (branches%has_curve .and. .not. branches%is_complete .and. .not. is_partial) is_solved = .false.
-      if (.not. knows_curve(branches) .and. .not. (is_saturated .and. branch == branch_adhered)) is_solved = .false.
+      if (.not. knows_curve(branches)) is_solved = .false.
    end subroutine state_of_load
 
    !> Is the curve there from first touch on, or does the range leave no partial state?
    pure logical function knows_curve(branches)
       type(slide_branches_t), intent(in) :: branches
 
-      knows_curve = branches%has_curve .and. branches%curve%reaches_touch
+      knows_curve = branches%has_curve .and. (branches%curve%reaches_touch .or. branches%curve%is_closed)
       if (branches%slide%is_wave .and. branches%slide%range >= 2) knows_curve = .true.
    end function knows_curve
 
@@ -302,7 +315,8 @@ contains
          call solve_saturated_penetration(branches, penetration, state, is_solved)
          return
       end if
-      is_solved = knows_curve(branches)
+      ! which arc of a closed curve a penetration leads to is not known
+      is_solved = knows_curve(branches) .and. .not. branches%curve%is_closed
       if (.not. is_solved) return
       if (branches%has_curve) then
          if (branch == branch_adhered) then

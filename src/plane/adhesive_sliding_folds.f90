@@ -2,15 +2,19 @@
 !> Extremes of load and penetration along the curve of states of an adhesive sliding wave or cylinder.
 module adfric_plane_adhesive_sliding_folds
    use adfric_base_kinds, only: dp
-   use adfric_plane_adhesive_sliding_curve, only: slide_curve_t
+   use adfric_plane_adhesive_sliding_curve, only: slide_curve_t, roughly
    use adfric_plane_adhesive_sliding_point_of_curve, only: curve_point_t, by_load, by_penetration, correct_point
    use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t
    implicit none (type, external)
    private
    public :: insert_folds
 
+   !> What a value may be off, over its size.
+   real(dp), parameter :: round_off = 1.0e-13_dp
    !> Changes of a value over its size that points near the curve do not tell.
    real(dp), parameter :: rough_noise = 1.0e-6_dp
+   !> Slope over the values beside the extreme, below which differences do not tell its sign.
+   real(dp), parameter :: least_slope = 1.0e-7_dp
    !> Width of a bracket that needs no more steps, and their largest number.
    real(dp), parameter :: last_width = 1.0e-8_dp
    integer, parameter :: most_steps = 40
@@ -24,9 +28,62 @@ contains
       integer :: which
 
       do which = 1, merge(2, 1, slide%is_wave)
-         call insert_extremes(slide, which, curve)
+         if (curve%is_closed) then
+            call insert_on_closed(slide, which, curve)
+         else
+            call insert_extremes(slide, which, curve)
+         end if
       end do
    end subroutine insert_folds
+
+   !> A closed curve has no ends: its first point may lie beside an extreme, too. Its points go on to the third one for the search.
+   !> Then they begin and end at the foot of the arc that rises to the largest load.
+   pure subroutine insert_on_closed(slide, which, curve)
+      type(adhesive_slide_t), intent(in) :: slide
+      integer, intent(in) :: which
+      type(slide_curve_t), intent(inout) :: curve
+      type(curve_point_t) :: lapped(size(curve%points) + 2), second
+      integer :: first, last, least, i, n
+
+      second = curve%points(2)
+      lapped(:size(curve%points)) = curve%points
+      lapped(size(lapped) - 1:) = curve%points(2:3)
+      curve%points = lapped
+      call insert_extremes(slide, which, curve)
+      ! once around: from behind the second point to where it stands again
+      first = 2
+      do while (is_elsewhere(first))
+         first = first + 1
+      end do
+      last = size(curve%points)
+      do while (is_elsewhere(last))
+         last = last - 1
+      end do
+      n = last - first
+      least = maxloc([(curve%points(first + i)%load, i=1, n)], 1)
+      do i = 1, n
+         if (.not. curve%points(around(least - 1))%load < curve%points(around(least))%load) exit
+         least = least - 1
+      end do
+      curve%points = [(curve%points(around(least + i)), i=0, n)]
+
+   contains
+
+      !> Index of a point that is counted once around.
+      pure integer function around(k)
+         integer, intent(in) :: k
+
+         around = first + 1 + modulo(k - 1, n)
+      end function around
+
+      !> Is a point not the second one?
+      pure logical function is_elsewhere(k)
+         integer, intent(in) :: k
+
+         is_elsewhere = norm2(curve%points(k)%z - second%z) > 0
+      end function is_elsewhere
+
+   end subroutine insert_on_closed
 
    !> Insert the extremes of one of them.
    pure subroutine insert_extremes(slide, which, curve)
@@ -36,11 +93,13 @@ contains
       type(curve_point_t) :: list(2*size(curve%points) + 1), extreme, three(3)
       real(dp) :: v(size(curve%points)), before, after, noise, size_of, w(3)
       integer :: i, n, m
+      type(adhesive_slide_t) :: rough
       logical :: is_found, is_behind
 
+      rough = roughly(slide)
       v = values_of(curve%points, which)
       size_of = maxval(abs(v))
-      noise = 1.0e-13_dp*size_of
+      noise = round_off*size_of
       m = size(v)
       n = 1
       list(1) = curve%points(1)
@@ -56,7 +115,8 @@ contains
             w = values_of(three, which)
             if (.not. (is_found .and. (w(2) - w(1))*(w(3) - w(2)) < 0)) cycle
          end if
-         call find_extreme(slide, which, three, noise, extreme, is_behind, is_found)
+         call find_extreme(rough, which, three, size_of, extreme, is_behind, is_found)
+         if (is_found) call correct_point(slide, extreme%z, extreme%tangent, extreme, is_found)
          if (.not. is_found) cycle
          if (is_behind) then
             list(n + 1) = extreme
@@ -85,12 +145,12 @@ contains
 
    !> The extreme between three neighbours: where the derivative along the curve is 0. x is the distance from the middle one along
    !> its tangent. A parabola says where the search begins; secants end it where they expect no change of the value.
-   pure subroutine find_extreme(slide, which, points, noise, extreme, is_behind, is_found)
+   pure subroutine find_extreme(slide, which, points, size_of, extreme, is_behind, is_found)
       type(adhesive_slide_t), intent(in) :: slide
       integer, intent(in) :: which
       type(curve_point_t), intent(in) :: points(3)
-      !> What the value may be off.
-      real(dp), intent(in) :: noise
+      !> Largest size of the value on the curve.
+      real(dp), intent(in) :: size_of
       type(curve_point_t), intent(out) :: extreme
       !> Is it behind the middle one?
       logical, intent(out) :: is_behind, is_found
@@ -116,7 +176,7 @@ contains
             ! a secant that bends the other way is not used
             if ((slope - old_slope)/(x - old_x)*bend > 0) bend = (slope - old_slope)/(x - old_x)
          end if
-         if (slope**2 < noise*abs(bend)) return
+         if (slope**2 < round_off*size_of*abs(bend) .or. abs(slope) < least_slope*maxval(abs(values))) return
          if (slope*bend > 0) ends(2) = x
          if (.not. slope*bend > 0) ends(1) = x
          if (ends(2) - ends(1) < last_width) return

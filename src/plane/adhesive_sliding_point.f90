@@ -193,7 +193,7 @@ contains
          results(out%full_contact_pressure) = p*(b%full_load + b%slide%stress)
          results(out%end_of_saturation_pressure) = p*b%saturation_load
          results(out%order_margin) = point%order_margin
-         if (.not. b%is_complete) return
+         if (.not. (b%is_complete .and. b%has_rise)) return
          results(out%pull_off_pressure) = p*b%pull_off_load
          results(out%saturation_fold_pressure) = p*b%fold_load
       end associate

@@ -17,12 +17,12 @@ module adfric_plane_adhesive_sliding_profile
    use adfric_plane_adhesive_sliding_zones, only: adhesive_slide_t, slide_zones_t, outer_nodes_t, chord, set_layers
    implicit none (type, external)
    private
-   public :: slide_profile_t, new_slide_profile, slide_pressure, slide_gap, slide_violation, zone_violation
+   public :: slide_profile_t, new_slide_profile, slide_pressure, slide_gap, slide_violation, zone_violation, may_bulge
 
    !> Positions in contact and in the free gap where the conditions are checked.
    integer, parameter :: n_positions = 12
-   !> Length of a free gap from which on zones are looked at.
-   real(dp), parameter, public :: short_gap = 0.1_dp
+   !> Length of a free gap below which zones are looked at.
+   real(dp), parameter :: short_gap = 0.1_dp
 
    !> What a profile needs of a state.
    type :: slide_profile_t
@@ -249,12 +249,18 @@ contains
             violation = max(violation, 1 - slide_gap(profile, z%leading + 4*(length + z%leading)*share, .false.)/slide%range, &
                & 1 - slide_gap(profile, z%trailing + 4*(length + z%trailing)*share, .true.)/slide%range)
          end do
-         if (slide%is_wave .and. z%free < short_gap) violation = max(violation, zone_violation(profile))
+         if (slide%is_wave .and. may_bulge(z)) violation = max(violation, zone_violation(profile))
       end associate
    end function slide_violation
 
-   !> Largest violation of g <= d0 in the zones of a wave, over d0; below 0 if there is none. A zone whose gap is larger in its middle
-   !> than at its end is found where hardly any of the gap is free.
+   !> May the gap be larger in the middle of a zone than at its end? So it is where most of the gap of a wave is zones.
+   pure logical function may_bulge(zones)
+      type(slide_zones_t), intent(in) :: zones
+
+      may_bulge = zones%free < max(short_gap, zones%leading, zones%trailing)
+   end function may_bulge
+
+   !> Largest violation of g <= d0 in the zones of a wave, over d0; below 0 if there is none.
    pure real(dp) function zone_violation(profile) result(violation)
       type(slide_profile_t), intent(in) :: profile
       real(dp) :: share

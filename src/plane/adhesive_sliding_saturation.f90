@@ -40,15 +40,18 @@ module adfric_plane_adhesive_sliding_saturation
 contains
 
    !> The contact whose largest gap is a range.
-   pure subroutine find_saturated_contact(solid, range, contact, is_found)
+   pure subroutine find_saturated_contact(solid, range, contact, summit, is_found)
       type(sliding_solid_t), intent(in) :: solid
       !> The range [D], > 0 and < 2.
       real(dp), intent(in) :: range
       type(wave_contact_t), intent(out) :: contact
+      !> Distances of its largest gap from the leading edge, along the motion, and from the next trailing edge.
+      real(dp), intent(out) :: summit(2)
       logical, intent(out) :: is_found
-      real(dp) :: largest
+      real(dp) :: largest, position
       type(gap_t) :: gap
 
+      summit = 0
       call search(solid, range, .false., contact, is_found)
       if (is_found) then
          gap = gap_of(solid, contact)
@@ -57,6 +60,10 @@ contains
       end if
       ! two summits: the one that was followed is not the higher one
       if (.not. is_found) call search(solid, range, .true., contact, is_found)
+      if (.not. is_found) return
+      gap = gap_of(solid, contact)
+      call find_summit(gap, .true., position, largest)
+      summit = gap%length*[1/(1 + exp(-position)), 1/(1 + exp(position))]
    end subroutine find_saturated_contact
 
    !> The search for its width. The largest gap falls from 2.

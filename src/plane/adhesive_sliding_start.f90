@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A first point of the curve of states of an adhesive sliding wave or cylinder. The zones of the relaxed solid are found by
 !> bisection at a given width of the contact, and then the moduli of the arms rise from nothing to their values, at that width.
+!> A wave has another one at the end of saturation, which is a contact without adhesion.
 module adfric_plane_adhesive_sliding_start
    use adfric_base_kinds, only: dp
    use adfric_plane_adhesive_sliding_point_of_curve, only: curve_point_t, correct_point
@@ -10,7 +11,7 @@ module adfric_plane_adhesive_sliding_start
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
    private
-   public :: find_start
+   public :: find_start, start_at_corner
 
    !> Half-widths of the contact at which the curve may begin.
    real(dp), parameter :: start_widths(*) = [0.5_dp, 0.2_dp, 0.05_dp, 1.0_dp, 0.01_dp, 1.7_dp]
@@ -22,6 +23,8 @@ module adfric_plane_adhesive_sliding_start
    real(dp), parameter :: elastic_tolerance = 1.0e-3_dp
    !> Largest change of a coordinate in a step.
    real(dp), parameter :: largest_change = 1.5_dp
+   !> Largest coordinate of a zone next to the end of saturation.
+   real(dp), parameter :: near_corner = 12.0_dp
    !> The direction of the width.
    real(dp), parameter :: constant_width(4) = [0.0_dp, 1.0_dp, 0.0_dp, 0.0_dp]
 
@@ -32,21 +35,45 @@ contains
       type(adhesive_slide_t), intent(in) :: slide
       type(curve_point_t), intent(out) :: start
       logical, intent(out) :: is_found
-      real(dp) :: z(4)
       integer :: k
 
       is_found = .false.
       do k = 1, size(start_widths)
-         if (slide%is_wave) then
-            z = [0.0_dp, log(tan(start_widths(k)/2)), 0.0_dp, 0.0_dp]
-         else
-            z = [0.0_dp, log(start_widths(k)), 0.0_dp, 0.0_dp]
-         end if
-         call find_elastic_zones(slide, z, is_found)
-         if (is_found) call raise_arms(slide, z, start, is_found)
+         call find_start_at(slide, start_widths(k), start, is_found)
          if (is_found) return
       end do
    end subroutine find_start
+
+   !> A point of a curve with a contact of a given width.
+   pure subroutine find_start_at(slide, half_width, start, is_found)
+      type(adhesive_slide_t), intent(in) :: slide
+      !> Half-width of the contact, at which the arms rise.
+      real(dp), intent(in) :: half_width
+      type(curve_point_t), intent(out) :: start
+      logical, intent(out) :: is_found
+      real(dp) :: z(4)
+
+      z = 0
+      z(2) = log(half_width)
+      if (slide%is_wave) z(2) = log(tan(half_width/2))
+      call find_elastic_zones(slide, z, is_found)
+      if (is_found) call raise_arms(slide, z, start, is_found)
+   end subroutine find_start_at
+
+   !> A point next to the end of saturation, where zones leave a free gap without length at the largest gap.
+   pure subroutine start_at_corner(slide, middle, half_width, zones, start, is_found)
+      type(adhesive_slide_t), intent(in) :: slide
+      !> Middle and half-width of the contact at the end of saturation, and the lengths of its zones.
+      real(dp), intent(in) :: middle, half_width, zones(2)
+      type(curve_point_t), intent(out) :: start
+      logical, intent(out) :: is_found
+      real(dp), parameter :: along_both(4) = [0.0_dp, 0.0_dp, sqrt(0.5_dp), sqrt(0.5_dp)]
+      real(dp) :: z(4)
+
+      z = [middle, log(tan(half_width/2)), near_corner + log(zones/maxval(zones))]
+      start%tangent = along_both
+      call correct_point(slide, z, along_both, start, is_found, has_slopes=.true.)
+   end subroutine start_at_corner
 
    !> Zones of the relaxed solid at a width.
    pure subroutine find_elastic_zones(slide, z, is_found)

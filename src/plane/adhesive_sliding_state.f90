@@ -27,13 +27,13 @@ module adfric_plane_adhesive_sliding_state
    public :: evaluate_zones
 
    !> What depends linearly on the amplitudes: columns 0: endless contact and zones; i: C_i.
-   type :: columns_t
+   type :: amplitude_columns_t
       !> Far field (`get_far_field`), mean gap and what the pieces open, shapes `(0:n_arms)` and `(0:n_arms, 3)`.
       real(dp), allocatable :: bounded(:), load(:), friction(:), mean_gap(:), opening(:, :)
       !> Kelvin elements at the left end (0) and the right ends of the pieces, in contact at the leading edge, and at the outer end
       !> of the trailing zone; shapes `(n_arms, 0:n_arms, 0:3)` and `(n_arms, 0:n_arms)`.
       real(dp), allocatable :: elements(:, :, :), contact(:, :), trailing(:, :)
-   end type columns_t
+   end type amplitude_columns_t
 
 contains
 
@@ -45,7 +45,7 @@ contains
       !> Are all of them numbers?
       logical, intent(out) :: is_solved
       type(nodes_t) :: inner
-      type(columns_t) :: columns
+      type(amplitude_columns_t) :: columns
       real(dp), allocatable :: kernel_weights(:), layers(:, :)
       real(dp) :: c(0:slide%solid%n_arms)
       integer :: piece
@@ -90,7 +90,7 @@ contains
    pure subroutine new_columns(slide, zones, columns)
       type(adhesive_slide_t), intent(in) :: slide
       type(slide_zones_t), intent(in) :: zones
-      type(columns_t), intent(out) :: columns
+      type(amplitude_columns_t), intent(out) :: columns
       integer :: i, n
 
       n = slide%solid%n_arms
@@ -110,7 +110,7 @@ contains
 
    !> The amplitudes that make the Kelvin elements of the gap those of the contact at the leading edge.
    pure subroutine find_amplitudes(columns, amplitudes, is_solved)
-      type(columns_t), intent(in) :: columns
+      type(amplitude_columns_t), intent(in) :: columns
       real(dp), intent(out) :: amplitudes(:)
       logical, intent(out) :: is_solved
       real(dp) :: matrix(size(amplitudes), size(amplitudes)), right(size(amplitudes), 1), scales(size(amplitudes))
@@ -167,7 +167,7 @@ contains
       type(nodes_t), intent(in) :: inner
       real(dp), intent(in) :: kernel_weights(:), layers(:, 0:)
       integer, intent(in) :: piece
-      type(columns_t), intent(inout) :: columns
+      type(amplitude_columns_t), intent(inout) :: columns
       type(outer_nodes_t) :: outer
       real(dp), allocatable :: slopes(:, :), left(:)
       real(dp), dimension(0:slide%solid%n_arms) :: integrals, moments

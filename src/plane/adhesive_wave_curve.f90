@@ -5,20 +5,10 @@
 !>
 !>     top(gamma) = 2 sin^2 gamma + 2 sigma K,    d top/d gamma = 2 sin 2 gamma + 2 sigma ln(2 cos gamma)
 !>
-!> else an open crest. The second derivative of top changes its sign once, from + to -, so top rises from 0 to one maximum and falls
-!> to 2: below eta = 2 contact begins once and stays; above, it is there between two positions, or nowhere.
-!>
-!> **Penetration** has one minimum, at c < 1/4, and one maximum, at c > 1/4, for every stress and range. For at c = 1/4 it rises
-!> always: d delta/d gamma = 2 + 2 sigma ln 2 with an open crest, and in contact because there ln(1/sin alpha) L <= y^2. With an
-!> open crest its slope is 0 where sin 2 gamma = w/2, w + 2 sigma ln w = 0, once on each side. In contact the slope is 0 only for
-!> sigma = Lambda m sin 2 gamma/(Lambda L - y^2), and there its derivative is positive for c < 1/4 and negative for c > 1/4
-!> (a function of c and y alone, seen to hold at 2e6 positions). For c < 1/4 the range rises with c at given y, too, so that the
-!> minimum can be sought along y, which tells contacts apart that are too narrow for a number c.
-!>
-!> **Load**: `adhesive_wave_folds`. Beyond c = 1/2 the wave is saturated: Q = P + S, delta = Q (1 - ln Q) as without adhesion, while
-!> the gap of the valley, 2 [tanh v - v/cosh^2 v] with Q = 1/cosh^2 v, is at most eta; both rise to full contact at Q = 1. Saturation
-!> ends at a corner, where load and penetration rise on both sides. For eta >= 2 it ends without contact, at P = -S,
-!> delta = 2 - eta.
+!> else an open crest. Below eta = 2 contact begins once and stays; above, it is there between two positions, or nowhere. The
+!> penetration has one minimum, at c < 1/4, and one maximum, at c > 1/4. For c < 1/4 the range rises with c at given y, too, so that
+!> the minimum can be sought along y, which tells contacts apart that are too narrow for a number c. Beyond c = 1/2 the wave is
+!> saturated: Q = P + S, delta = Q (1 - ln Q). Proofs: docs/theory/adhesive_wave.md; the load: `adhesive_wave_folds`.
 module adfric_plane_adhesive_wave_curve
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts

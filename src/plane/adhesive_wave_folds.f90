@@ -6,20 +6,12 @@
 !>
 !>     F(L, X) := (1/L) sqrt[(1 - r^2)/(1 + r^2 X)] T/(1 + X) = sigma/2
 !>
-!> and the load rises along the curve of equilibria where F > sigma/2. On this line the second derivative has the sign of a
-!> quadratic in nu = (1 + r^2 X)/(1 + X),
+!> A fold is a minimum where X < X*(L), and a maximum where X > X*(L); (1 + r^2 X*)/(1 + X*) is the positive root of the quadratic
 !>
 !>     [2 L + (1 - r^2)/r^2] nu^2 + [2 L^2 - 2 L - (1 - r^2)] nu - [L^2 + (1 - r^2) L]
 !>
-!> which has one positive root, between r^2 and 1: so a fold is a minimum of the load where X < X*(L), and a maximum where
-!> X > X*(L). Along X*(L), F falls with L from infinity to 0 (d ln F/d ln L <= -1/2; a function of one variable, seen to hold at
-!> 4e5 values from 1e-3 to 690 and by the leading terms outside). So the line F = sigma/2 has one turning point L*, and the range
-!> rises along the line of the minima from 0 to eta*(sigma) at the turning point, and falls along that of the maxima from there
-!> to 0. Hence:
-!>
-!> **For eta < eta*(sigma) the load has one minimum and one maximum, else none.**
-!>
-!> Both are found by following these lines, with brackets that hold one root. Minima: by T, from the first contact to T*; there
+!> For eta < eta*(sigma) the load has one minimum and one maximum, else none (docs/theory/adhesive_wave.md, Proofs). Both are found
+!> by following the lines of minima and maxima, with brackets that hold one root. Minima: by T, from the first contact to T*; there
 !> F falls with L for L > ln(0.736 X), and L < sin 2 gamma/sigma. Maxima: by ln L, below L*; F falls with X beyond X*.
 module adfric_plane_adhesive_wave_folds
    use adfric_base_kinds, only: dp

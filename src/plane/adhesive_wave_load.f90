@@ -1,15 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The states of an adhesive wave (`adhesive_wave`) under a load, on each branch.
+!> The states of an adhesive wave (`adhesive_wave`) under a load, on each branch (docs/theory/adhesive_wave.md, Proofs: Order).
 !>
-!> With labels (the cohesive width c) held, a load has one state, and its gap at the edge exceeds eta where P < P(c). More
-!> labels close the gap, so there are a least and a greatest equilibrium: `approach` is the first c with P(c) >= P, which exists for
-!> P >= 0, and `adhered` the last with P(c) <= P. P(c) falls from 0 to its minimum, rises to its maximum and falls to the end of
-!> saturation; without folds it only falls. So the approach is in the zones up to the largest load and saturated beyond; the adhered
-!> branch is saturated down to the end of saturation, then in the zones down to the least load. After a turn at a load (the
-!> approach's state there) it is in the zones, if it was at the turn, down to the least load.
-!>
-!> In the zones, Q = P + sigma phi and cos gamma = cos phi cos alpha make the excess of the range an explicit function of phi. It has
-!> one root between the folds, and its slope is 2 load_slope d gamma/d phi.
+!> `approach` is the first c with P(c) >= P, which exists for P >= 0, and `adhered` the last with P(c) <= P. After a turn at a load
+!> (the approach's state there) the adhered branch is in the zones, if it was at the turn, down to the least load. In the zones,
+!> Q = P + sigma phi and cos gamma = cos phi cos alpha make the excess of the range an explicit function of phi. It has one root
+!> between the folds, and its slope is 2 load_slope d gamma/d phi.
 module adfric_plane_adhesive_wave_load
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi

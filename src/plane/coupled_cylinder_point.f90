@@ -7,7 +7,7 @@ module adfric_plane_coupled_cylinder_point
    use adfric_base_unset, only: is_set, unset
    use adfric_interface_friction_law, only: friction_law_t, law_constant
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
-   use adfric_interface_heat_rows, only: doubt_heat, h_bulk, has_heat, n_heat_results
+   use adfric_interface_heat_rows, only: h_bulk, has_heat, n_heat_results
    use adfric_interface_shear_coupling, only: is_coupled
    use adfric_interface_total_friction, only: coupling_of, get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
@@ -22,7 +22,7 @@ module adfric_plane_coupled_cylinder_point
    use adfric_describe_status, only: status_solved, status_not_converged
    implicit none (type, external)
    private
-   public :: coupled_cylinder_point_t, solve_coupled_cylinder, get_coupled_cylinder_profiles, doubt_coupled_cylinder_heat
+   public :: coupled_cylinder_point_t, solve_coupled_cylinder, get_coupled_cylinder_profiles
 
    !> What the closed forms leave of the digits.
    real(dp), parameter :: closed_form = 100*epsilon(1.0_dp)
@@ -129,21 +129,6 @@ contains
             & node_pressures(contact), fine_pressure, results(out%heat(1):out%heat(n_heat_results)), is_valid)
       end associate
    end subroutine find_temperature
-
-   !> A line on the velocity above which heat matters; nothing without heat.
-   subroutine doubt_coupled_cylinder_heat(values, given, state, text)
-      real(dp), intent(in) :: values(:)
-      type(given_law_t), intent(in) :: given
-      !> The point, which has been solved.
-      type(coupled_cylinder_point_t), intent(in) :: state
-      character(:), allocatable, intent(out) :: text
-      type(friction_law_t) :: law
-
-      text = ''
-      if (.not. (has_heat(values(in%heat)) .and. state%contact%half_width > 0)) return
-      call law_of_cylinder(values, given, law)
-      call doubt_heat(values(in%heat), law, values(in%temperature), state%contact%half_width, text)
-   end subroutine doubt_coupled_cylinder_heat
 
    !> The contact at a speed.
    pure subroutine find_contact(values, law, speed, contact, stress, is_valid)

@@ -16,7 +16,7 @@ module adfric_plane_coupled_wave_search
    integer, parameter :: most_halvings = 100
 
    !> ln of mean pressure or penetration over the prescribed one, for x = ln tan(w/2).
-   type, extends(rising_equation_t) :: width_equation_t
+   type, extends(rising_equation_t) :: coupled_width_t
       !> The contact, whose eta and tilt count.
       type(coupled_wave_t) :: wave
       !> The prescribed value.
@@ -25,7 +25,7 @@ module adfric_plane_coupled_wave_search
       logical :: is_pressure = .true.
    contains
       procedure :: evaluate => evaluate_width
-   end type width_equation_t
+   end type coupled_width_t
 
 contains
 
@@ -40,7 +40,7 @@ contains
       logical, intent(in) :: is_pressure
       !> Was it found? With a tilt there may be none.
       logical, intent(out) :: is_converged
-      type(width_equation_t) :: equation
+      type(coupled_width_t) :: equation
       real(dp) :: x, high, low, middle
       integer :: k
 
@@ -81,7 +81,7 @@ contains
 
    !> Mean pressure or penetration of a width.
    pure subroutine evaluate_width(self, x, value)
-      class(width_equation_t), intent(in) :: self
+      class(coupled_width_t), intent(in) :: self
       real(dp), intent(in) :: x
       real(dp), intent(out) :: value
       type(coupled_wave_t) :: wave

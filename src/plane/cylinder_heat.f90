@@ -5,13 +5,11 @@
 !> so the closed form of the band serves every distribution of heat. No heat leaves the surface beside the contact.
 module adfric_plane_cylinder_heat
    use adfric_base_kinds, only: dp
-   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_unset, only: unset
    use adfric_interface_friction_law, only: friction_law_t
-   use adfric_interface_heat_rows, only: get_heat, h_background, h_contact, h_flash, h_gain, h_interface, h_peak, h_share, &
-      & h_states, heat_t
+   use adfric_interface_heat_rows, only: get_heat, h_background, h_interface, h_peak, h_share, heat_t
    use adfric_interface_heat_sources, only: band_temperature, find_largest_temperature, mean_temperature, source_band
-   use adfric_interface_thermal_states, only: heated_contact_t, thermal_states_t
+   use adfric_interface_thermal_states, only: heated_contact_t
    use adfric_plane_contact_shear, only: contact_nodes, contact_weights, n_contact_nodes
    implicit none (type, external)
    private
@@ -39,7 +37,6 @@ contains
       logical, intent(out) :: is_valid
       type(heat_t) :: heat
       type(heated_contact_t) :: contact
-      type(thermal_states_t) :: states
       real(dp) :: x(n_contact_nodes), weights(n_contact_nodes), tractions(n_contact_nodes), fine(size(fine_pressure)), peclet, &
          & unit, slope, position
       integer :: i
@@ -61,17 +58,12 @@ contains
          ! the sum is known to all digits
          contact%weights = contact%weights*(unit*mean_temperature(source_band, peclet, .false.)/sum(contact%weights))
       end if
-      call contact%find_states(states, is_valid)
+      call heat%settle(contact, temperature, results, is_valid)
       if (.not. is_valid) return
-      i = merge(states%n, 1, heat%is_hot)
-      temperature = states%temperature(i)
-      results([h_contact, h_gain, h_states]) = [temperature, states%gain(i), real(states%n, dp)]
-      results(h_flash) = temperature - contact%base
       do i = 1, n_contact_nodes
          call law%get_stress(abs(velocity), pressure(i), temperature, tractions(i), slope, is_valid)
       end do
       results(h_interface) = abs(velocity)*half_width*sum(weights*tractions)
-      results([h_peak, h_share]) = [0.0_dp, not_a_number()]
       if (.not. results(h_interface) > 0) return
       results(h_share) = 1
       if (law%depends_on_pressure() .or. law%pressure_factor > 0) then

@@ -7,7 +7,8 @@ module adfric_plane_cylinder_interface
    use adfric_base_unset, only: is_set
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law
-   use adfric_interface_heat_rows, only: doubt_heat, h_bulk, h_contact, h_interface, has_heat, n_heat_results
+   use adfric_interface_heat_rows, only: doubt_heat, h_bulk, h_contact, h_interface, has_heat, n_heat_results, &
+      & velocity_that_heats
    use adfric_interface_total_friction, only: get_shear_of_area, interface_tractions, near_ratios, sliding_friction_t
    use adfric_plane_contact_shear, only: contact_nodes, integrate_shear, n_contact_nodes
    use adfric_plane_left_out_coupling, only: left_out_of_line, modulus_of_contact
@@ -19,7 +20,7 @@ module adfric_plane_cylinder_interface
    use adfric_solid_spectrum_rows, only: poisson_ratio_of, shift_factor_of, solid_shift_of
    implicit none (type, external)
    private
-   public :: add_cylinder_interface, set_cylinder_tractions, doubt_cylinder_heat
+   public :: add_cylinder_interface, set_cylinder_tractions, doubt_cylinder_heat, velocity_that_heats_cylinder
 
    !> Cells of a contact in which the largest temperature is looked for, where the heat goes with the pressure.
    integer, parameter :: n_fine = 400
@@ -68,21 +69,34 @@ contains
       end associate
    end subroutine set_temperature
 
-   !> A line on the velocity above which heat matters.
-   subroutine doubt_cylinder_heat(values, spectrum, given, point, text)
+   !> A line on the velocity above which heat matters; nothing without heat.
+   subroutine doubt_cylinder_heat(values, spectrum, given, half_width, text)
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given
-      !> The point, which has been solved.
-      type(cylinder_point_t), intent(in) :: point
+      !> Half-width of the contact, which has been solved [m].
+      real(dp), intent(in) :: half_width
       character(:), allocatable, intent(out) :: text
       type(friction_law_t) :: law
 
       text = ''
-      if (.not. (has_heat(values(in%heat)) .and. point%contact%half_width > 0)) return
+      if (.not. (has_heat(values(in%heat)) .and. half_width > 0)) return
       call law_of_cylinder(values, spectrum, given, law)
-      call doubt_heat(values(in%heat), law, values(in%temperature), point%contact%half_width, text)
+      call doubt_heat(values(in%heat), law, values(in%temperature), half_width, text)
    end subroutine doubt_cylinder_heat
+
+   !> Velocity from which on heat matters [m/s], or unset.
+   real(dp) function velocity_that_heats_cylinder(values, spectrum, given, half_width) result(velocity)
+      real(dp), intent(in) :: values(:)
+      type(given_spectrum_t), intent(in) :: spectrum
+      type(given_law_t), intent(in) :: given
+      !> Half-width of the contact, which has been solved [m].
+      real(dp), intent(in) :: half_width
+      type(friction_law_t) :: law
+
+      call law_of_cylinder(values, spectrum, given, law)
+      velocity = velocity_that_heats(values(in%heat), law, values(in%temperature), half_width)
+   end function velocity_that_heats_cylinder
 
    !> Add the interface to the friction of a sliding cylinder, and its heat.
    pure subroutine add_cylinder_interface(values, spectrum, given, point, results, is_valid)

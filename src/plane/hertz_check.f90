@@ -88,7 +88,7 @@ contains
       call check_heat(variables, values, in%heat(1), in%temperature, has_interface(values(in%friction)), unset, .true., problems)
    end subroutine check_solid
 
-   !> Add to `problems` what does not go with a law of the interface between a cylinder and an elastic solid.
+   !> Add to `problems` what does not go with a law of the interface on an elastic solid.
    subroutine check_sliding_cylinder(variables, values, given_law, problems)
       type(variable_t), intent(in) :: variables(:)
       real(dp), intent(in) :: values(:)
@@ -98,16 +98,12 @@ contains
       integer :: k
 
       if (is_set(values(in%kind))) then
-         if (nint(values(in%kind)) /= kind_line) then
-            k = findloc(is_set(values(in%friction)), .true., 1)
-            call problems%add('friction', variables(in%friction(k))%name, 'has no meaning for this kind without &material; over ' &
-               & //'elastic bodies it is for cylinders, waves, surfaces and round contacts')
-            return
-         end if
+         if (nint(values(in%kind)) /= kind_line) call refuse_around(variables, values, problems)
       end if
       if (is_coupled(values(in%coupling))) call require(variables, values, [in%velocity], problems)
       call check_interface(variables, values, in%friction, [in%temperature, in%velocity], given_law, none, 0.0_dp, problems)
       do k = in%tangential_force, in%coefficient
+         if (k == in%tangential_axis) cycle
          if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
             & 'stands beside a shear stress of sliding, in which nothing sticks')
       end do
@@ -115,6 +111,20 @@ contains
          & variables(in%coupling)%group, variables(in%coupling)%name, 'stands beside second_young_modulus; the body that slides ' &
          & //'is rigid')
    end subroutine check_sliding_cylinder
+
+   !> Add to `problems` what a law of the interface has beside it for cylinders alone.
+   subroutine refuse_around(variables, values, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      if (is_coupled(values(in%coupling))) call problems%add(variables(in%coupling)%group, variables(in%coupling)%name, &
+         & 'has no meaning for this kind; single contacts that shear stress moves are cylinders')
+      k = findloc(is_set(values(in%heat)), .true., 1)
+      if (k > 0) call problems%add('heat', variables(in%heat(k))%name, 'has no meaning for this kind; its contact has no closed ' &
+         & //'form of the heat')
+   end subroutine refuse_around
 
    !> Add to `problems` what is wrong with a viscoelastic material.
    subroutine check_material(variables, values, given, given_law, problems)
@@ -135,7 +145,7 @@ contains
       k = findloc(is_set(values(in%contact_modulus:in%second_poisson_ratio)), .true., 1)
       if (k > 0) call problems%add('solid', variables(in%contact_modulus - 1 + k)%name, &
          & 'stands beside &material, over which a rigid cylinder slides; give &solid for elastic solids, or &material')
-      if (is_set(values(in%coupling))) call problems%add(variables(in%coupling)%group, variables(in%coupling)%name, &
+      if (is_coupled(values(in%coupling))) call problems%add(variables(in%coupling)%group, variables(in%coupling)%name, &
          & 'stands beside &material; a wave or a surface on cells has both')
       of_solid = solid_shift_of(values(in%material(1):in%temperature), given)
       others = values

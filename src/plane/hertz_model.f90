@@ -1,19 +1,22 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction or in partial slip
 !> (Cattaneo, Mindlin); or a rigid cylinder that slides over a viscoelastic half-plane (Hunter).
+!> The file is long by its answers to `pointwise_model_t`.
 module adfric_plane_hertz_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_friction_law_rows, only: has_interface
    use adfric_interface_shear_coupling, only: doubt_left_out
    use adfric_interface_shear_strength_rows, only: n_shear_rows
-   use adfric_plane_coupled_cylinder_point, only: coupled_cylinder_point_t, doubt_coupled_cylinder_heat, &
-      & get_coupled_cylinder_profiles, solve_coupled_cylinder
-   use adfric_plane_cylinder_interface, only: add_cylinder_interface, doubt_cylinder_heat, set_cylinder_tractions
+   use adfric_plane_coupled_cylinder_point, only: coupled_cylinder_point_t, get_coupled_cylinder_profiles, &
+      & solve_coupled_cylinder
+   use adfric_plane_cylinder_interface, only: add_cylinder_interface, doubt_cylinder_heat, set_cylinder_tractions, &
+      & velocity_that_heats_cylinder
+   use adfric_plane_ellipse_interface, only: add_ellipse_interface, set_ellipse_tractions
    use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
    use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
@@ -44,6 +47,7 @@ module adfric_plane_hertz_model
       procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_doubts
+      procedure :: velocity_of_heat
       procedure :: describe_results
       procedure :: unit_of
       procedure :: measure
@@ -173,16 +177,28 @@ contains
       results = not_a_number()
       call self%solve_point(values, state, results, error_estimate, status, counts)
       if (status /= status_solved) return
-      text = text//doubt_left_out(results(out%coupling_left_out), error_estimate, .not. is_sliding(values))
-      select type (state)
-      type is (cylinder_point_t)
-         call doubt_cylinder_heat(values, self%given, self%given_law, state, of_heat)
-         text = text//of_heat
-      type is (coupled_cylinder_point_t)
-         call doubt_coupled_cylinder_heat(values, self%given_law, state, of_heat)
-         text = text//of_heat
-      end select
+      text = text//doubt_left_out(results(out%coupling_left_out), error_estimate, &
+         & .not. is_sliding(values) .and. nint(values(in%kind)) == kind_line)
+      if (nint(values(in%kind)) /= kind_line) return
+      call doubt_cylinder_heat(values, self%given, self%given_law, results(out%half_width), of_heat)
+      text = text//of_heat
    end function describe_doubts
+
+   !> See `model_t`: of cylinders that lie along each other.
+   real(dp) function velocity_of_heat(self, values) result(velocity)
+      class(hertz_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      class(point_state_t), allocatable :: state
+      real(dp) :: results(size(self%results)), error_estimate, counts(0)
+      integer :: status
+
+      velocity = unset
+      if (.not. has_interface(values(in%friction)) .or. nint(values(in%kind)) /= kind_line) return
+      results = not_a_number()
+      call self%solve_point(values, state, results, error_estimate, status, counts)
+      if (status == status_solved) velocity = velocity_that_heats_cylinder(values, self%given, self%given_law, &
+         & results(out%half_width))
+   end function velocity_of_heat
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
@@ -211,7 +227,8 @@ contains
       error_estimate = 0
       if (.not. allocated(state)) then
          if (is_sliding(values)) allocate (cylinder_point_t :: state)
-         if (has_interface(values(in%friction)) .and. .not. allocated(state)) allocate (coupled_cylinder_point_t :: state)
+         if (has_interface(values(in%friction)) .and. nint(values(in%kind)) == kind_line .and. .not. allocated(state)) &
+            & allocate (coupled_cylinder_point_t :: state)
          if (.not. allocated(state)) allocate (hertz_state_t :: state)
       end if
       select type (state)
@@ -231,6 +248,13 @@ contains
             call solve_line(values, state, results, error_estimate, status)
          else
             call solve_ellipse(values, state, results, error_estimate, status)
+            if (status == status_solved .and. has_interface(values(in%friction))) then
+               call add_ellipse_interface(values, self%given_law, state%ellipse, results, is_valid)
+               if (.not. is_valid) then
+                  status = status_not_converged
+                  results(:) = not_a_number()
+               end if
+            end if
          end if
       end select
       associate (unused_counts => counts)
@@ -365,8 +389,11 @@ contains
                   profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), x, y(j))
                   if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2 - s%approach
                end if
-               if (size(profiles, 3) == p_shear_stress) call fill_tractions(state, x, y(j), nint(values(in%kind)) == kind_line, &
-                  & profiles(:, j, p_shear_stress))
+               if (has_interface(values(in%friction))) then
+                  call set_ellipse_tractions(values, self%given_law, profiles(:, j, 1), profiles(:, j, p_shear_stress))
+               else if (size(profiles, 3) == p_shear_stress) then
+                  call fill_tractions(state, x, y(j), nint(values(in%kind)) == kind_line, profiles(:, j, p_shear_stress))
+               end if
             end do
          end associate
       end select

@@ -14,6 +14,7 @@ module adfric_plane_hertz_slip
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_interface_friction_law_rows, only: has_interface
    use adfric_interface_normal_contact, only: friction_holds
    use adfric_plane_hertz_ellipse, only: ellipse_shape_t, ellipse_t
    use adfric_plane_hertz_variables, only: axis_minor, kind_elliptical, kind_line, in => hertz_input, out => hertz_output
@@ -66,8 +67,12 @@ contains
       if (.not. has_slip(values)) then
          if (is_set(values(in%tangential_force))) call problems%add('friction', 'coefficient', &
             & 'is missing [-]; tangential_force needs it')
-         if (is_set(values(in%tangential_axis))) call problems%add('operating', 'tangential_axis', &
-            & 'has no meaning without &friction coefficient')
+         if (is_set(values(in%tangential_axis)) .and. .not. has_interface(values(in%friction))) call problems%add('operating', &
+            & 'tangential_axis', 'has no meaning without &friction coefficient')
+         if (is_set(values(in%tangential_axis)) .and. has_interface(values(in%friction)) .and. is_set(values(in%kind))) then
+            if (nint(values(in%kind)) /= kind_elliptical) call problems%add('operating', 'tangential_axis', &
+               & 'has no meaning for this kind')
+         end if
          return
       end if
       call require(variables, values, [in%tangential_force], problems)

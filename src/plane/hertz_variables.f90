@@ -76,7 +76,7 @@ contains
       v(hertz_input%tangential_force) = number(group='operating', name='tangential_force', unit='N; N/m for line', &
          & meaning='T, which has grown from 0 under the load; up to mu P, of either sign')
       v(hertz_input%tangential_axis) = choice(group='operating', name='tangential_axis', &
-         & meaning='axis of the ellipse along which T acts; major if not given', choices='major minor')
+         & meaning='axis of the ellipse along which T acts, or the body slides; major if not given', choices='major minor')
       v(hertz_input%coefficient) = positive(group='friction', name='coefficient', unit='-', &
          & meaning='mu of Coulomb''s friction between elastic bodies')
       call set_shear_rows(v(hertz_input%friction(1):hertz_input%friction(n_shear_rows)))
@@ -126,7 +126,7 @@ contains
       r(hertz_output%shear_depth) = result_row(name='largest_shear_depth', unit='m', long_name='its depth')
       r(hertz_output%violation) = result_row(name='contact_violation', unit='-', &
          & long_name='largest violation of g >= 0, p >= 0, g p = 0')
-      call set_sliding_results(r)
+      call set_sliding_results(r, force)
       r(hertz_output%stick_fraction) = result_row(name='stick_fraction', unit='-', &
          & long_name='share of the area of contact that sticks; friction alone has it', is_main=.true.)
       r(hertz_output%tangential_displacement) = result_row(name='tangential_displacement', unit='m', &
@@ -135,18 +135,21 @@ contains
          & long_name='slope of the tangential force over its displacement, while it grows')
       r(hertz_output%cycle_energy) = result_row(name='cycle_energy', unit=energy, &
          & long_name='energy that friction takes in a cycle between T and -T')
-      r(hertz_output%hysteretic_friction_force:hertz_output%velocity_slope) = total_friction_results('force', 'N/m')
+      r(hertz_output%hysteretic_friction_force:hertz_output%velocity_slope) = total_friction_results('force', force)
       r(hertz_output%largest_coupling:hertz_output%coupling_left_out) = coupling_results()
       r(hertz_output%heat(1):) = heat_results('W/m')
    end function get_hertz_results
 
    !> The results of sliding.
-   subroutine set_sliding_results(r)
+   subroutine set_sliding_results(r, force)
       !> Receives the rows at their indices; shape `(n_results)`.
       type(result_t), intent(inout) :: r(:)
+      !> Unit of a force.
+      character(*), intent(in) :: force
 
-      r(hertz_output%friction_force) = result_row(name='friction_force', unit='N/m', &
-         & long_name='friction force per length of a sliding cylinder, with the sign of the velocity')
+      r(hertz_output%friction_force) = result_row(name='friction_force', unit=force, &
+         & long_name='friction force of a body that slides, of a cylinder per length, with the sign of the velocity', &
+         & is_main=.true.)
       r(hertz_output%friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
          & long_name='friction force over load; no value without load', is_main=.true.)
       r(hertz_output%contact_shift) = result_row(name='contact_shift', unit='m', &

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The model `rigid_punch`: a rigid punch on an elastic half-plane, without friction, plane strain.
+!> The model `rigid_punch`: a rigid punch on an elastic half-plane, without friction or sliding by a shear strength, plane strain.
+!> The file is long by its answers to `pointwise_model_t`, and by the tables of four kinds of punches.
 module adfric_plane_punch_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
@@ -8,9 +9,14 @@ module adfric_plane_punch_model
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
+   use adfric_interface_shear_coupling, only: coupling_row
+   use adfric_interface_shear_strength_rows, only: set_shear_rows
    use adfric_plane_contact_conditions, only: largest_violation
+   use adfric_plane_coupled_wedge, only: find_coupled_wedge
    use adfric_plane_field_model, only: set_plane_stresses, maps_of
    use adfric_plane_model, only: halfspace_model_t
+   use adfric_plane_punch_friction, only: check_punch_friction, n_friction_results, punch_friction_results, punch_friction_t, &
+      & sliding_pressure_at, store_punch_friction
    use adfric_plane_punch_profiles, only: polynomial_t, power_load, wedge_load
    use adfric_plane_punch_state, only: punch_state_t
    use adfric_plane_punch_stress, only: punch_stress
@@ -34,14 +40,15 @@ module adfric_plane_punch_model
       !> Indices of the rows.
       integer :: kind = 0, face = 0, slope = 0, radius = 0, coefficient_2 = 0, coefficient_4 = 0, coefficient_6 = 0, &
          & coefficient_8 = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, load = 0, contact_half_width = 0, &
-         & points = 0
+         & points = 0, shear(2) = 0, coupling = 0, velocity = 0
    end type punch_input_t
    type(punch_input_t), parameter, public :: punch_input = transfer(counting, punch_input_t())
    integer, parameter, public :: kind_flat = 1, kind_wedge = 2, kind_cylinder = 3, kind_polynomial = 4
    !> Results in the order of their rows; a component is the index of its row.
    type :: punch_output_t
       !> Indices of the rows.
-      integer :: load = 0, contact_half_width = 0, mean_pressure = 0, centre_pressure = 0, edge_intensity = 0, violation = 0
+      integer :: load = 0, contact_half_width = 0, mean_pressure = 0, centre_pressure = 0, edge_intensity = 0, violation = 0, &
+         & friction(n_friction_results) = 0
    end type punch_output_t
    type(punch_output_t), parameter, public :: punch_output = transfer(counting, punch_output_t())
    !> Indices of the profiles: those of the surface, and from `p_stress` on maps of s_xx, s_yy, s_xy and the largest shear.
@@ -69,7 +76,7 @@ contains
    subroutine new_punch_model(self)
       !> The new model; receives its tables.
       type(punch_model_t), intent(out) :: self
-      type(variable_t) :: v(punch_input%points)
+      type(variable_t) :: v(punch_input%velocity)
       character(*), parameter :: units(4) = ['1/m  ', '1/m^3', '1/m^5', '1/m^7']
       character(1) :: degree
       integer :: i
@@ -91,6 +98,10 @@ contains
          & meaning='instead of the load; not for a flat punch')
       v(punch_input%points) = whole_number(group='numerics', name='points', meaning='points of collocation', default=32, lower=8, &
          & upper=1000, multiple_of=2)
+      call set_shear_rows(v(punch_input%shear(1):punch_input%shear(2)))
+      v(punch_input%coupling) = coupling_row()
+      v(punch_input%velocity) = number(group='operating', name='velocity', unit='m/s', &
+         & meaning='sliding velocity, positive to +x; its sign counts')
       call self%set_tables(name='rigid_punch', summary='a rigid punch on an elastic half-plane, plane strain', variables=v, &
          & results=get_results(), profiles=get_profile_table(), axes='y x', is_depth=.true.)
       self%solids = [punch_input%contact_modulus, punch_input%poisson_ratio]
@@ -110,7 +121,7 @@ contains
 
    !> The table of results.
    function get_results() result(r)
-      type(result_t) :: r(6)
+      type(result_t) :: r(punch_output%friction(n_friction_results))
 
       r(punch_output%load) = result_row(name='load', unit='N/m', long_name='load per length', is_main=.true.)
       r(punch_output%contact_half_width) = result_row(name='contact_half_width', unit='m', long_name='half-width a of contact', &
@@ -122,7 +133,18 @@ contains
          & long_name='p sqrt(2 pi (a - x)) at the edge of a whole face')
       r(punch_output%violation) = result_row(name='contact_violation', unit='-', &
          & long_name='largest violation of g >= 0, p >= 0, g p = 0')
+      r(punch_output%friction(1):) = punch_friction_results()
    end function get_results
+
+   !> What the values say of the friction.
+   pure type(punch_friction_t) function friction_of(values) result(friction)
+      real(dp), intent(in) :: values(:)
+
+      friction%shear = values(punch_input%shear)
+      friction%coupling = values(punch_input%coupling)
+      friction%velocity = values(punch_input%velocity)
+      friction%poisson_ratio = values(punch_input%poisson_ratio)
+   end function friction_of
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
@@ -136,6 +158,9 @@ contains
       call check_contact_modulus(self%variables(punch_input%contact_modulus:punch_input%poisson_ratio), &
          & values(punch_input%contact_modulus:punch_input%poisson_ratio), problems, .false.)
       if (.not. is_set(values(punch_input%kind))) return
+      call check_punch_friction(self%variables(punch_input%shear(1):punch_input%velocity), friction_of(values), &
+         & nint(values(punch_input%kind)) == kind_flat .or. (nint(values(punch_input%kind)) == kind_wedge .and. &
+         & .not. is_set(values(punch_input%face))), problems)
       select case (nint(values(punch_input%kind)))
       case (kind_flat)
          call require(self%variables, values, [punch_input%face, punch_input%load], problems)
@@ -212,6 +237,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> The punch on its contact; `contact%is_converged` tells whether it was found.
       type(punch_state_t), intent(out) :: state
+      type(punch_friction_t) :: friction
       real(dp) :: load, width, modulus
       integer :: n
 
@@ -220,6 +246,18 @@ contains
       load = values(punch_input%load)
       width = values(punch_input%contact_half_width)
       if (is_set(values(punch_input%face))) state%face = values(punch_input%face)
+      friction = friction_of(values)
+      if (friction%moves_contact() .and. nint(values(punch_input%kind)) == kind_wedge) then
+         state%slope = values(punch_input%slope)
+         if (is_set(load)) width = 0
+         call find_coupled_wedge(friction%get_coupling(), state%slope, modulus, load, width, state%coupled, &
+            & state%contact%is_converged)
+         state%contact%half_width = (state%coupled%ahead + state%coupled%behind)/2
+         state%contact%load = state%coupled%load
+         state%contact%modulus = modulus
+         allocate (state%contact%b(0))
+         return
+      end if
       select case (nint(values(punch_input%kind)))
       case (kind_flat)
       case (kind_wedge)
@@ -302,12 +340,14 @@ contains
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
       type(punch_state_t), allocatable :: found
+      type(punch_friction_t) :: friction
       real(dp) :: x(n_indices), mean
       integer :: i
 
       status = status_no_equilibrium
       error_estimate = 0
       if (.not. is_possible(values)) return
+      friction = friction_of(values)
       allocate (found)
       call solve_state(values, found)
       status = merge(status_solved, status_not_converged, found%contact%is_converged)
@@ -317,6 +357,13 @@ contains
          mean = contact%load/(2*contact%half_width)
          results([punch_output%load, punch_output%contact_half_width, punch_output%mean_pressure]) = [contact%load, &
             & contact%half_width, mean]
+         if (friction%exists()) call store_punch_friction(friction, found, &
+            & results(punch_output%friction(1):punch_output%friction(n_friction_results)))
+         if (friction%moves_contact()) then
+            results(punch_output%centre_pressure) = sliding_pressure_at(friction, found, 0.0_dp)
+            call move_alloc(found, state)
+            return
+         end if
          results(punch_output%centre_pressure) = found%pressure(0.0_dp)
          results(punch_output%edge_intensity) = contact%excess/sqrt(pi*contact%half_width)
          x = [((i - 0.5_dp)*reach/n_indices, i=1, n_indices)]*contact%half_width
@@ -342,14 +389,22 @@ contains
       type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
+      type(punch_friction_t) :: friction
       real(dp) :: stress(3)
       integer :: i, j
 
+      friction = friction_of(values)
       select type (state)
       type is (punch_state_t)
          associate (depth => axes(1)%coordinates, x => axes(2)%coordinates)
             do j = 1, size(depth)
+               if (friction%moves_contact()) then
+                  if (.not. depth(j) > 0) profiles(:, j, p_pressure) = sliding_pressure_at(friction, state, x)
+                  cycle
+               end if
                if (.not. depth(j) > 0) call get_surface(state, x, profiles(:, j, :))
+               ! what the shear stress adds in the solid is not known
+               if (friction%exists()) cycle
                do i = 1, size(x)
                   stress = punch_stress(state%contact, state%slope, x(i), depth(j))
                   profiles(i, j, p_stress:p_shear - 1) = stress
@@ -358,7 +413,7 @@ contains
             end do
          end associate
       end select
-      associate (unused => self, unused_values => values, unused_results => results)
+      associate (unused => self, unused_results => results)
       end associate
    end subroutine fill_profiles
 

@@ -3,6 +3,7 @@
 module adfric_plane_punch_state
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_plane_coupled_wedge, only: coupled_wedge_t
    use adfric_plane_punch_profiles, only: polynomial_t, wedge_pressure, wedge_gap
    use adfric_plane_rigid_punch, only: punch_contact_t
    use adfric_describe_pointwise, only: point_state_t
@@ -20,6 +21,8 @@ module adfric_plane_punch_state
       real(dp) :: slope = 0
       !> Half-width of the face; enormous without an end.
       real(dp) :: face = huge(1.0_dp)
+      !> A wedge whose shear stress moves the contact.
+      type(coupled_wedge_t) :: coupled
    contains
       procedure :: pressure
       procedure :: level

@@ -5,7 +5,7 @@ module adfric_plane_sliding_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_spectrum_rows, only: check_spectrum, n_spectrum_rows
+   use adfric_solid_spectrum_rows, only: check_spectrum, n_spectrum_rows, needs_velocity
    use adfric_describe_check, only: require
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
@@ -30,7 +30,7 @@ contains
       ! what is swept has a value here, and is refused for that
       is_swept = .false.
       call check_spectrum(rows(:n_spectrum_rows), values(:n_spectrum_rows), given, is_swept, problems)
-      call require(rows, values, [velocity], problems)
+      call require(rows, values, [velocity], problems, needs_velocity)
    end subroutine check_sliding
 
    !> Add to `problems` temperature and velocity, which have no meaning over an elastic solid.

@@ -168,7 +168,7 @@ contains
       ! a solid without shift has no use for the temperature of the interface
       if (needs_temperature(interface_of(values)) .and. of_solid%law == shift_none) others(in%temperature) = unset
       call check_sliding(variables(in%material(1):in%velocity), others(in%material(1):in%velocity), given, problems)
-      if (is_set(values(in%coupling))) call problems%add(variables(in%coupling)%group, variables(in%coupling)%name, &
+      if (is_coupled(values(in%coupling))) call problems%add(variables(in%coupling)%group, variables(in%coupling)%name, &
          & 'stands beside &material; a wave on cells has both')
       do k = in%tangential_stress, in%coefficient
          if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &

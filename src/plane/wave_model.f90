@@ -6,7 +6,7 @@ module adfric_plane_wave_model
    use adfric_base_constants, only: two_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_plane_adhesive_sliding_point, only: adhesive_slide_point_t, derive_adhesive_slide, solve_adhesive_slide, &
       & get_adhesive_slide_profiles
    use adfric_plane_adhesive_wave_point, only: adhesive_point_t, derive_adhesion, solve_adhesion, get_adhesive_profiles
@@ -21,10 +21,12 @@ module adfric_plane_wave_model
    use adfric_plane_wave_variables, only: get_wave_variables, get_wave_results, in => wave_input, out => wave_output
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_interface_coulomb_rows, only: has_coulomb
-   use adfric_interface_friction_law_rows, only: has_interface, has_law_of_speed
+   use adfric_interface_friction_law, only: friction_law_t
+   use adfric_interface_friction_law_rows, only: get_friction_law, has_interface, has_law_of_speed
+   use adfric_interface_heat_rows, only: n_heat_rows, velocity_that_heats
    use adfric_interface_shear_coupling, only: doubt_left_out, is_coupled
    use adfric_interface_shear_strength_rows, only: get_friction_of_area, has_shear, p_shear_stress, shear_profiles, shear_stress
-   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
+   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum, solid_shift_of
    use adfric_describe_derived, only: derived_t
    use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_pointwise, only: point_state_t
@@ -41,6 +43,7 @@ module adfric_plane_wave_model
       procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_doubts
+      procedure :: velocity_of_heat
       procedure :: solve_point
       procedure :: count_profiles
       procedure :: fill_profiles
@@ -122,6 +125,22 @@ contains
       call self%solve_point(values, state, results, error_estimate, status, counts)
       if (status == status_solved) text = text//doubt_left_out(results(out%coupling_left_out), error_estimate, .true.)
    end function describe_doubts
+
+   !> See `model_t`: in contacts of half of the period.
+   real(dp) function velocity_of_heat(self, values) result(velocity)
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t) :: law
+      real(dp) :: isothermal(n_heat_rows)
+
+      velocity = unset
+      if (.not. (is_sliding(values) .and. has_interface(interface_of(values)))) return
+      call get_friction_law(interface_of(values), self%given_law, solid_shift_of(values(in%material(1):in%temperature), &
+         & self%given), law)
+      isothermal = unset
+      velocity = velocity_that_heats(isothermal, law, values(in%temperature), values(in%period)/4)
+   end function velocity_of_heat
 
    !> See `model_t`: the steepest slope of the wave.
    subroutine measure(self, values, results, measures)

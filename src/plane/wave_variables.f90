@@ -95,7 +95,8 @@ contains
          & is_main=.true.)
       r(wave_output%contact_width) = result_row(name='contact_width', unit='m', long_name='width 2a of contact on one wave', &
          & is_main=.true.)
-      r(wave_output%contact_fraction) = result_row(name='contact_fraction', unit='-', long_name='share of the wave in contact')
+      r(wave_output%contact_fraction) = result_row(name='contact_fraction', unit='-', &
+         & long_name='share of the wave in contact', is_main=.true.)
       r(wave_output%peak_pressure) = result_row(name='peak_pressure', unit='Pa', &
          & long_name='largest pressure, at rest that on the crests', &
          & is_main=.true.)
@@ -108,7 +109,8 @@ contains
       r(wave_output%violation) = result_row(name='contact_violation', unit='-', &
          & long_name='largest violation of g >= 0, p >= 0, g p = 0, with adhesion of p >= -p0 and of its range')
       r(wave_output%friction_stress) = result_row(name='friction_stress', unit='Pa', &
-         & long_name='friction force over nominal area, of losses and of the interface, with the sign of the velocity')
+         & long_name='friction force over nominal area, of losses and of the interface, with the sign of the velocity', &
+         & is_main=.true.)
       r(wave_output%friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
          & long_name='friction stress over mean pressure', is_main=.true.)
       r(wave_output%contact_shift) = result_row(name='contact_shift', unit='m', &
@@ -124,7 +126,7 @@ contains
       r(wave_output%adhesion_energy) = result_row(name='adhesion_energy', unit='J/m^2', &
          & long_name='energy of adhesion over nominal area, 0 far apart')
       r(wave_output%pull_off_pressure) = result_row(name='pull_off_pressure', unit='Pa', &
-         & long_name='least mean pressure of the adhered branch')
+         & long_name='least mean pressure of the adhered branch', is_main=.true.)
       r(wave_output%pull_off_penetration) = result_row(name='pull_off_penetration', unit='m', &
          & long_name='penetration of the least mean pressure of the adhered branch')
       r(wave_output%jump_off_penetration) = result_row(name='jump_off_penetration', unit='m', &

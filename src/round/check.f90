@@ -19,7 +19,7 @@ module adfric_round_check
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
-   public :: check_indenter_values, check_history_body
+   public :: check_indenter_values, check_history_body, check_shape_alone, check_adhesion
 
    !> With adhesion, smaller exponents make contacts beyond all numbers; at 1/2 and below no state is stable.
    real(dp), parameter :: least_exponent = 0.51_dp
@@ -61,6 +61,21 @@ contains
       call new_checks(c, variables, values, problems)
       call check_body(c, .true.)
    end subroutine check_history_body
+
+   !> Shape of an indenter whose solid is checked elsewhere.
+   subroutine check_shape_alone(variables, values, problems)
+      !> Table whose rows up to those of the shape are those of this model.
+      type(variable_t), intent(in), target :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in), target :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout), target :: problems
+      type(checks_t) :: c
+
+      call new_checks(c, variables, values, problems)
+      call c%need([in%kind])
+      if (c%has(in%kind)) call check_shape(c)
+   end subroutine check_shape_alone
 
    !> Shape and solids.
    subroutine check_body(c, has_own_poisson_ratio)

@@ -11,14 +11,12 @@
 module adfric_round_contact_heat
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
    use adfric_interface_friction_law, only: friction_law_t
-   use adfric_interface_heat_rows, only: check_heat, get_heat, h_background, h_contact, h_flash, h_gain, h_interface, h_peak, &
-      & h_share, h_states, has_heat, heat_t
+   use adfric_interface_heat_rows, only: check_heat, get_heat, h_background, h_interface, h_peak, h_share, has_heat, heat_t
    use adfric_interface_heat_sources, only: find_largest_of_sources, mean_temperature, source_disc, source_hertz
-   use adfric_interface_thermal_states, only: heated_contact_t, thermal_states_t
+   use adfric_interface_thermal_states, only: heated_contact_t
    use adfric_round_variables, only: kind_paraboloid, law_peeling, in => indenter_input
    use adfric_describe_check, only: checks_t, new_checks, require
    use adfric_describe_table, only: variable_t
@@ -88,9 +86,7 @@ contains
       logical, intent(out) :: is_valid
       type(heat_t) :: heat
       type(heated_contact_t) :: contact
-      type(thermal_states_t) :: states
       real(dp) :: peclet, unit, pressure, stress, slope, means(2), position
-      integer :: i
 
       temperature = values(in%temperature)
       results([h_background, h_interface]) = 0
@@ -106,15 +102,10 @@ contains
          if (peclet > 0 .and. law%pressure_factor > 0) means(2) = mean_temperature(source_hertz, peclet, .false.)
          contact = heated_contact_t(law=law, speed=speed, base=temperature, pressure=[pressure*means(2)/means(1)], &
             & weights=[unit*means(1)])
-         call contact%find_states(states, is_valid)
+         call heat%settle(contact, temperature, results, is_valid)
          if (.not. is_valid) return
-         i = merge(states%n, 1, heat%is_hot)
-         temperature = states%temperature(i)
          call law%get_stress(speed, 0.0_dp, temperature, stress, slope, is_valid)
-         results([h_contact, h_gain, h_states]) = [temperature, states%gain(i), real(states%n, dp)]
-         results(h_flash) = temperature - contact%base
          results(h_interface) = speed*area*(stress + law%pressure_factor*pressure)
-         results([h_peak, h_share]) = [0.0_dp, not_a_number()]
          if (.not. results(h_interface) > 0) return
          results(h_share) = 1
          call find_largest_of_sources([source_disc, source_hertz], [stress, law%pressure_factor*pressure], peclet, position, &

@@ -6,38 +6,12 @@
 !>
 !>     D = 1 - cos(th) + Y th^2/cos(th),    Y = 2 s a/(1 + 2 s a);    Y = 0 at given approach, Y = 1 under load.
 !>
-!> Along the curve a and c rise. With e = 1 - cos(th), k = th sin(th) + cos(th) - 1 and one factor, which is positive, da is
-!> N sin(th) + 2 S (th - e sin(th)), dc is th [g'(a) sin(th) + 2 S cos(th)], and d(ln Y) = (1 - Y) d(ln a). How often R turns:
+!> How often R turns along a curve is proved, or evaluated, in docs/theory/round_branches.md (Proofs; there N is H):
 !>
-!> **Where g' never falls R rises at every fold, so there is one at most.** For then N rises with c, and n = N/[g'(a) sin(th)] >= 1.
-!> At a fold, 2 S = N/D, so that -c dth = n sin(th) (1 + k/D) - th cos(th), and R rises where
-!>
-!>     [n sin(th) (1 + k/D) - th cos(th)] [dD/dth - g'(a) cos(th) D/N]
-!>        > Y (1 - Y) th^2/cos(th)^2 n sin(th) [sin(th) + (th - e sin(th))/D]
-!>
-!> Over n the left side rises with n and the right side is constant, so n = 1, the cone, is the worst; times D sin(th) cos(th)^2/th
-!> that is
-!>
-!>     [e + Y th (tan(th) - th)] [e cos(th)^2 + Y th (2 sin(th) cos(th) - th cos(2 th))] > Y (1 - Y) th^2 sin(th)^2 [1 + Y th tan(th)]
-!>
-!> The difference of its sides is e^2 cos(th)^2 - Y m cos(th) + Y^2 q + Y^3 th^3 sin(th)^2 tan(th) with
-!> m = th^2 sin(th)^2 + 2 e th^2 cos(th) - 3 e th sin(th), q = th^2 [3 sin(th)^2 - 3 th sin(th) cos(th) + th^2 cos(2 th)]. Two functions
-!> of th are left: q/th^4 lies between 0.18 and 1, and where m > 0, m^2/(4 e^2 q) falls from 1/4. So the first three terms have no
-!> root, and the difference is positive. This holds for the cone, r^n with n >= 1 and sums of them, the sphere, and the rounded punch.
-!>
-!> **Within a flat face R rises.** There g' = 0 and N = (pi/2) f'(c), which does not fall with c, and -c dth = N + 2 S k. What D loses
-!> as th falls outweighs what it gains from Y, for N since dD/dth > Y th^2 sin(th)/cos(th)^2, and for S since also 2 k >= th^2 cos(th).
-!>
-!> **Contacts whose zone ends within the face, too, are unstable.** There c k(th) = pi h/(4 S), so P = -2 S c^2 (th + sin(th)
-!> cos(th)) and delta = -2 S c sin(th) grow in size as th falls, for cos(th) k < th^2 and k < th sin(th), and with th falling a
-!> and c rise.
-!>
-!> **Beyond the corner of `flat_cone`, `flat_paraboloid` and `rounded_cone` R falls, and then it rises; in the tip of `rounded_cone` it
-!> rises, and may then fall** (a zone that ends in the tip meets a g' that rises). The direction of the curve is linear in 2 S, so for
-!> each position (a, th, Y) R turns at one S at most, and the sign of its second derivative there tells which turn it is. That sign
-!> was evaluated, by steps along the imaginary axis, in the whole space: v from 1e-5 to 10, th from 0.001 to pi/2 - 1e-4, Y from 0 to 1.
-!> Of 15 million random positions 460 000 have such an S, and the sign is the stated one in all; v < 3 b in all. For th -> 0 R
-!> is a power of sqrt(a) g'/(1/2 + Y), whose turns are those of `adfric_round_spring_pieces`, where they are proved.
+!> - Where g' never falls R rises at every fold, so there is one at most: the cone, r^n with n >= 1 and sums of them, the sphere, and
+!>   the rounded punch. Within a flat face R rises. Contacts whose zone ends within the face, too, are unstable.
+!> - Beyond the corner of `flat_cone`, `flat_paraboloid` and `rounded_cone` R falls, and then it rises. In the tip of `rounded_cone` it
+!>   rises, and may then fall.
 !>
 !> So the signs of R - 2 S at the ends of a stretch tell its folds, and where both are the same the extreme value at the turn does.
 !> Round-off hides two folds that are closer together than about 1e-7 of their distance from the corner. Between them what is

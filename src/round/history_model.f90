@@ -4,21 +4,20 @@
 module adfric_round_history_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set, unset
+   use adfric_base_unset, only: is_set
    use adfric_round_case, only: indenter_case_t, resolve_case, tangential_compliance, is_possible_case => is_possible
    use adfric_round_check, only: check_history_body
    use adfric_round_contact, only: branch_stable, find_contact
    use adfric_round_contact_state, only: contact_t
    use adfric_round_edge_slope, only: measure_edge
+   use adfric_round_indenter_states, only: find_indenter_states, indenter_states_t, plain_indenter
    use adfric_round_survey, only: survey_t, survey_curve
-   use adfric_round_curve, only: control_load, control_approach
-   use adfric_round_shape, only: spot_t
-   use adfric_round_variables, only: choose_none, get_indenter_variables, indenter_unit_of, n_indenter_variables, &
+   use adfric_round_variables, only: get_indenter_variables, indenter_unit_of, n_indenter_variables, &
       & in => indenter_input
    use adfric_interface_history_model, only: history_model_t, history_units_t
    use adfric_interface_history_path, only: n_path_results, path_approaches, path_coefficient, path_loads, &
       & path_tangential_displacements, path_tangential_forces, set_path_results
-   use adfric_interface_normal_contact, only: normal_contact_t, normal_state_t
+   use adfric_interface_normal_contact, only: normal_contact_t
    use adfric_describe_table, only: profile_t, variable_t
    implicit none (type, external)
    private
@@ -38,17 +37,6 @@ module adfric_round_history_model
       procedure :: unit_of
       procedure :: measure
    end type indenter_history_t
-
-   !> Normal states of an indenter, reduced.
-   type, extends(normal_contact_t) :: indenter_states_t
-      !> The indenter with its units.
-      type(indenter_case_t) :: case
-      !> What its curve is under a load and at an approach.
-      type(survey_t) :: surveys(2)
-   contains
-      procedure :: under_load
-      procedure :: at_approach
-   end type indenter_states_t
 
 contains
 
@@ -85,18 +73,10 @@ contains
       type(history_units_t), intent(out) :: units
       logical, intent(out) :: is_possible
       type(indenter_states_t), allocatable :: states
-      type(spot_t) :: corner
-      real(dp) :: indenter(n_indenter_variables)
 
-      indenter = indenter_values(self, values)
       allocate (states)
-      call resolve_case(indenter, states%case)
-      is_possible = is_possible_case(indenter, states%case)
+      call find_indenter_states(indenter_values(self, values), states, is_possible)
       if (.not. is_possible) return
-      call survey_curve(states%case%curve, control_load, states%surveys(control_load))
-      call survey_curve(states%case%curve, control_approach, states%surveys(control_approach))
-      call states%case%curve%shape%evaluate(0.0_dp, .true., corner)
-      if (states%case%curve%shape%inner_rise() > 0) states%kink = corner%depth
       units%force = states%case%force_unit()
       units%approach = states%case%height_unit
       units%length = states%case%length_unit
@@ -132,56 +112,10 @@ contains
       real(dp), intent(in) :: values(:)
       real(dp) :: indenter(n_indenter_variables)
 
-      indenter = unset
-      indenter(:in%second_poisson_ratio) = values(:in%second_poisson_ratio)
-      indenter([in%theory, in%branch, in%profiles, in%n_r]) = [choose_none, branch_stable, 0, 2]
+      indenter = plain_indenter(values(:in%second_poisson_ratio))
       if (is_set(values(h_loads))) indenter(in%load) = self%largest_of(values, path_loads)
       if (is_set(values(h_approaches))) indenter(in%approach) = self%largest_of(values, path_approaches)
    end function indenter_values
-
-   !> See `normal_contact_t`.
-   pure subroutine under_load(self, given, state, is_converged)
-      class(indenter_states_t), intent(in) :: self
-      real(dp), intent(in) :: given
-      type(normal_state_t), intent(out) :: state
-      logical, intent(out) :: is_converged
-
-      call find_state(self, control_load, given, state, is_converged)
-   end subroutine under_load
-
-   !> See `normal_contact_t`.
-   pure subroutine at_approach(self, given, state, is_converged)
-      class(indenter_states_t), intent(in) :: self
-      real(dp), intent(in) :: given
-      type(normal_state_t), intent(out) :: state
-      logical, intent(out) :: is_converged
-
-      call find_state(self, control_approach, given, state, is_converged)
-   end subroutine at_approach
-
-   !> A normal state, reduced. The elastic energy is the integral of the load over the approach.
-   pure subroutine find_state(self, control, given, state, is_converged)
-      type(indenter_states_t), intent(in) :: self
-      !> `control_load` or `control_approach`.
-      integer, intent(in) :: control
-      !> Load or approach.
-      real(dp), intent(in) :: given
-      type(normal_state_t), intent(out) :: state
-      logical, intent(out) :: is_converged
-      type(contact_t) :: contact
-
-      call find_contact(self%case%curve, self%surveys(control), control, given, .true., branch_stable, contact)
-      is_converged = contact%is_found .and. contact%is_converged
-      state%load = contact%load
-      state%approach = contact%approach
-      state%radius = contact%spot%radius
-      state%stiffness = contact%stiffness
-      if (self%case%curve%shape%n_pieces == 0) then
-         state%work = contact%load*contact%approach/2
-      else
-         state%work = self%case%curve%shape%energy(contact%u, contact%is_beyond)
-      end if
-   end subroutine find_state
 
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
    function unit_of(self, values, index) result(unit)

@@ -9,7 +9,7 @@ module adfric_round_indenter_path
    use adfric_round_contact_state, only: contact_t
    use adfric_round_curve, only: control_approach, control_spring, curve_t
    use adfric_round_dugdale_curve, only: dugdale_curve_t
-   use adfric_round_interaction_path, only: begin_path, friction_law_t, get_waypoint, interaction_path_t, steepest, waypoint_t
+   use adfric_round_interaction_path, only: begin_path, interaction_law_t, get_waypoint, interaction_path_t, steepest, waypoint_t
    use adfric_round_survey, only: survey_curve, survey_t
    use adfric_round_weak_contact, only: extend_path, find_known, find_last_contact => find_last, new_weak_path, weak_path_t
    use adfric_round_weak_path, only: weaken
@@ -38,7 +38,7 @@ contains
       !> Receives the path; its start is not found without contact.
       type(indenter_path_t), intent(out) :: self
       class(curve_t), intent(in) :: curve
-      type(friction_law_t), intent(in) :: law
+      type(interaction_law_t), intent(in) :: law
       integer, intent(in) :: control
       real(dp), intent(in) :: given
       type(contact_t), intent(in) :: contact

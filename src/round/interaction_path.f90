@@ -21,7 +21,7 @@ module adfric_round_interaction_path
    use adfric_round_slip_annulus, only: angle_of_slip, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: friction_law_t, interaction_path_t, waypoint_t, begin_path, get_waypoint, get_known_waypoint, complete_waypoint
+   public :: interaction_law_t, interaction_path_t, waypoint_t, begin_path, get_waypoint, get_known_waypoint, complete_waypoint
    public :: slip_of, slip_at, largest_slip_of, get_rates, gamma_of, steepest
    public :: end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
 
@@ -30,7 +30,7 @@ module adfric_round_interaction_path
    integer, parameter :: end_none = 0, end_capped = 1, end_sliding = 2, end_snap_off = 3, end_no_adhesion = 4
 
    !> The law of friction.
-   type :: friction_law_t
+   type :: interaction_law_t
       !> tau, > 0, and m.
       real(dp) :: strength = 1, compliance = 1
       !> x, 0 to 1.
@@ -39,7 +39,7 @@ module adfric_round_interaction_path
       real(dp) :: interaction = 0
       !> g0 > 0; the largest number if slip never stops to take from adhesion.
       real(dp) :: slip_energy_ratio = huge(1.0_dp)
-   end type friction_law_t
+   end type interaction_law_t
 
    !> A state on the path.
    type, extends(slip_state_t) :: waypoint_t
@@ -50,7 +50,7 @@ module adfric_round_interaction_path
    !> A path.
    type, abstract, extends(shrinking_path_t) :: interaction_path_t
       !> Law of friction.
-      type(friction_law_t) :: law
+      type(interaction_law_t) :: law
       !> Does b fall all the path?
       logical :: is_shrinking = .true.
       !> At rest, and where the part of the path ends in which the contact changes.
@@ -112,7 +112,7 @@ contains
    pure subroutine begin_path(self, law, force_scale, demand, is_weakened, contact)
       !> Receives the law, what follows from it, and the start, which is not found without contact.
       class(interaction_path_t), intent(inout) :: self
-      type(friction_law_t), intent(in) :: law
+      type(interaction_law_t), intent(in) :: law
       !> Force of sliding over b^2, and K.
       real(dp), intent(in) :: force_scale, demand
       !> Does slip take anything from adhesion?
@@ -238,7 +238,7 @@ contains
 
    !> s, the mean slip at the edge of an annulus.
    elemental real(dp) function slip_of(law, radius, angle) result(slip)
-      type(friction_law_t), intent(in) :: law
+      type(interaction_law_t), intent(in) :: law
       !> b and th.
       real(dp), intent(in) :: radius, angle
 
@@ -247,7 +247,7 @@ contains
 
    !> Slip at the edge in a direction t from that of the force: it varies by (4/3 pi) (m - 1) tau b (1 - (e/b)^3) cos 2t.
    elemental real(dp) function slip_at(law, radius, angle, direction) result(slip)
-      type(friction_law_t), intent(in) :: law
+      type(interaction_law_t), intent(in) :: law
       real(dp), intent(in) :: radius, angle
       !> t [rad].
       real(dp), intent(in) :: direction
@@ -260,7 +260,7 @@ contains
 
    !> The largest slip at the edge, across the force where m > 1.
    elemental real(dp) function largest_slip_of(law, radius, angle) result(slip)
-      type(friction_law_t), intent(in) :: law
+      type(interaction_law_t), intent(in) :: law
       real(dp), intent(in) :: radius, angle
 
       slip = slip_at(law, radius, angle, merge(half_pi, 0.0_dp, law%compliance > 1))

@@ -1,12 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `indenter`: an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR, Maugis-Dugdale).
+!> The file is long by its answers to `pointwise_model_t`.
 module adfric_round_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_round_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_round_check, only: check_indenter_values
    use adfric_round_contact, only: branch_stable, find_contact, part_bodies
@@ -20,13 +21,14 @@ module adfric_round_model
    use adfric_round_loop, only: find_loop, loop_t
    use adfric_round_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_driven, store_peeled
    use adfric_round_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
+   use adfric_round_pressure_law, only: add_pressure_part
    use adfric_round_profiles, only: pressure_at, gap_at
    use adfric_round_variables, only: get_indenter_profiles, get_indenter_results, get_indenter_variables, &
       & indenter_unit_of, law_peeling, n_indenter_results, n_indenter_variables, p_gap, p_pressure, p_shear_stress, radius_axis, &
       & state_sliding, state_static, theory_maugis_dugdale, in => indenter_input, out => indenter_output
    use adfric_round_velocity_law, only: check_velocity_law, is_in_motion, law_of_contact, take_strength
    use adfric_interface_friction_law, only: friction_law_t
-   use adfric_interface_heat_rows, only: doubt_heat, h_contact, n_heat_results
+   use adfric_interface_heat_rows, only: doubt_heat, h_contact, n_heat_results, velocity_that_heats
    use adfric_solid_contact_modulus, only: derive_contact_modulus
    use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
@@ -47,6 +49,7 @@ module adfric_round_model
       procedure :: fill_profiles
       procedure :: derive_quantities
       procedure :: describe_doubts
+      procedure :: velocity_of_heat
       procedure :: unit_of
       procedure :: measure
    end type indenter_model_t
@@ -175,13 +178,41 @@ contains
       if (has_contact_heat(values)) call add_heat(self, values, state, results, error_estimate, status)
       if (status /= status_solved) return
       associate (force => results(out%friction_force))
+         if (force > 0) slope = slope*constant(in%shear_strength)*results(out%friction_area)/force
+         if (force > 0) call add_pressure(self, values, state, force, slope, is_valid)
+         if (.not. is_valid) then
+            status = status_not_converged
+            results(:) = not_a_number()
+            return
+         end if
          ! where adhesion depends on the shear strength, the area does, too
          if (force > 0 .and. abs(values(in%velocity)) > 0 .and. .not. is_set(values(in%critical_slip)) .and. .not. &
-            & has_contact_heat(values)) &
-            & results(out%velocity_slope) = slope*constant(in%shear_strength)*results(out%friction_area)/force
+            & has_contact_heat(values)) results(out%velocity_slope) = slope
          force = sign(force, values(in%velocity))
       end associate
    end subroutine solve_point
+
+   !> Add what a law of the pressure makes of the friction; nothing for the other laws.
+   subroutine add_pressure(self, values, state, force, slope, is_valid)
+      class(indenter_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> The contact of the point.
+      class(point_state_t), intent(in) :: state
+      !> Friction [N] > 0, and d ln F/d ln v [-].
+      real(dp), intent(inout) :: force, slope
+      !> Was it found?
+      logical, intent(out) :: is_valid
+      type(friction_law_t) :: law
+
+      is_valid = .true.
+      call law_of_contact(values, self%given_law, law)
+      if (.not. law%depends_on_pressure()) return
+      select type (state)
+      type is (indenter_state_t)
+         call add_pressure_part(law, abs(values(in%velocity)), values(in%temperature), state%case, state%contact, force, slope, &
+            & is_valid)
+      end select
+   end subroutine add_pressure
 
    !> Find the temperature of a contact, and solve it again with the shear strength there.
    subroutine add_heat(self, values, state, results, error_estimate, status)
@@ -389,10 +420,39 @@ contains
                if (size(profiles, 3) == p_shear_stress) profiles(k, 1, p_shear_stress) = shear_at(case, state%contact, &
                   & state%friction, constant, r)
             end do
+            if (size(profiles, 3) == p_shear_stress) call set_stress_of_pressure(self, values, temperature, &
+               & profiles(:, 1, p_pressure), profiles(:, 1, p_shear_stress))
          end associate
       end select
       if (is_in_motion(values)) profiles(:, 1, p_shear_stress) = sign(1.0_dp, values(in%velocity))*profiles(:, 1, p_shear_stress)
    end subroutine fill_profiles
+
+   !> Shear stress of a law of the pressure, where there is one and the surfaces press; nothing changes for the other laws.
+   subroutine set_stress_of_pressure(self, values, temperature, pressure, stress)
+      class(indenter_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> Temperature of the contact [K].
+      real(dp), intent(in) :: temperature
+      !> Pressure [Pa]; shape `(n_r)`.
+      real(dp), intent(in) :: pressure(:)
+      !> In: stress without pressure. Out: that with it [Pa]; shape `(n_r)`.
+      real(dp), intent(inout) :: stress(:)
+      type(friction_law_t) :: law
+      real(dp) :: slope
+      logical :: is_valid
+      integer :: k
+
+      if (.not. is_in_motion(values)) return
+      call law_of_contact(values, self%given_law, law)
+      if (.not. law%depends_on_pressure()) return
+      do k = 1, size(pressure)
+         if (ieee_is_nan(pressure(k))) then
+            stress(k) = not_a_number()
+         else if (pressure(k) > 0 .and. stress(k) > 0) then
+            call law%get_stress(abs(values(in%velocity)), pressure(k), temperature, stress(k), slope, is_valid)
+         end if
+      end do
+   end subroutine set_stress_of_pressure
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
@@ -410,19 +470,43 @@ contains
       class(indenter_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
-      class(point_state_t), allocatable :: state
       type(friction_law_t) :: law
-      real(dp) :: results(n_indenter_results), error_estimate, counts(0)
-      integer :: status
+      real(dp) :: radius
 
       text = ''
       if (.not. has_contact_heat(values)) return
+      radius = friction_radius(self, values)
+      if (.not. radius > 0) return
+      call law_of_contact(values, self%given_law, law)
+      call doubt_heat(values(in%heat), law, values(in%temperature), radius, text)
+   end function describe_doubts
+
+   !> See `model_t`.
+   real(dp) function velocity_of_heat(self, values) result(velocity)
+      class(indenter_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(friction_law_t) :: law
+
+      velocity = unset
+      if (.not. is_in_motion(values)) return
+      call law_of_contact(values, self%given_law, law)
+      velocity = velocity_that_heats(values(in%heat), law, values(in%temperature), friction_radius(self, values))
+   end function velocity_of_heat
+
+   !> Radius of the disc that rubs [m]; 0 where the point is not solved.
+   real(dp) function friction_radius(self, values) result(radius)
+      class(indenter_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      class(point_state_t), allocatable :: state
+      real(dp) :: results(n_indenter_results), error_estimate, counts(0)
+      integer :: status
+
+      radius = 0
       results = not_a_number()
       call self%solve_point(values, state, results, error_estimate, status, counts)
-      if (status /= status_solved .or. .not. results(out%friction_area) > 0) return
-      call law_of_contact(values, self%given_law, law)
-      call doubt_heat(values(in%heat), law, values(in%temperature), sqrt(results(out%friction_area)/pi), text)
-   end function describe_doubts
+      if (status /= status_solved) return
+      if (results(out%friction_area) > 0) radius = sqrt(results(out%friction_area)/pi)
+   end function friction_radius
 
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
    function unit_of(self, values, index) result(unit)

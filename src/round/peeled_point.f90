@@ -11,7 +11,7 @@ module adfric_round_peeled_point
    use adfric_round_contact_state, only: contact_t
    use adfric_round_survey, only: ends_t, survey_curve, survey_t
    use adfric_round_interaction_events, only: find_peeling_events, peeling_events_t, results_of_events
-   use adfric_round_interaction_path, only: friction_law_t, gamma_of, get_rates, largest_slip_of, slip_of, waypoint_t
+   use adfric_round_interaction_path, only: interaction_law_t, gamma_of, get_rates, largest_slip_of, slip_of, waypoint_t
    use adfric_round_interaction_search, only: find_state
    use adfric_round_indenter_path, only: indenter_path_t, new_path
    use adfric_round_spring_drive, only: driven_state_t, find_driven_state, new_spring_drive, spring_drive_t
@@ -66,7 +66,7 @@ contains
    end function wants_peeling_events
 
    !> The law of friction of a point.
-   pure type(friction_law_t) function law_of(values, case) result(law)
+   pure type(interaction_law_t) function law_of(values, case) result(law)
       real(dp), intent(in) :: values(:)
       !> The point with its units, and all of its adhesion.
       type(indenter_case_t), intent(in) :: case
@@ -94,7 +94,7 @@ contains
       type(survey_t) :: survey
       type(contact_t) :: contact
       type(indenter_path_t) :: path
-      type(friction_law_t) :: law
+      type(interaction_law_t) :: law
 
       if (wants_peeling_events(values)) then
          call survey_curve(case%curve, case%control, survey)
@@ -239,7 +239,7 @@ contains
       type(peeled_t), intent(in) :: peeled
       !> In: with the results of friction. Out: with those of slip; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      type(friction_law_t) :: law
+      type(interaction_law_t) :: law
       real(dp) :: angle, radius, compliance
 
       if (case%theory /= theory_none) results(out%adhesion_ratio) = peeled%ratio
@@ -280,7 +280,7 @@ contains
       type(peeled_t), intent(in) :: peeled
       !> In: with the results of friction. Out: with those of the state; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      type(friction_law_t) :: law
+      type(interaction_law_t) :: law
       real(dp) :: stick
 
       associate (driven => peeled%driven, waypoint => peeled%driven%waypoint)

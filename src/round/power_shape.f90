@@ -35,6 +35,7 @@ module adfric_round_power_shape
       procedure :: radius_of_height
       procedure :: get_closed_annulus
       procedure :: is_paraboloid
+      procedure :: radius_of_depth
    end type power_shape_t
 
 contains
@@ -76,6 +77,23 @@ contains
 
       is_paraboloid = self%n_terms == 1 .and. self%whole(1) == 2
    end function is_paraboloid
+
+   !> The radius where g of a sum of one term has a value: the inverse of g.
+   elemental real(dp) function radius_of_depth(self, depth) result(radius)
+      class(power_shape_t), intent(in) :: self
+      !> Depth, >= 0.
+      real(dp), intent(in) :: depth
+
+      select case (self%whole(1))
+      case (1)
+         radius = depth/self%factors(1)
+      case (2)
+         radius = sqrt(depth/self%factors(1))
+      case default
+         radius = 0
+         if (depth > 0) radius = (depth/self%factors(1))**(1/self%exponents(1))
+      end select
+   end function radius_of_depth
 
    !> See `shape_t`: u = a.
    pure subroutine evaluate(self, u, is_beyond, spot)

@@ -102,8 +102,8 @@ contains
          if (c%has(in%lateral_stiffness) .and. .not. (values(in%events) > 0 .or. c%has(in%base_displacement))) &
             & call c%add(in%lateral_stiffness, 'has no meaning without events or base_displacement')
          if (is_moved .and. .not. is_static) call c%add(in%state, 'is sliding beside a tangential force or displacement')
-         if ((is_moved .or. values(in%events) > 0) .and. .not. has_ratio_of_body(values)) &
-            & call c%need([in%poisson_ratio])
+         call c%add(in%poisson_ratio, 'is missing [-]; the tangential displacement needs it', &
+            & (is_moved .or. values(in%events) > 0) .and. .not. has_ratio_of_body(values) .and. .not. c%has(in%poisson_ratio))
          if (values(in%interaction) > 0) then
             if (.not. is_static .or. values(in%events) > 0 .or. c%has(in%base_displacement)) &
                & call c%need_one([in%slip_energy_ratio, in%critical_slip], .true.)

@@ -16,7 +16,7 @@ module adfric_round_sphere_dugdale_curve
    use adfric_numerics_trigonometry, only: sinc_minus_cos
    implicit none (type, external)
    private
-   public :: curve_point_t, curve_angle_t, get_curve_point, get_angle_point, get_disc_radius, get_disc, guess_position
+   public :: dugdale_point_t, curve_angle_t, get_curve_point, get_angle_point, get_disc_radius, get_disc, guess_position
    public :: farthest, largest_radius
 
    !> Contacts are looked for up to this reduced radius, and up to this position y towards a = 0; real ones are far from both.
@@ -25,12 +25,12 @@ module adfric_round_sphere_dugdale_curve
    real(dp), parameter :: narrow = 0.5_dp
 
    !> A point of the curve, and its change with the position.
-   type :: curve_point_t
+   type :: dugdale_point_t
       !> Radii of contact and adhesion, load, approach.
       real(dp) :: radius = 0, adhesion_radius = 0, load = 0, approach = 0
       !> Derivatives of these four by the position, or by the angle.
       real(dp) :: radius_slope = 0, adhesion_radius_slope = 0, load_slope = 0, approach_slope = 0
-   end type curve_point_t
+   end type dugdale_point_t
 
    !> An angle of the curve, and what the point there is made of.
    type :: curve_angle_t
@@ -51,7 +51,7 @@ contains
       !> Position y = ln tan th on the curve.
       real(dp), intent(in) :: position
       !> Receives radii, load and approach, reduced, and their slopes.
-      type(curve_point_t), intent(out) :: point
+      type(dugdale_point_t), intent(out) :: point
       type(curve_angle_t) :: angle
       real(dp) :: t
 
@@ -81,7 +81,7 @@ contains
       !> In: th, its sine and cosine. Out: with all.
       type(curve_angle_t), intent(inout) :: angle
       !> Receives radii, load and approach, reduced, and their slopes.
-      type(curve_point_t), intent(out) :: point
+      type(dugdale_point_t), intent(out) :: point
       real(dp) :: s_c, bb, c_slope, total, pull
 
       associate (p => point, th => angle%th, s => angle%sine, c => angle%cosine)

@@ -10,7 +10,7 @@ module adfric_round_sphere_maugis_dugdale
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, branch_stable, control_approach
-   use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc, get_disc_radius, guess_position, &
+   use adfric_round_sphere_dugdale_curve, only: dugdale_point_t, get_curve_point, get_disc, get_disc_radius, guess_position, &
       & farthest, largest_radius
    implicit none (type, external)
    private
@@ -161,7 +161,7 @@ contains
       integer, intent(in) :: control
       type(sphere_contact_t), intent(out) :: contact
       type(curve_equation_t) :: equation
-      type(curve_point_t) :: point
+      type(dugdale_point_t) :: point
       real(dp) :: mean, largest
 
       largest = get_disc_radius(self%lambda, self%ratio)
@@ -220,7 +220,7 @@ contains
       !> Position where the part begins, if the quantity rises along it; if absent, it falls from the largest contact on.
       real(dp), intent(in), optional :: rises_from
       type(curve_equation_t) :: equation
-      type(curve_point_t) :: point
+      type(dugdale_point_t) :: point
       real(dp) :: excess, slope, step, low
       integer :: iteration
       logical :: does_rise
@@ -272,7 +272,7 @@ contains
 
    !> The contact a small step from a point of the curve.
    pure subroutine read_point(point, step, contact, quantity)
-      type(curve_point_t), intent(in) :: point
+      type(dugdale_point_t), intent(in) :: point
       !> Change of the position from this point, so small that the curve is straight.
       real(dp), intent(in) :: step
       !> Receives the radii, load, approach and stability of the state; the rest stays.
@@ -311,7 +311,7 @@ contains
       real(dp), intent(out) :: value
       !> Derivative of the value by the position.
       real(dp), intent(out) :: slope
-      type(curve_point_t) :: point, next
+      type(dugdale_point_t) :: point, next
 
       call get_curve_point(self%lambda, self%ratio, x, point)
       if (self%is_slope) then
@@ -327,7 +327,7 @@ contains
    !> curve is nearly straight.
    pure subroutine compare(self, point, value, slope)
       class(curve_equation_t), intent(in) :: self
-      type(curve_point_t), intent(in) :: point
+      type(dugdale_point_t), intent(in) :: point
       !> Quantity at the point less its given value.
       real(dp), intent(out) :: value
       real(dp), intent(out) :: slope

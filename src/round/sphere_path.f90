@@ -7,7 +7,7 @@ module adfric_round_sphere_path
    use adfric_interface_interaction, only: adhesion_ratio
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_round_contact_state, only: contact_t
-   use adfric_round_interaction_path, only: begin_path, complete_waypoint, friction_law_t, interaction_path_t, &
+   use adfric_round_interaction_path, only: begin_path, complete_waypoint, interaction_law_t, interaction_path_t, &
       & steepest, waypoint_t
    use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, control_load, control_approach, control_radius, &
       & branch_stable, find_sphere_contact => find_contact
@@ -78,11 +78,11 @@ contains
    end function is_valid_friction
 
    !> The law as that of an indenter, with the strength in the stresses of E* = R = 1.
-   elemental type(friction_law_t) function law_of_sphere(friction) result(law)
+   elemental type(interaction_law_t) function law_of_sphere(friction) result(law)
       type(peeling_friction_t), intent(in) :: friction
 
-      law = friction_law_t(2*friction%strength/3, slip_factor(friction%poisson)/2, friction%edge_fraction, friction%interaction, &
-         & friction%slip_energy_ratio)
+      law = interaction_law_t(2*friction%strength/3, slip_factor(friction%poisson)/2, friction%edge_fraction, &
+         & friction%interaction, friction%slip_energy_ratio)
    end function law_of_sphere
 
    !> k = (2 - nu)/(1 - nu) (J 3.5), twice the ratio m of the tangential to the normal compliance.
@@ -103,7 +103,7 @@ contains
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       type(contact_t) :: contact
-      type(friction_law_t) :: law
+      type(interaction_law_t) :: law
 
       if (.not. is_valid_friction(friction)) return
       law = law_of_sphere(friction)

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of the sphere: the theory it needs, its contact, and its friction, in reduced variables.
+!> The file is long by the kinds of friction, of which each takes another path through the same contact.
 module adfric_round_sphere_point
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
@@ -12,7 +13,7 @@ module adfric_round_sphere_point
    use adfric_round_driven_contact, only: driven_error
    use adfric_interface_interaction, only: adhesion_ratio
    use adfric_round_interaction_events, only: find_peeling_events, forget_peeling_events, peeling_events_t
-   use adfric_round_interaction_path, only: friction_law_t, largest_slip_of, slip_of
+   use adfric_round_interaction_path, only: interaction_law_t, largest_slip_of, slip_of
    use adfric_round_sphere_path, only: law_of_sphere, new_sphere_path, peeling_friction_t, peeling_path_t
    use adfric_round_sphere_peeling, only: friction_state_t, find_static_state, find_driven_sphere, given_force, given_displacement
    use adfric_round_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
@@ -367,7 +368,7 @@ contains
       type(sphere_case_t), intent(in) :: case
       type(sphere_point_t), intent(inout) :: point
       real(dp) :: largest_force, largest_displacement, angle
-      type(friction_law_t) :: law
+      type(interaction_law_t) :: law
 
       largest_force = half_pi*case%strength*point%friction_radius**2
       law = law_of_sphere(new_friction(case))
@@ -400,7 +401,7 @@ contains
       real(dp), intent(in) :: angle
       !> In: with its friction radius. Out: with force, displacement and slip, too.
       type(sphere_point_t), intent(inout) :: point
-      type(friction_law_t) :: law
+      type(interaction_law_t) :: law
 
       law = law_of_sphere(new_friction(case))
       point%friction_force = half_pi*case%strength*point%friction_radius**2*force_of_angle(angle)

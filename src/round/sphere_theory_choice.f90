@@ -8,7 +8,7 @@ module adfric_round_sphere_theory_choice
    use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
       & control_load, control_approach, control_radius, branch_stable, find_contact
    use adfric_round_sphere_dmt, only: dmt_t
-   use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc
+   use adfric_round_sphere_dugdale_curve, only: dugdale_point_t, get_curve_point, get_disc
    use adfric_round_sphere_hertz, only: hertz_t
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
@@ -256,7 +256,7 @@ contains
       !> The contact, which has been found.
       type(sphere_contact_t), intent(in) :: contact
       type(sphere_contact_t) :: again
-      type(curve_point_t) :: point
+      type(dugdale_point_t) :: point
       real(dp), dimension(3) :: values, others, terms, slopes, sizes, powers
       real(dp) :: shift
       integer :: prescribed

@@ -239,7 +239,7 @@ contains
       r(indenter_output%friction_area) = result_row(name='friction_area', unit='m^2', &
          & long_name='area pi b^2 where a shear strength acts')
       r(indenter_output%friction_force) = result_row(name='friction_force', unit='N', &
-         & long_name='force of sliding against a shear strength')
+         & long_name='force of sliding against a shear strength', is_main=.true.)
       r(indenter_output%stress_zz) = result_row(name='stress_zz', unit='Pa', &
          & long_name='stress along the axis at position_z, tension positive')
       r(indenter_output%stress_rr) = result_row(name='stress_rr', unit='Pa', &

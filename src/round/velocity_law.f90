@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of a round body that slides by a law of velocity and temperature. In all of the contact the law has one value, but for what
-!> goes with the pressure itself: so it is that of a shear strength, which the law gives.
+!> goes with the pressure: so it is that of a shear strength, which the law gives. What an activation volume of the pressure adds is
+!> integrated by `adfric_round_pressure_law`.
 module adfric_round_velocity_law
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: unset
+   use adfric_base_unset, only: is_set, unset
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_law_of_speed, i_law, i_pressure_volume, &
@@ -79,7 +80,7 @@ contains
          call c%refuse(in%velocity_law, 'has no meaning for this law of friction')
          if (has_contact_heat(values)) return
          call c%refuse([in%velocity], 'has no meaning without a law of the velocity in &friction; ' &
-            & //'over an elastic solid nothing else rubs')
+            & //'a constant shear strength is the same at all velocities')
          call c%refuse([in%temperature], 'has no meaning without a law of the velocity in &friction')
          return
       end if
@@ -91,8 +92,11 @@ contains
       call check_interface(table, numbers, of_interface, [in%temperature, in%velocity], given, none, 0.0_dp, problems)
       if (.not. (needs_temperature(interface_of(values)) .or. has_contact_heat(values))) call c%refuse([in%temperature], &
          & 'has no meaning for this law of friction without shift')
-      call c%refuse([of_interface(i_pressure_volume)], 'has no meaning for round bodies; over their pressure the law is not ' &
-         & //'integrated')
+      if (.not. is_set(values(of_interface(i_pressure_volume))) .or. .not. values(of_interface(i_pressure_volume)) > 0) return
+      if (is_set(values(in%interaction)) .and. values(in%interaction) > 0) call c%add(of_interface(i_pressure_volume), &
+         & 'stands beside interaction, with which the contact has one shear stress')
+      if (has_contact_heat(values)) call c%add(of_interface(i_pressure_volume), &
+         & 'stands beside &heat, for which a round contact has one shear stress')
    end subroutine check_velocity_law
 
    !> The law of a body that is in motion.

@@ -2,12 +2,8 @@
 !> The contact of an indenter while friction takes from its adhesion: the work of adhesion falls from w to X w, and with it the stress of
 !> adhesion from S to X S, at one range h; what is prescribed stays.
 !>
-!> **What shrinks.** Outside the contact the displacement of the half-space is monotone in the stress that pulls there: more stress on the
-!> same disc, or the same stress on a larger one, lifts the surface everywhere (Green's function is positive, and of an obstacle that keeps
-!> it down the same holds), so it closes gaps and widens contact. So at given approach the states of a curve are the fixed points of a
-!> rising map of c, and those that are stable at given approach have a and c that rise with X, and with the approach. By the energy of
-!> adhesion, which falls with both, the load falls with X at given approach; so where a state is stable under a load, or on a spring, a
-!> and c rise with X there, too. **As X falls a, c and each radius between them fall**, for every profile, up to the fold where the state ends.
+!> As X falls a, c and each radius between them fall, for every profile, up to the fold where the state ends
+!> (docs/theory/round_peeling.md, Proofs).
 !>
 !> **JKR.** At a radius a the neck Dl follows from what is prescribed, and X = Dl^2/(2 pi W a) from it: the path is known in closed
 !> form. It ends where dX/da = 0, which is a g' = q Dl (`adfric_round_curve`), and along the path

@@ -34,7 +34,7 @@ module adfric_run_block_source
          integer, intent(in) :: most
          !> Number in the run of the first block that is taken.
          integer(i8), intent(out) :: first
-         !> Number of blocks that are taken; 0 if none is left.
+         !> Number of blocks that are taken; 0 if none remains.
          integer, intent(out) :: n
       end subroutine take_blocks_i
    end interface
@@ -55,7 +55,7 @@ module adfric_run_block_source
 
 contains
 
-   !> Nothing more will be asked for, though blocks are left: other processes shall end, too. Here there are none.
+   !> Nothing more will be asked for, though blocks remain: other processes shall end, too. Here there are none.
    subroutine end_alone(self)
       class(block_source_t), intent(inout) :: self
 
@@ -94,7 +94,7 @@ contains
       integer, intent(in) :: most
       !> Number in the run of the first block that is taken.
       integer(i8), intent(out) :: first
-      !> Number of blocks that are taken; 0 if none is left.
+      !> Number of blocks that are taken; 0 if none remains.
       integer, intent(out) :: n
       integer :: most_here
 

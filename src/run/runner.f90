@@ -280,7 +280,7 @@ contains
       integer, intent(in) :: n_wanted
       !> Number in the run of the first block that is taken; undefined if there is none.
       integer(i8), intent(out) :: first
-      !> Number of blocks that are taken; 0 if none is left, or if the run must end.
+      !> Number of blocks that are taken; 0 if none remains, or if the run must end.
       integer, intent(out) :: n
       integer(i8) :: share
 

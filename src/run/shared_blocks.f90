@@ -52,7 +52,7 @@ contains
    !> What remains to one process, rounded up.
    pure integer(i8) function share_of(self, n)
       type(shared_blocks_t), intent(in) :: self
-      !> Number of blocks that are left to all processes together.
+      !> Number of blocks that remain for all processes together.
       integer(i8), intent(in) :: n
 
       share_of = (n + self%world%n_ranks - 1)/self%world%n_ranks
@@ -65,7 +65,7 @@ contains
       integer, intent(in) :: most
       !> Number in the run of the first block that is taken.
       integer(i8), intent(out) :: first
-      !> Number of blocks that are taken; 0 if none is left.
+      !> Number of blocks that are taken; 0 if none remains.
       integer, intent(out) :: n
 
       first = 0
@@ -81,11 +81,11 @@ contains
       self%n_points_elsewhere = max(0_i8, self%n_gone - self%n_taken)*self%blocks%size
    end subroutine take_shared_blocks
 
-   !> Draw a ticket for some blocks; nothing is held afterwards if none are left.
+   !> Draw a ticket for some blocks; nothing is kept afterwards if none remain.
    subroutine draw_ticket(self, most)
       !> The source, which holds the blocks of the ticket afterwards.
       class(shared_blocks_t), intent(inout) :: self
-      !> Number of blocks that the ticket is for; fewer are held if fewer are left.
+      !> Number of blocks that the ticket is for; fewer are kept if fewer remain.
       integer, intent(in) :: most
       integer(i8) :: n_before
 

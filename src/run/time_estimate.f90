@@ -14,10 +14,12 @@ module adfric_run_time_estimate
    use adfric_system_child_process, only: child_process_t, start_child
    implicit none (type, external)
    private
-   public :: time_estimate_t, estimate_time
+   public :: time_estimate_t, estimate_time, longest_trial
 
    !> Time after which no trial is begun, and after which one that has been begun is given up [s].
    real(dp), parameter :: time_for_trials = 0.3_dp, longest_trial = 0.6_dp
+   !> What is counted of trial points.
+   integer, parameter :: n_counts = 2 + n_doubts
    !> The other process ends so long after the last trial should have, even if this one is gone [s].
    real(dp), parameter :: time_to_end = 1.0_dp
    !> A trial that takes longer has enough points [s].
@@ -38,8 +40,8 @@ module adfric_run_time_estimate
       logical :: is_known = .false.
       !> Number of trial points, and of those beyond each bound of the theory.
       integer :: n_trials = 0, by_doubt(n_doubts) = 0
-      !> Trial points of which a coupling that is left out changes the friction by more than its error.
-      integer :: n_uncoupled = 0
+      !> Trial points of which a coupling that is left out changes the friction by more than its error, and those without an answer.
+      integer :: n_uncoupled = 0, n_unsolved = 0
    end type time_estimate_t
 
    !> Takes profiles and forgets them.
@@ -60,7 +62,7 @@ contains
       real(dp), intent(in), optional :: patience
       type(blocks_t) :: blocks
       type(child_process_t) :: child
-      real(dp) :: start, trial(3 + n_doubts), points, seconds, seconds_of_all, waited, longest
+      real(dp) :: start, trial(2 + n_counts), points, seconds, seconds_of_all, waited, longest
       logical :: is_there
 
       longest = longest_trial
@@ -83,7 +85,8 @@ contains
          seconds = seconds + trial(2)
          estimate%n_trials = estimate%n_trials + nint(trial(1))
          estimate%n_uncoupled = estimate%n_uncoupled + nint(trial(3))
-         estimate%by_doubt = estimate%by_doubt + nint(trial(4:))
+         estimate%n_unsolved = estimate%n_unsolved + nint(trial(4))
+         estimate%by_doubt = estimate%by_doubt + nint(trial(5:))
       end do
       waited = wall_clock() - start
       call child%stop(seconds_of_all)
@@ -125,7 +128,7 @@ contains
       type(child_process_t), intent(in) :: child
       real(dp) :: start, seconds
       integer(i8) :: n_done
-      integer :: k, n, n_solved, largest, of_trial(1 + n_doubts)
+      integer :: k, n, n_solved, largest, of_trial(n_counts)
       logical :: is_told
 
       start = wall_clock()
@@ -185,8 +188,8 @@ contains
       real(dp), intent(out) :: seconds
       !> Number of points that were solved.
       integer, intent(out) :: n
-      !> Receives how many of them leave out a coupling that counts, and how many lie beyond each bound of the theory.
-      integer, intent(out) :: of_trial(1 + n_doubts)
+      !> Receives how many of them leave out a coupling that counts, have no answer, and lie beyond each bound of the theory.
+      integer, intent(out) :: of_trial(n_counts)
       real(dp), allocatable :: values(:, :), results(:, :), errors(:), profiles(:, :, :)
       integer, allocatable :: status(:)
       real(dp) :: counts(size(run%model%counts))
@@ -210,25 +213,26 @@ contains
       call count_doubts(run, results, errors, status, of_trial)
    end subroutine try_block
 
-   !> Count the points that leave out a coupling that counts, and those beyond each bound of the theory.
+   !> Count the points that leave out a coupling that counts, those without an answer, and those beyond each bound of the theory.
    subroutine count_doubts(run, results, errors, status, of_trial)
       class(run_t), intent(in) :: run
       !> Results of the points, shape `(n_results, n)`, and their estimated relative errors; shape `(n)`.
       real(dp), intent(in) :: results(:, :), errors(:)
       !> Status of the points; shape `(n)`.
       integer, intent(in) :: status(:)
-      !> Receives the counts; shape `(1 + n_doubts)`.
+      !> Receives the counts; shape `(n_counts)`.
       integer, intent(out) :: of_trial(:)
       integer :: i, k
 
       of_trial = 0
+      of_trial(2) = count(status /= status_solved)
       do k = 1, size(run%model%results)
          do i = 1, size(status)
             if (status(i) /= status_solved .or. ieee_is_nan(results(k, i))) cycle
             if (run%model%results(k)%name == coupling_name .and. abs(results(k, i)) > errors(i)) of_trial(1) = of_trial(1) + 1
             if (run%model%results(k)%name /= doubt_name) cycle
             associate (doubt => nint(results(k, i)))
-               if (doubt > doubt_none) of_trial(1 + doubt) = of_trial(1 + doubt) + 1
+               if (doubt > doubt_none) of_trial(2 + doubt) = of_trial(2 + doubt) + 1
             end associate
          end do
       end do

@@ -31,6 +31,7 @@ module adfric_run_wrapped_model
       procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_doubts
+      procedure :: velocity_of_heat
       procedure :: measure
       procedure :: nominal_size
       procedure :: count_profiles
@@ -191,6 +192,14 @@ contains
 
       text = self%inner%describe_doubts(self%inner_values(values))
    end function describe_doubts
+
+   !> See `model_t`.
+   real(dp) function velocity_of_heat(self, values) result(velocity)
+      class(wrapped_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      velocity = self%inner%velocity_of_heat(self%inner_values(values))
+   end function velocity_of_heat
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)

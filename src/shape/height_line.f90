@@ -197,7 +197,7 @@ contains
       taylor = taylor*[1.0_dp, widening, widening**2]
    end subroutine get_taylor
 
-   !> The line crossed the other way: x becomes -x.
+   !> The line crossed from its end to its start: x becomes -x.
    pure subroutine reverse(self)
       class(height_line_t), intent(inout) :: self
       real(dp), allocatable :: reversed(:, :)

@@ -6,7 +6,7 @@
 module adfric_solid_given_spectrum
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: show_number
+   use adfric_base_text, only: show_count, show_number
    use adfric_base_unset, only: unset, is_set
    use adfric_solid_master_curve, only: master_curve_fit_t, fit_master_curve, default_terms_per_decade
    use adfric_solid_prony, only: prony_t, most_arms
@@ -119,16 +119,19 @@ contains
       class(given_spectrum_t), intent(in) :: given
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      character(*), parameter :: text = 'are not as many as relaxation_times'
 
       if (.not. allocated(given%relaxation_times)) return
-      if (allocated(given%moduli)) then
-         if (size(given%moduli) /= size(given%relaxation_times)) call problems%add(moduli_row%group, moduli_row%name, text)
-      end if
-      if (allocated(given%young_moduli)) then
-         if (size(given%young_moduli) /= size(given%relaxation_times)) call problems%add(young_moduli_row%group, &
-            & young_moduli_row%name, text)
-      end if
+      if (allocated(given%moduli)) call compare(moduli_row, size(given%moduli))
+      if (allocated(given%young_moduli)) call compare(young_moduli_row, size(given%young_moduli))
+   contains
+      !> Are there as many as times?
+      subroutine compare(row, n)
+         type(variable_t), intent(in) :: row
+         integer, intent(in) :: n
+
+         if (n /= size(given%relaxation_times)) call problems%add(row%group, row%name, &
+            & 'are not as many as relaxation_times, given '//show_count(n)//', allowed: '//show_count(size(given%relaxation_times)))
+      end subroutine compare
    end subroutine check_numbers_of_arms
 
    !> Add to `problems` what no master curve has.
@@ -145,7 +148,8 @@ contains
       type(problems_t), intent(inout) :: problems
 
       if (.not. all(given%master_curve(:, 1) > 0)) then
-         call problems%add(row%group, row%name, 'has frequencies that are not > 0')
+         call problems%add(row%group, row%name, 'has frequencies that are not > 0, the least is '// &
+            & show_number(minval(given%master_curve(:, 1)))//' rad/s')
       else if (.not. all(given%master_curve(:, 2:) >= 0) .or. &
          & .not. all(given%master_curve(:, 2) + given%master_curve(:, 3) > 0)) then
          call problems%add(row%group, row%name, 'has moduli < 0, or both 0')

@@ -56,10 +56,10 @@ contains
       self%times = sorted_times(:n)
    end subroutine new_prony
 
-   !> Put an arm at its place among others of rising times. Times that are the same but for round-off are one: between two of them
+   !> Put an arm in order among others of rising times. Times that are the same but for round-off are one: between two of them
    !> there would be a retardation time without digits.
    pure subroutine insert_arm(moduli, times, n, modulus, time)
-      !> Moduli of the arms so far, with a position left for one more.
+      !> Moduli of the arms so far, with a position for one more.
       real(dp), intent(inout) :: moduli(:)
       !> Relaxation times of these arms, strictly rising [s].
       real(dp), intent(inout) :: times(:)

@@ -26,7 +26,7 @@ module adfric_solid_spectrum_rows
    private
    public :: set_spectrum_rows, take_spectrum, take_spectrum_attribute, has_spectrum, check_spectrum, get_spectrum
    public :: is_same_spectrum, shift_factor_of, solid_shift_of, poisson_ratio_of, describe_spectrum, doubt_spectrum, derive_spectrum
-   public :: n_spectrum_rows, spectrum_names
+   public :: n_spectrum_rows, spectrum_names, needs_velocity
 
    !> Indices among the rows; the last one stands in the group of the operating conditions.
    integer, parameter :: modulus = 1, young_modulus = 2, poisson_ratio = 3, moduli = 4, young_moduli = 5, relaxation_times = 6, &
@@ -39,6 +39,8 @@ module adfric_solid_spectrum_rows
       & //'master_curve relaxed_modulus terms_per_decade'
    character(*), parameter :: shift_names = 'shift reference_temperature wlf_c1 wlf_c2 activation_energy temperature'
    character(*), parameter :: spectrum_names = modulus_names//' time_factor '//shift_names
+   !> Why a contact over a viscoelastic solid needs a velocity.
+   character(*), parameter :: needs_velocity = 'the body slides here. For a contact at rest on a half-space give &history times'
    !> The instantaneous modulus over the relaxed one, beyond which either is an input's mistake: the pairs of numbers that retardation
    !> times are found with have digits up to 1e32.
    real(dp), parameter :: largest_ratio = 1.0e30_dp

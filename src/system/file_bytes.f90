@@ -43,7 +43,7 @@ module adfric_system_file_bytes
          integer(c_int64_t), intent(in) :: holes(*)
          !> The eight bytes that are looked for.
          integer(c_int64_t), intent(in) :: word
-         !> First byte of the first place, from 0; 0 if there is none.
+         !> First byte of the first position, from 0; 0 if there is none.
          integer(c_int64_t), intent(out) :: found_at
          !> Number of indices.
          integer(c_int), intent(out) :: n_found
@@ -109,7 +109,7 @@ contains
       integer(i8), intent(in), contiguous :: holes(:, :)
       !> The eight bytes that are looked for.
       integer(i8), intent(in) :: word
-      !> First byte of the first place where they stand, from 0; 0 if there is none.
+      !> First byte of the first position where they stand, from 0; 0 if there is none.
       integer(i8), intent(out) :: found_at
       !> Number of indices where they stand.
       integer, intent(out) :: n_found

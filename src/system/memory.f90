@@ -58,7 +58,7 @@ contains
       if (space >= 0) free_memory = min(free_memory, space)
    end function free_memory
 
-   !> Bytes of memory that the machine has left; huge if it cannot be said.
+   !> Bytes of memory that the machine has free; huge if it cannot be said.
    real(dp) function available_memory()
       character(*), parameter :: key = 'MemAvailable:'
       character(line_length) :: line

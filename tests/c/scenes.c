@@ -104,7 +104,7 @@ static void test_choice(void)
    /* without a load JKR's contact has a^3 = 9 pi w R^2/(2 E*) */
    CHECK(is_close(radius, expected, 1e-12));
    CHECK_OK(adfric_close_case(tip));
-   CHECK_REFUSED(adfric_open_scene(text, 1, times, &tip), "&solid: nothing solves paraboloid on a viscoelastic half-space");
+   CHECK_REFUSED(adfric_open_scene(text, 1, times, &tip), "&history: nothing solves paraboloid on a viscoelastic half-space");
 }
 
 /* Names, units and bounds of the variables and the results of a case. */

@@ -30,6 +30,7 @@ SCENES = {
                 "&operating mean_pressure = 4e6, velocity = 0.01 /\n&numerics cells = 512 /\n",
     "layer": WAVE + "&solid young_modulus = 1e9, poisson_ratio = 0.4, extent = 'layer', thickness = 1e-4, base = 'bonded' /\n"
              "&operating mean_pressure = 1e7, velocity = 0.01 /\n&numerics cells = 512 /\n"}
+PUNCH = "&surface {} /\n&solid poisson_ratio = 0.3, young_modulus = 1e9 /\n&operating load = 1e4, velocity = 0.01 /\n"
 
 
 def table(name):
@@ -80,6 +81,69 @@ class Coupling(Runs):
             np.testing.assert_allclose(found["contact_shift"], float(row["centre_m"]), rtol=1e-12)
             np.testing.assert_allclose(found["hysteretic_friction_force"], float(row["slope_friction_T_s"])*MODULUS, rtol=1e-12)
             np.testing.assert_allclose(found["interfacial_friction_force"], mu*load + 0.2*tau*MODULUS, rtol=1e-12)
+
+    def test_punches(self):
+        """Every row of flat punches and wedges: load, middle of the contact, force on the slopes, and the pressure at a position."""
+        rows = [row for row in table("int_coupling") if row["case"].startswith(("flat", "wedge"))]
+        self.assertEqual(len(rows), 4)
+        for row in rows:
+            nu, mu, x = (float(row[name]) for name in ("nu", "mu", "pressure_point_x"))
+            flat = row["case"].startswith("flat")
+            unit = MODULUS if not flat else 1.0
+            load = float(row["mean_pressure_or_load"])*unit
+            body = "kind = 'line_punch', face_half_width = 1.0" if flat else "kind = 'wedge', slope = 0.1"
+            scene = (f"&surface {body} /\n" + solid(nu) + FRICTION.format(mu) + "&operating load = {:.17g}, velocity = {} /\n"
+                     f"&output profiles = .true., x_min = {-(x or 1)}, x_max = {x or 1}, n_x = 3 /\n")
+            # the table checks loads and forces of wedges by an identity, which says how far they are off; positions have all digits
+            accuracy = max(1e-12, 2*float(row["check"])) if not flat else 1e-12
+            if not flat:
+                scene = scene.replace("load = {:.17g}", "contact_half_width = {}")
+            for velocity in (1e-3, -1e-3):
+                found, model = self.run_scene(scene.format(load if flat else 1.0, velocity))
+                self.assertEqual(model, "rigid_punch")
+                sign = np.sign(velocity)
+                pressure = found["pressure"].ravel()[1 if x == 0 else 2 if sign > 0 else 0]
+                np.testing.assert_allclose(pressure, float(row["pressure_there"])*unit, rtol=1e-12)
+                force = 0 if flat else float(row["slope_friction_T_s"])*unit
+                np.testing.assert_allclose(found["load"], load, rtol=accuracy)
+                np.testing.assert_allclose(found["hysteretic_friction_force"], sign*force, rtol=accuracy)
+                np.testing.assert_allclose(found["friction_force"], sign*(mu*load + force), rtol=accuracy)
+                if flat:
+                    continue
+                np.testing.assert_allclose(found["contact_shift"], sign*float(row["centre_m"]), rtol=1e-12)
+                self.assertLess(abs(found["energy_imbalance"]), 1e-10)
+            if not flat:
+                # the same contact under its load
+                again, _ = self.run_scene(scene.format(1.0, -1e-3).replace("contact_half_width = 1.0", f"load = {found['load']:.17g}"))
+                np.testing.assert_allclose(again["contact_half_width"], 1.0, rtol=1e-12)
+                np.testing.assert_allclose(again["friction_force"], found["friction_force"], rtol=1e-12)
+
+    def test_punches_uncoupled(self):
+        """Without coupling a punch has the contact without friction, and what is left out is what a light coupling adds."""
+        rest = solid(0.1) + "&friction shear_strength = {}, pressure_factor = {}{} /\n&operating load = 1e6, velocity = 0.1 /\n"
+        for body in ("kind = 'line_punch', face_half_width = 0.01", "kind = 'wedge', slope = 0.05",
+                     "kind = 'line_polynomial', coefficient_4 = 100.0", "kind = 'wedge', slope = 0.05, face_half_width = 0.5"):
+            body = f"&surface {body} /\n"
+            plain, _ = self.run_scene(body + solid(0.1) + "&operating load = 1e6 /\n")
+            found, model = self.run_scene(body + rest.format(1e6, 0.3, ""))
+            self.assertEqual(model, "rigid_punch")
+            for key in plain.keys() & found.keys():
+                np.testing.assert_array_equal(found[key], plain[key], err_msg=key)
+            np.testing.assert_allclose(found["friction_force"], 2e6*found["contact_half_width"] + 0.3e6, rtol=1e-13)
+            self.assertEqual(found["interfacial_share"], 1)
+            if "polynomial" in body or "face_half_width = 0.5" in body:
+                self.assertLess(found["coupling_left_out"], 0)
+                continue
+            # beyond all coefficients of friction the integrals have an end
+            far = body + rest.format(0.0, 100.0, ", coupling = .true.")
+            if "wedge" in body:
+                self.write("&job output = 'run.h5' /\n" + far)
+                self.run_program("run", "--quiet", "--force", "run.nml")
+                with h5py.File(self.folder/"run.h5") as file:
+                    self.assertEqual(file["status"][()], 2)
+            light = [self.run_scene(body + rest.format(0.0, 0.01, word))[0] for word in ("", ", coupling = .true.")]
+            change = (light[1]["friction_force"] - light[0]["friction_force"])/light[0]["friction_force"]
+            np.testing.assert_allclose(light[0]["coupling_left_out"], change, rtol=1e-2, atol=1e-15)
 
     def test_viscoelastic_waves(self):
         """Every row of viscoelastic waves, which cells answer: friction, and the heat of the bulk and of the interface."""
@@ -150,8 +214,48 @@ class Coupling(Runs):
                 key = "friction_force" if name == "hertz" else "friction_stress"
                 change = (on[key] - off[key])/off[key]
                 self.assertNotIn("coupling_left_out", on)
+                self.assertIn("coupling_left_out", off)
+                self.assertNotIn("largest_coupling", off)
                 # of a viscoelastic solid the change of the pressure is not in the number
                 np.testing.assert_allclose(plain["coupling_left_out"], change, rtol=0.5 if name == "relaxing" else 0.02)
+
+    def test_off_over_rubber(self):
+        """With coupling = .false. the solver is that without the name, also over a viscoelastic solid, and so are all bits."""
+        wave = SCENES["relaxing"].replace("&numerics cells = 512 /\n", "")
+        cylinder = SCENES["hertz"].replace("0.2 /", "0.2, young_moduli = 9e9, relaxation_times = 1e-3 /")
+        for scene, solver in ((wave, "wave_1d"), (cylinder, "hertz")):
+            plain, model = self.run_scene(scene + FRICTION.format(0.3).replace(", coupling = .true.", ""))
+            for word in (".false.", "F"):
+                off, other = self.run_scene(scene + FRICTION.format(0.3).replace(".true.", word))
+                self.assertEqual((model, other), (solver, solver))
+                self.assertEqual(plain.keys() | {"coupling"}, off.keys() | {"coupling"})
+                for key in plain:
+                    np.testing.assert_array_equal(off[key], plain[key], err_msg=key)
+                self.assertIn("coupling_left_out", off)
+
+    def test_ellipsoid(self):
+        """What an ellipsoid leaves out along either axis, against a transform of its pressure and shear stress."""
+        scene = ("&surface kind = 'ellipsoid', radius_1x = 1e-2, radius_1y = 4e-2 /\n&solid young_modulus = 1e9, poisson_ratio = 0.3 /\n"
+                 "&friction shear_strength = 1e6, pressure_factor = 0.2 /\n&operating load = 1.0, velocity = 0.1, direction = {} /\n")
+        n, modulus, beta = 2048, 1e9/(1 - 0.3**2), 0.4/1.4
+        for direction in (0.0, np.pi/2):
+            found, model = self.run_scene(scene.format(repr(float(direction))))
+            self.assertEqual(model, "hertz")
+            a, b = float(found["major_half_width"]), float(found["minor_half_width"])
+            # a square of 12 contacts; images fall off with the cube of the distance
+            x = 12*a*(np.arange(n)/n - 0.5)
+            pressure = found["peak_pressure"]*np.sqrt(np.maximum(0, 1 - (x/a)**2 - (x[:, None]/b)**2))
+            shear = np.where(pressure > 0, 1e6 + 0.2*pressure, 0)
+            k = 2*np.pi*np.fft.fftfreq(n, 12*a/n)
+            square = k**2 + k[:, None]**2
+            square[0, 0] = 1
+            along = (k**2 if direction == 0 else k[:, None]**2)/square
+            slope = np.fft.ifft2(2*beta/modulus*along*np.fft.fft2(shear)).real
+            change = -np.sum(pressure*slope)*(12*a/n)**2/found["friction_force"]
+            # 80 cells on the half-width, at whose end the shear stress jumps
+            np.testing.assert_allclose(found["coupling_left_out"], change, rtol=2e-2)
+            for absent in ("contact_shift", "energy_imbalance", "dissipation", "largest_shear_stress"):
+                self.assertNotIn(absent, found)
 
     def write_heights(self, scale=1.0):
         """Rough heights that no reflection leaves as they are, as `heights.h5:/z` [m], 64 x 32 cells of 4 um."""
@@ -291,6 +395,10 @@ class Coupling(Runs):
                 (columns + friction, "coupling"),
                 (wave + friction.replace("strength = 0.0", "strength = 1e6") + "&adhesion work_of_adhesion = 0.05, adhesion_stress = 1e6 /\n", "beside adhesion"),
                 (SCENES["layer"].replace("bonded", "frictionless") + friction, "coupling"),
+                (PUNCH.format("kind = 'wedge', slope = 0.1") + friction.replace("= 0.0", "= 1e5"), "a punch takes shear_strength = 0"),
+                (PUNCH.format("kind = 'wedge', slope = 0.1, face_half_width = 1.0") + friction, "has no closed form for this punch"),
+                (PUNCH.format("kind = 'line_polynomial', coefficient_4 = 1.0") + friction, "has no closed form for this punch"),
+                (PUNCH.format("kind = 'wedge', slope = 0.1").replace("poisson_ratio = 0.3, young", "contact") + friction, "needs poisson_ratio"),
                 (SCENES["surface_sliding"] + friction.replace("shear_strength = 0.0", "shear_strength = 1e5"), "shear_strength = 0"),
                 (SCENES["hertz"].replace("cylinder", "paraboloid").replace("velocity = 0.01", "state = 'sliding'")
                  + "&friction shear_strength = 1e5, coupling = .true. /\n", "coupling")):

@@ -2,6 +2,7 @@
 """adfric fit through the command line: the reference sets, stacks in parts, and what is refused."""
 
 import csv
+import re
 import sys
 import unittest
 import warnings
@@ -69,6 +70,12 @@ class Fits(Runs):
             return {key: data[()] for key, data in file.items() if isinstance(data, h5py.Dataset)}
 
 
+TIP = """&surface kind = 'paraboloid', radius = 140e-9 /
+&solid contact_modulus = 44e9 /
+&operating state = 'sliding' /
+"""
+
+
 class Sets(Fits):
     """Reference sets, one fit each; `tests/fit` has all of them."""
 
@@ -101,6 +108,24 @@ class Sets(Fits):
         results = self.fit(text + "&free variable = 'contact_modulus' /\n")
         self.assertAlmostEqual(float(results["chi2"]), 86.66686746177017, delta=CHI2)
         self.assertEqual({"ordinate_1", "ordinate_2", "residual_2", "curve_1"} - set(results), set())
+
+    def test_answers_for_lambda(self):
+        """Friction that acts on a part of the ring of adhesion has two answers for lambda; on the contact alone it has one."""
+        for fraction, n_others in ((0.0, 0), (0.4, 1)):
+            self.write("&job output = 'curve.h5' /\n" + TIP + "&adhesion theory = 'maugis_dugdale', work_of_adhesion = 0.19, lambda = 5.0 /\n"
+                       f"&friction edge_fraction = {fraction}, shear_strength = 0.96e9 /\n"
+                       "&sweep variable = 'load', from = -110e-9, to = 280e-9, count = 80 /\n")
+            self.run_program("run", "--quiet", "--force", "run.nml")
+            curve = self.read("curve.h5")
+            # the points have no noise, and an error of 1 % of the friction without load
+            sigma = float(0.01 * np.interp(0.0, curve["load"], curve["friction_force"]))
+            rows = "".join(f"{load!r},{force!r},{sigma!r}\n" for load, force in zip(curve["load"].tolist(), curve["friction_force"].tolist()))
+            (self.folder / "curve.csv").write_text("load,friction_force,sigma\n" + rows)
+            self.write(TIP + f"&adhesion theory = 'maugis_dugdale' /\n&friction edge_fraction = {fraction} /\n"
+                       "&data file = 'curve.csv', abscissa = 'load', ordinate = 'friction_force' /\n"
+                       + "".join(f"&free variable = '{name}' /\n" for name in ("work_of_adhesion", "shear_strength", "lambda")))
+            output, _ = self.run_program("fit", "--force", "run.nml")
+            self.assertEqual(output.count("another minimum"), n_others, output)
 
     def test_areas_on_cells(self):
         """A modulus by the area of a rough surface, and a shear strength by its friction, from any start; the count is refused."""
@@ -347,13 +372,43 @@ class Stacks(Fits):
         self.assertEqual(set(expected.ravel()), {-1, 0, 1})
         with h5py.File(self.folder / "whole.h5") as file:
             self.assertEqual(file["doubt"].attrs["flag_meanings"].split()[:3], ["no_value", "none", "contact_too_wide"])
-        counted = rf"beyond a bound of the theory\n  contact too wide +{(expected == 1).sum()}\n .* >= 0.5\n"
+        counted = rf"points beyond a bound of the theory\n  contact too wide +{(expected == 1).sum()}\n .* >= 0.5\n"
         self.assertRegex(table, counted)
         for number in (1, 2, 3):
             self.run_program("fit", "--quiet", "run.nml", "--shard", f"{number}/3")
         for options in ((), ("--virtual", "--force")):
             merged, _ = self.run_program("merge", "run.h5", *(f"run.part-{number:04}-of-0003.h5" for number in (1, 2, 3)), *options)
             self.assertRegex(merged, r"parts +3\npoints +144\n  fitted +141\n  too few points +3\n" + counted)
+
+    def test_far_above(self):
+        """Errors that are far too small, or a model that does not fit, are named with S and the degrees of freedom; fitting ones are not."""
+        points = np.array([(-100, 100), (-50, 210), (0, 280), (50, 370), (100, 420), (150, 480), (200, 530), (300, 560)])
+        for sigma, is_far in ((1.0, True), (25.0, False)):
+            np.savetxt(self.folder / "tip.csv", np.c_[points, np.full(8, sigma)], delimiter=",", comments="",
+                       header="load [nN],friction_force [nN],sigma [nN]")
+            self.write("&job output = 'run.h5' /\n&data file = 'tip.csv', abscissa = 'load', ordinate = 'friction_force' /\n"
+                       "&free variable = 'work_of_adhesion' /\n&free variable = 'shear_strength' /\n&adhesion theory = 'jkr' /\n"
+                       "&surface kind = 'paraboloid', radius = 140e-9 /\n&solid contact_modulus = 44e9 /\n&operating state = 'sliding' /\n")
+            table, _ = self.run_program("fit", "--force", "run.nml")
+            results = self.read("run.h5")
+            said = re.findall(r"warning: S = (\S+) is far above n = 6 degrees of freedom: .* too small, by (\S+) times", table)
+            self.assertEqual(bool(said), is_far, table)
+            for chi2, times in said:
+                np.testing.assert_allclose([float(chi2), float(times)], [results["chi2"], np.sqrt(results["chi2"] / 6)], rtol=0.05)
+
+    def test_abscissa_outside(self):
+        """An abscissa that its variable does not take is named; points beyond from and to, and those without a number, are not used."""
+        text = ("&job output = 'run.h5' /\n&surface kind = 'paraboloid', radius = 1e-3 /\n&data file = 'points.csv', abscissa = 'contact_radius', "
+                "ordinate = 'load', sigma = 1e-6 /\n&free variable = 'contact_modulus' /\n")
+        self.write("contact_radius (m),load (N)\n1e-5,1.3e-6\n2e-5,1.06e-5\n-3e-5,3.6e-5\nnan,1e-5\n4e-5,8.5e-5\n", "points.csv")
+        self.write(text)
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertEqual(errors.count("\n"), 1)
+        self.assertIn("&data[1] file: points.csv: contact_radius is out of range at point 3, given -3e-5, allowed: a number >", errors)
+        self.write(text.replace("1e-6 /", "1e-6, from = 0.0 /"))
+        self.run_program("fit", "--quiet", "run.nml")
+        with h5py.File(self.folder/"run.h5") as file:
+            self.assertEqual(file["status"][()], 0)
 
     def test_one_curve(self):
         """A curve of the map alone, and all curves as one fit."""
@@ -622,6 +677,35 @@ class Interface(Fits):
             jacobian[:, k] = area*(part(*moved) - part(*best))/(1e-6*best[k])/(0.02*mu)
         errors = np.sqrt(np.diag(np.linalg.inv(jacobian.T @ jacobian)))
         np.testing.assert_allclose([float(found[f"{name}_error"]) for name in names], errors, rtol=1e-3)
+
+    def test_heat_is_warned_of(self):
+        """Velocities at which heat changes the shear stress, with &heat and without; what does not depend on the temperature is not doubted."""
+        text = self.text_of("283.15", 4e5)
+        heat = "&heat conductivity = {}, density = 1e3, heat_capacity = 2e3, second_conductivity = 0.0 /\n"
+        # of a polymer, and of a solid that conducts so well that no point is fast enough
+        for more, found in (("", r"points.csv goes up to 0.1 m/s, and heat changes .* from (\S+) m/s on in a polymer of 0.2 W/m/K and 2e6 J"),
+                            (heat.format(0.2), r"points.csv goes up to 0.1 m/s, and heat changes .* from (\S+) m/s on; what is fitted depends on &heat"),
+                            (heat.format(1e4), None)):
+            self.write(text + more)
+            output, _ = self.run_program("check", "run.nml")
+            warnings_ = [line for line in output.splitlines() if "heat changes" in line]
+            self.assertEqual(len(warnings_), 0 if found is None else 1, output)
+            if found is None:
+                continue
+            # at the start 2 tau v a s/(lambda sqrt(pi (4/pi + P))) is a hundredth there, s = |d ln tau/dT|, to the digits that are said
+            least = float(re.search(found, warnings_[0])[1])
+            tau, half_width = 5e5*np.exp(-0.2*np.log10(least/1e-3*self.shift(283.15))**2), 1e-3/4
+            rise = 2*tau*least*half_width/(0.2*np.sqrt(np.pi*(4/np.pi + least*half_width/2e-7)))
+            per_kelvin = abs(np.log(np.exp(-0.2*np.log10(least/1e-3*self.shift(283.16))**2)/np.exp(-0.2*np.log10(least/1e-3*self.shift(283.15))**2)))/0.01
+            np.testing.assert_allclose(rise*per_kelvin, 0.01, rtol=0.15)
+        self.write(text.replace("temperature = 283.15", "").replace("shift = 'wlf'", "shift = 'none'").replace(
+            "reference_temperature = 293.15", "").replace("wlf_c1 = 8.86", "").replace("wlf_c2 = 101.6", ""))
+        self.assertNotIn("heat changes", self.run_program("check", "run.nml")[0])
+
+    @staticmethod
+    def shift(temperature):
+        """a_T of the input."""
+        return 10**(-8.86*(temperature - 293.15)/(101.6 + temperature - 293.15))
 
     def test_shift_is_not_there(self):
         """With a shift of its own, one temperature does not tell velocity and activation energy apart: no answer, and it is said which."""

@@ -18,7 +18,8 @@ from runs import main  # noqa: E402
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
 PAGES = sorted((SOURCE/"docs/guide").glob("*.md"))
 # pages that answer one question by one input
-QUESTIONS = ("a_scan_on_a_cluster", "fit", "fit_of_a_force_map", "fretting", "friction_of_a_tip", "pull_off_of_a_rough_surface", "rubber_on_a_road")
+QUESTIONS = ("a_scan_on_a_cluster", "ageing_of_a_contact", "columns", "fit", "fit_of_a_force_map", "fretting", "friction_of_a_tip", "pull_off_of_a_rough_surface", "rubber_on_a_road",
+             "soft_samples")
 INPUT = re.compile(r"^```fortran\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PARTS = ("**Question.**", "scripts/", "](../gallery/", "## The input", "## Where it fails", "Next:")
 FIGURE = re.compile(r"^!\[[^]]+\]\(([^)]+\.png)\)$", re.MULTILINE)
@@ -64,6 +65,7 @@ class Guide(InputRuns):
         self.assertIn(f"| {digits(1e9*found['friction_force'][at_rest])} nN without load |", page)
         self.assertIn(f"| {digits(1e9*found['pull_off_load'][at_rest])} nN |", page)
         self.assertIn(f"| {digits(1e18*found['friction_area'][at_rest])} nm^2 without load |", page)
+        self.assertIn(f"| {digits(1e18*found['contact_area'][at_rest])} nm^2 without load |", page)
 
     def test_rubber(self):
         page, found = self.page("rubber_on_a_road"), self.solve_any("rubber_velocity")
@@ -71,6 +73,10 @@ class Guide(InputRuns):
         speeds = [digits(found["velocity"][place], 2) for place in largest]
         self.assertIn(f"at most {digits(found['friction_coefficient'][1, largest[1]])}, at {speeds[1]} m/s and 25 °C", page)
         self.assertIn(f"{speeds[0]} m/s at 0 °C and {speeds[2]} m/s at 50 °C", page)
+        printed = self.solve_printed("rubber_on_a_road")
+        top = printed["friction_coefficient"].argmax()
+        self.assertIn(f"| at most {digits(printed['friction_coefficient'][top])}, at {digits(printed['velocity'][top], 2)} m/s |", page)
+        self.assertIn(f"| from {digits(printed['contact_fraction'][0], 1)} when slow to {digits(printed['contact_fraction'][-1], 1)} when fast |", page)
         self.assertIn(f"from {digits(found['contact_fraction'][1, 0], 2)} when slow to {digits(found['contact_fraction'][1, -1], 1)} when fast", page)
 
     def test_fretting(self):
@@ -80,6 +86,21 @@ class Guide(InputRuns):
         self.assertIn(f"{digits(1e6*losses[0], 2)} uJ in a period, at mu = 0.15", page)
         self.assertIn(f"each period takes {digits(1e6*losses[1], 2)} uJ", page)
         self.assertIn(f"{digits(1e6*found['total_friction_loss'][0])} uJ after three periods", page)
+        printed = self.solve_printed("fretting")
+        self.assertIn(f"| {digits(1e6*printed['total_friction_loss'], 2)} uJ |", page)
+        self.assertIn(f"| at most {digits(1e6*printed['largest_tangential_displacement'], 2)} um |", page)
+
+    def test_ageing(self):
+        page, printed = self.page("ageing_of_a_contact"), self.solve_printed("ageing_of_a_contact")
+        self.assertIn(f"| from {digits(printed['contact_fraction'][0])} to {digits(printed['contact_fraction'][-1])} |", page)
+        self.assertIn(f"| {digits(printed['contact_growth'])} |", page)
+
+    def solve_printed(self, name):
+        """Numbers of the input that a page prints."""
+        self.write("&job output = 'run.h5' /\n" + INPUT.search(self.page(name).split("## The input\n")[1])[1])
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        with h5py.File(self.folder/"run.h5") as file:
+            return {key: data[()] for key, data in file.items() if isinstance(data, h5py.Dataset)}
 
     def solve_any(self, name):
         """Numbers of a shipped input, some of whose points may have no equilibrium."""

@@ -219,6 +219,9 @@ class Heat(Runs):
                 (CYLINDER.replace("0.5", "0.3") + constant.replace(" /", ", coupling = .true. /") + HEAT + operating,
                  "depend on its own temperature"),
                 (CYLINDER + constant + HEAT + operating.replace("velocity = 0.02, ", "state = 'sliding', "), "velocity"),
+                ("&surface kind = 'wave_1d', period = 1e-3, amplitude = 1e-5 /\n&solid extent = 'foundation', stiffness = 1e11, "
+                 "stiffnesses = 9e11, relaxation_times = 1e-3 /\n&friction shear_strength = 1e5 /\n" + HEAT
+                 + "&operating mean_pressure = 1e5, velocity = 0.1 /\n", "of which columns know nothing; extent = 'layer'"),
                 (BALL + HEAT + operating, "nothing solves")):
             with self.subTest(text=text):
                 self.write("&job output = 'run.h5' /\n" + text)

@@ -224,6 +224,7 @@ class Tables(Reads):
         self.table("a.csv", {"z [nm]": position * 1e9, "load [nN]": load * 1e9})
         output, _ = self.call("a.csv", *LEVER)
         self.assertIn("file = 'a.h5:/segments/retraction/load', abscissa = 'approach', ordinate = 'load'", output)
+        self.assertRegex(output, r"with its lever   abscissa_column = 'position', sigma = [\d.e-]+, spring_stiffness = 0.5\n")
         self.assertEqual(self.names(), ["a.csv", "a.h5", "a.png"])
         self.assertTrue((self.folder / "a.png").read_bytes().startswith(b"\x89PNG"))
         with h5py.File("a.h5") as file:

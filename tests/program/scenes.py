@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from runs import Runs, main  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"scripts"))
-from variables_page import page_of, read_variables  # noqa: E402
+from reference_pages import pages_of, read_variables  # noqa: E402
 
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
 OLD_INPUTS = SOURCE/"tests/old_inputs"
@@ -25,9 +25,9 @@ EVERY = round(1/float(os.environ.get("ADFRIC_RANDOM_CASES", "1")))
 # Sizes of each surface; the lists of round kinds are those of one body each.
 SURFACES = {
     "sphere": "radius = 1e-3", "paraboloid": "radius = 1e-3", "cone": "slope = 0.1", "power": "exponent = 4.0, power_coefficient = 1e6",
-    "flat_punch": "face_radius = 1e-5", "flat_cone": "face_radius = 1e-5, slope = 0.1", "flat_paraboloid": "face_radius = 1e-5, radius = 1e-3",
+    "flat_cone": "face_radius = 1e-5, slope = 0.1", "flat_paraboloid": "face_radius = 1e-5, radius = 1e-3",
     "rounded_punch": "face_radius = 1e-5, radius = 1e-3", "rounded_cone": "slope = 0.1, radius = 1e-3",
-    "polynomial": "coefficient_2 = 500.0, coefficient_4 = 1e6", "ellipsoid": "radius_1x = 1e-3, radius_1y = 2e-3", "cylinder": "radius = 1e-3",
+    "polynomial": "coefficient_2 = 500.0, coefficient_4 = 1e6", "flat_punch": "face_radius = 1e-5", "ellipsoid": "radius_1x = 1e-3, radius_1y = 2e-3", "cylinder": "radius = 1e-3",
     "line_punch": "face_half_width = 1e-5", "wedge": "slope = 0.1", "line_polynomial": "coefficient_2 = 500.0",
     "wave_1d": "period = 1e-4, amplitude = 1e-6", "wave_2d": "period = 1e-4, amplitude = 1e-6", "wave_product": "period = 1e-4, amplitude = 1e-6",
     "cosines": "period = 1e-4, amplitudes = 1e-6, 3e-7, phases = 0.0, 1.0", "profile": "heights = 'z.h5:/profile', length_x = 1e-4",
@@ -44,7 +44,7 @@ LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
 
 
 # the kind of scene in each column of the table
-KINDS = (1, 2, 3, 4, 5, 6, 7, 11, 8, 12, 9, 10)
+KINDS = (1, 2, 3, 4, 5, 6, 13, 14, 7, 11, 8, 12, 9, 10)
 
 
 def scene_of(surface, kind):
@@ -53,6 +53,7 @@ def scene_of(surface, kind):
     force = "tangential_stress = 1e3" if surface in PERIODIC else "tangential_force = 1e-6"
     sliding = "" if surface in PERIODIC else ", state = 'sliding'"
     adhesion = LIGHT if surface in PERIODIC else ADHESION
+    path = "mean_pressures = 0.0, 5e4, 5e4" if surface in PERIODIC else "approaches = 0.0, 1e-6, 0.0"
     rest = {1: ELASTIC + f"&operating {load} /\n",
             2: ELASTIC + adhesion + f"&operating {load} /\n",
             3: ELASTIC + f"&friction shear_strength = 1e5 /\n&operating {load}{sliding} /\n",
@@ -64,7 +65,9 @@ def scene_of(surface, kind):
             9: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
             10: COLUMNS + adhesion + f"&operating {load}, velocity = 0.01 /\n",
             11: RELAXING.format(more="") + adhesion + f"&operating {load}, velocity = 0.01 /\n",
-            12: LAYER + adhesion + f"&operating {load}, velocity = 0.01 /\n"}[kind]
+            12: LAYER + adhesion + f"&operating {load}, velocity = 0.01 /\n",
+            13: RELAXING.format(more="") + f"&history times = 0.0, 1.0, 3.0, {path} /\n",
+            14: RELAXING.format(more="") + ADHESION.replace("1e6", "1e5") + "&history times = 0.0, 1.0, 3.0, approaches = 0.0, 1e-6, 0.0 /\n"}[kind]
     cells = "&numerics cells = 64 /\n" if surface == "wave_2d" or surface in PERIODIC and kind in (8, 12) and surface not in ("profile", "heights") else ""
     return f"&job output = 'run.h5' /\n&surface kind = '{surface}', {SURFACES[surface]} /\n{rest}{cells}"
 
@@ -88,7 +91,8 @@ class Scenes(Runs):
     def table(self):
         """The cells of `adfric help scenes`: surface, column, letter."""
         page, _ = self.run_program("help", "scenes")
-        rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES and len(line.split()) == 13]
+        rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES
+                and len(line.split()) == 15 and set(line.split()[1:]) <= set("en-")]
         self.assertEqual([row[0] for row in rows], list(SURFACES))
         return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
 
@@ -109,17 +113,29 @@ class Scenes(Runs):
                         self.assertNotIn("-", file)
 
     def test_readme(self):
-        """README shows the same table."""
+        """README shows the same table; surfaces with the same cells share a row."""
         lines = (SOURCE/"README.md").read_text().splitlines()
-        shown = [[cell.strip().strip("`") for cell in line.strip("|").split("|")] for line in lines
-                 if line.startswith("| `") and len(line.strip("|").split("|")) == 13]
+        shown = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines
+                 if line.startswith("| `") and len(line.strip("|").split("|")) == 15]
         words = {"exact": "e", "numerical": "n", "": "-"}
-        self.assertEqual([(row[0], column, words[cell]) for row in shown for column, cell in enumerate(row[1:], 1)], self.table())
+        self.assertEqual([(name.strip("`"), column, words[cell]) for row in shown for name in row[0].split(", ")
+                          for column, cell in enumerate(row[1:], 1)], self.table())
+        self.assertEqual(len(shown), len({tuple(row[1:]) for row in shown}))
 
-    def test_variables_page(self):
-        """docs/reference/variables.md has the variables that the program prints, all of them."""
+    def test_reference_pages(self):
+        """The written pages of docs/reference say what the program, the header, the docstrings and the comments say."""
+        pages = pages_of(lambda topic: self.run_program("help", *topic.split())[0])
+        for file, text in pages.items():
+            self.assertEqual((SOURCE/file).read_text(), text, f"{file}: scripts/reference_pages.py")
+        # every call of the header, every name of the package, every public procedure and every solver has an entry
+        for file, pattern, source in (("c_functions", r"^(?:int|\}) (adfric_\w+)[(;]", "include/adfric.h"), ("python_functions", r"^def (sphere_\w+|strip_\w+)", "python/adfric/contacts.py"),
+                                      ("fortran_procedures", r"^   (?:pure |elemental |impure )*subroutine (open_\w+|solve_\w+)\(", "src/api/api.f90")):
+            found = re.findall(pattern, (SOURCE/source).read_text(), re.MULTILINE)
+            self.assertTrue(found, source)
+            self.assertEqual([], [name for name in found if not re.search(rf"^##.*\b{name}`", pages[f"docs/reference/{file}.md"], re.MULTILINE)])
+        self.assertEqual(12, len(re.findall(r"^\| -?\d \| ", pages["docs/reference/status.md"].split("## Status of a point")[1], re.MULTILINE)))
+        self.assertEqual([], re.findall(r"^\| `\w+` \|  \| .*$", pages["docs/reference/results.md"], re.MULTILINE))
         page, _ = self.run_program("help", "scenes")
-        self.assertEqual((SOURCE/"docs/reference/variables.md").read_text(), page_of(page))
         names = [name for _, variables in read_variables(page) for name, _, _ in variables]
         self.assertGreater(len(names), 150)
         with open(NAMES, newline="") as file:

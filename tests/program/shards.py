@@ -126,7 +126,7 @@ class Shards(Runs):
         _, errors = self.run_program("merge", one, "--force", one, two, three, status=2)
         self.assertIn("would replace the part", errors)
         _, errors = self.run_program("merge", "whole.h5", one, two, three, status=3)
-        self.assertIn("this file exists", errors)
+        self.assertIn("this file exists; --force overwrites it, or name another one: adfric merge FILE.h5 PART.h5", errors)
         self.run_program("merge", "all.h5", one, two, three)
         self.assert_same(self.snapshot("whole.h5"), self.snapshot("all.h5"))
 

@@ -4,6 +4,7 @@ nothing left behind."""
 
 import os
 import resource
+import struct
 import subprocess
 import sys
 import unittest
@@ -28,6 +29,8 @@ KILOBYTE = 1024
 NOT_LOADED = 127
 # the sanitizers take terabytes of addresses, and more of a stack
 IS_SANITIZED = b"__asan_init" in Path(PROGRAM).read_bytes()
+# the system ends a program whose own segments have no room before its first instruction; beyond them the loader needs this much
+ROOM_OF_LOADER = 1_000
 # somebody who has no processes
 NOBODY = 54321
 
@@ -38,6 +41,20 @@ def limits(**values):
         for name, value in values.items():
             resource.setrlimit(getattr(resource, f"RLIMIT_{name.upper()}"), (value, value))
     return limit
+
+
+def size_of_segments():
+    """Addresses that the program takes when it is loaded, in bytes: the span of its loaded segments (ELF of 64 bits)."""
+    program = Path(PROGRAM).read_bytes()
+    start, = struct.unpack_from("<Q", program, 32)
+    size, count = struct.unpack_from("<HH", program, 54)
+    loaded = 1
+    spans = []
+    for i in range(count):
+        kind, _, _, first, _, _, length, _ = struct.unpack_from("<IIQQQQQQ", program, start + i*size)
+        if kind == loaded:
+            spans.append((first, first + length))
+    return max(end for _, end in spans) - min(begin for begin, _ in spans)
 
 
 class Starved(Runs):
@@ -69,7 +86,8 @@ class Starved(Runs):
         for text in (LOADS.format(strips=16, count=60), PROFILES.format(strips=16, count=20), SPHERE):
             whole = self.begin(text)
             met = set()
-            for kilobytes in [*range(10_000, 130_000, 1_700), *range(130_000, 1_000_001, 145_000)]:
+            for kilobytes in [*range(max(10_000, size_of_segments()//KILOBYTE + ROOM_OF_LOADER), 130_000, 1_700),
+                              *range(130_000, 1_000_001, 145_000)]:
                 with self.subTest(kilobytes=kilobytes, text=text):
                     met.add(self.try_run(whole, {"OMP_NUM_THREADS": "3"}, limits(**{"as": kilobytes*KILOBYTE})))
             self.assertLessEqual({0, 3}, {status if status != 1 else 0 for status in met})

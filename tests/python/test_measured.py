@@ -84,5 +84,25 @@ class Curves(InFolder):
                                      columns={"frequency": "f", "storage": "a", "tan_delta": "b"}, log10=["storage"])
 
 
+class Times(InFolder):
+    """Curves in time."""
+
+    def test_fit(self):
+        """A curve with its own history gives back what it was made with: a relaxed modulus, an arm, and where contact begins."""
+        times = np.linspace(0, 0.4, 101)
+        base = 1e-5*np.minimum(times, 0.4 - times)
+        scene = {"surface": {"kind": "paraboloid", "radius": 5e-6}}
+        curve = adfric.solve(**scene, solid={"modulus": 1e3, "moduli": [2e3], "relaxation_times": [0.1]},
+                             history={"times": times, "approaches": base, "contact_point": 3e-7})
+        noise = 1e-11*np.random.default_rng(1).standard_normal(times.shape)
+        data = {"time": times, "base": base, "load": np.ravel(curve["load"]) + noise}
+        found = adfric.fit(data, "time", "load", free=["modulus", "moduli(1)", "relaxation_times(1)", "contact_point"], **scene,
+                           solid={"moduli": [1e3], "relaxation_times": [0.05]}, starts=1,
+                           data_options={"sigma": 1e-11, "variables": ["approaches"], "variable_columns": ["base"]})
+        self.assertEqual("fitted", found.status)
+        for name, value in (("modulus", 1e3), ("moduli_1", 2e3), ("relaxation_times_1", 0.1), ("contact_point", 3e-7)):
+            self.assertLess(abs(found.estimates[name] - value), 4*found.errors[name], name)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -4,7 +4,7 @@ module trial_contacts
    use adfric_base_kinds, only: dp
    use adfric_round_sphere_contact, only: sphere_contact_t
    use adfric_round_sphere_dmt, only: dmt_t
-   use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc
+   use adfric_round_sphere_dugdale_curve, only: dugdale_point_t, get_curve_point, get_disc
    use adfric_round_sphere_hertz, only: hertz_t
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
@@ -18,7 +18,7 @@ contains
    !> Contact of Maugis's theory at a position on its curve.
    type(sphere_contact_t) function curve_contact(lambda, ratio, position) result(contact)
       real(dp), intent(in) :: lambda, ratio, position
-      type(curve_point_t) :: point
+      type(dugdale_point_t) :: point
 
       call get_curve_point(lambda, ratio, position, point)
       contact = sphere_contact_t()

@@ -104,6 +104,8 @@ contains
       end do
       do k = 1, size(values)
          associate (v => model%variables(k))
+            ! what fits alone give
+            if (v%is_hidden) cycle
             if (is_set(v%default)) then
                call dice%happens(1 - share_default, is_given)
                if (v%kind == kind_logical) call dice%happens(share_with_profiles, is_given)

@@ -2,6 +2,7 @@
 !> Dimensions of units as they stand in the tables of a model, in powers of Pa, m and s.
 module search_units
    use adfric_base_kinds, only: dp
+   use adfric_base_unset, only: is_set
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: result_t
    implicit none (type, external)
@@ -85,6 +86,8 @@ contains
          powers = [1, 3, 0]
       case ('W')
          powers = [1, 3, -1]
+      case ('Hz')
+         powers = [0, 0, -1]
       case ('kg')
          powers = [1, 1, 2]
       case ('-', '1', 'rad', 'degrees', 'K', 'mol', '')
@@ -95,16 +98,25 @@ contains
    end function base_of
 
    !> The unit of a variable in a case. Where it depends on the kind of the surface, it is that of the result of the same name. A
-   !> volume of activation stands below kT, which is the same number of J in all units of a case: it counts as 1/Pa.
+   !> volume of activation stands below kT, which is the same number of J in all units of a case: it counts as 1/Pa. The modulus of
+   !> a power law is that after 1 s, whatever the unit of time: E t^a is the number that stays.
    function unit_in_case(model, values, position) result(unit)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
       integer, intent(in) :: position
       character(:), allocatable :: unit
       type(result_t), allocatable :: results(:)
+      character(32) :: rest
       integer :: i
 
       unit = model%unit_of(values, position)
+      if (model%variables(position)%name == 'power_law_modulus') then
+         do i = 1, size(values)
+            if (model%variables(i)%name /= 'power_law_exponent' .or. .not. is_set(values(i))) cycle
+            write (rest, '(f32.28)') 1 - values(i)
+            unit = 'Pa s^(1-'//trim(adjustl(rest))//')'
+         end do
+      end if
       if (index(model%variables(position)%name, '_activation_volume') > 0) unit = '1/Pa'
       if (index(unit, ';') == 0) return
       allocate (results(size(model%results)))

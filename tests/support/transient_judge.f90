@@ -179,18 +179,23 @@ contains
    end subroutine get_events
 
    !> Compare the state of the program with that of a transient.
-   subroutine judge_slide(trial, counts, fault, asked)
+   subroutine judge_slide(trial, counts, fault, asked, grids)
       type(slide_trial_t), intent(in) :: trial
       type(transient_counts_t), intent(inout) :: counts
       !> What is wrong; blank if nothing is.
       character(*), intent(out) :: fault
       !> What the program is asked, if it is not the trial: a fault that is made on purpose.
       type(slide_trial_t), intent(in), optional :: asked
+      !> Cells of the coarse grid and of the fine one, if they are not the usual ones.
+      integer, intent(in), optional :: grids(2)
       type(trial_case_t) :: case
       type(answer_t) :: rough, judge
       real(dp) :: allowed(3), found(3), over
+      integer :: n(2)
 
       fault = ''
+      n = [coarse, fine]
+      if (present(grids)) n = grids
       counts%n_trials = counts%n_trials + 1
       if (present(asked)) then
          call solve_program(asked, case)
@@ -201,8 +206,8 @@ contains
          counts%n_unconverged = counts%n_unconverged + 1
          return
       end if
-      call slide_on(trial, coarse, rough)
-      call slide_on(trial, fine, judge)
+      call slide_on(trial, n(1), rough)
+      call slide_on(trial, n(2), judge)
       if (.not. (rough%is_settled .and. judge%is_settled) .or. (rough%is_apart .neqv. judge%is_apart)) then
          counts%n_restless = counts%n_restless + 1
          return
@@ -214,10 +219,10 @@ contains
       else if (.not. judge%is_apart) then
          found = [10*case%found('friction_stress'), 10*case%found('penetration'), case%found('contact_fraction')]
          if (trial%has_penetration) found(2) = case%found('mean_pressure')
-         allowed = [error_over_difference + halvings_to_resolve(trial), error_over_difference, error_over_difference]
+         allowed = [error_over_difference + halvings_to_resolve(trial, n(2)), error_over_difference, error_over_difference]
          allowed = allowed*abs(judge%values - rough%values) + digits*abs(judge%values)
          allowed(2) = allowed(2) + digits*merge(trial%stress, 1.0_dp, trial%has_penetration)
-         allowed(3) = allowed(3) + cells_of_contact/coarse
+         allowed(3) = allowed(3) + cells_of_contact/n(1)
          if (judge%values(3) < 1) counts%n_gaps = counts%n_gaps + 1
          if (abs(judge%values(1) - rough%values(1)) <= sharp*abs(judge%values(1))) counts%n_sharp = counts%n_sharp + 1
          over = maxval(abs(found - judge%values)/allowed)
@@ -230,12 +235,14 @@ contains
    !> How often the cells of the finer grid would have to be halved to be as short as the arms' lengths, on the mean of their losses.
    !> The pressure jumps at the ends of the zones, so that an arm far shorter than a cell has a loss that grows by the same at each
    !> halving.
-   real(dp) function halvings_to_resolve(trial) result(halvings)
+   real(dp) function halvings_to_resolve(trial, n_cells) result(halvings)
       type(slide_trial_t), intent(in) :: trial
+      !> Cells of the finer grid.
+      integer, intent(in) :: n_cells
       real(dp) :: losses(size(trial%lengths))
 
       losses = trial%moduli*trial%lengths/(1 + trial%lengths**2)
-      halvings = sum(losses*max(0.0_dp, log(2*pi/fine/trial%lengths)/log(2.0_dp)))/sum(losses)
+      halvings = sum(losses*max(0.0_dp, log(2*pi/n_cells/trial%lengths)/log(2.0_dp)))/sum(losses)
    end function halvings_to_resolve
 
    !> Slide from apart, or from full contact, to the load or the penetration, and on until nothing changes.

@@ -1,0 +1,236 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a viscoelastic half-space remembers under a contact with a zone of adhesion: the displacement of its springs at nodes of one
+!> distance, and that of their arms, z' = (th - z)/tau. Over a step of length t the displacement th goes straight in time, so that
+!>
+!>     z(end) = e z + b0 th + b1 th(end),    e = exp(-t/tau),   b1 = 1 - (1 - e) tau/t,   b0 = 1 - e - b1
+!>
+!> exactly. At the end of the step the half-space is elastic with a modulus E and a memory w that what was before decides:
+!>
+!>     E = E_glassy - sum E_i b1,    w = sum E_i (e z + b0 th)/E,    th(end) = w + y/E
+!>
+!> y is the spring's force: -2 S sqrt(c^2 - x^2) in the zone, 0 beyond it; in contact th is the approach less g.
+module adfric_round_timed_adhesion_memory
+   use adfric_base_kinds, only: dp
+   use adfric_round_timed_adhesion_zone, only: zone_problem_t, zone_state_t
+   use adfric_solid_prony, only: prony_t
+   implicit none (type, external)
+   private
+   public :: spring_memory_t, start_memory, reserve_nodes, prepare_step, take_step, stored_energy
+
+   !> The springs at the nodes.
+   type :: spring_memory_t
+      !> The solid, whose relaxed modulus is 1.
+      type(prony_t) :: solid
+      !> Last node that adhesion has ever reached; beyond it nothing was moved. None if below 0.
+      integer :: last = -1
+      !> g at the nodes, and displacements of the springs; shape `(0:n_nodes)`.
+      real(dp), allocatable :: depths(:), displacements(:)
+      !> Displacements of their arms; shape `(0:n_nodes, n_arms)`.
+      real(dp), allocatable :: arms(:, :)
+      !> e, b0 and b1 of the step; shape `(n_arms)`.
+      real(dp), allocatable :: decay(:), from_begin(:), from_end(:)
+      !> What an arm loses over the step, see `weigh`; shape `(3, n_arms)`.
+      real(dp), allocatable :: losses(:, :)
+      !> Last node that touches; 0 where none does.
+      integer :: touching = 0
+   end type spring_memory_t
+
+contains
+
+   !> Springs at rest.
+   pure subroutine start_memory(self, solid, problem, n_nodes)
+      !> Receives the springs.
+      type(spring_memory_t), intent(out) :: self
+      !> The solid, whose relaxed modulus is 1.
+      type(prony_t), intent(in) :: solid
+      !> The elastic problem, with shape and distance of nodes; receives its nodes.
+      type(zone_problem_t), intent(inout) :: problem
+      !> Nodes beside the axis.
+      integer, intent(in) :: n_nodes
+
+      self%solid = solid
+      allocate (self%decay(size(solid%times)), self%from_begin(size(solid%times)), self%from_end(size(solid%times)), &
+         & source=0.0_dp)
+      allocate (self%losses(3, size(solid%times)), source=0.0_dp)
+      allocate (self%arms(0:-1, size(solid%times)))
+      allocate (self%depths(0:-1), self%displacements(0:-1))
+      call reserve_nodes(self, problem, n_nodes)
+   end subroutine start_memory
+
+   !> Make sure that there are nodes; those that are new are at rest.
+   pure subroutine reserve_nodes(self, problem, n_nodes)
+      !> The springs.
+      type(spring_memory_t), intent(inout) :: self
+      !> The elastic problem, which has the same nodes.
+      type(zone_problem_t), intent(inout) :: problem
+      !> Nodes beside the axis that are needed.
+      integer, intent(in) :: n_nodes
+      real(dp), allocatable :: depths(:), displacements(:), arms(:, :), memory(:)
+      integer :: n, old
+
+      old = ubound(self%depths, 1)
+      if (size(self%depths) == 0) old = -1
+      if (old >= n_nodes) return
+      n = max(n_nodes, 3*old/2)
+      allocate (depths(0:n), displacements(0:n), arms(0:n, size(self%solid%times)), memory(0:n), source=0.0_dp)
+      if (old >= 0) then
+         depths(:old) = self%depths
+         displacements(:old) = self%displacements
+         arms(:old, :) = self%arms
+         memory(:old) = problem%memory
+      end if
+      call get_depths(problem, old + 1, n, depths)
+      call move_alloc(depths, self%depths)
+      call move_alloc(displacements, self%displacements)
+      call move_alloc(arms, self%arms)
+      call move_alloc(memory, problem%memory)
+   end subroutine reserve_nodes
+
+   !> g at nodes; enormous where the profile has ended.
+   pure subroutine get_depths(problem, first, last, depths)
+      type(zone_problem_t), intent(in) :: problem
+      integer, intent(in) :: first, last
+      real(dp), intent(inout) :: depths(0:)
+      integer :: k
+
+      do k = first, last
+         depths(k) = problem%depth_at(k*problem%cell)
+      end do
+   end subroutine get_depths
+
+   !> The elastic problem at the end of a step.
+   pure subroutine prepare_step(self, span, problem)
+      !> The springs at its begin.
+      type(spring_memory_t), intent(inout) :: self
+      !> Its length in time, >= 0.
+      real(dp), intent(in) :: span
+      !> Receives modulus and memory.
+      type(zone_problem_t), intent(inout) :: problem
+      real(dp) :: factor, sums
+      integer :: arm, k
+
+      associate (solid => self%solid, last => self%last, memory => problem%memory)
+         do arm = 1, size(solid%times)
+            call weigh(span/solid%times(arm), self%decay(arm), self%from_begin(arm), self%from_end(arm), self%losses(:, arm))
+         end do
+         problem%modulus = solid%relaxed + sum(solid%moduli*(1 - self%from_end))
+         if (last < 0) return
+         factor = sum(solid%moduli*self%from_begin)/problem%modulus
+         !$omp simd
+         do k = 0, last
+            memory(k) = factor*self%displacements(k)
+         end do
+         do arm = 1, size(solid%times)
+            factor = solid%moduli(arm)*self%decay(arm)/problem%modulus
+            !$omp simd
+            do k = 0, last
+               memory(k) = memory(k) + factor*self%arms(k, arm)
+            end do
+         end do
+         problem%anchor = self%touching
+         sums = -(memory(0) + memory(self%touching))/2
+         !$omp simd reduction(+:sums)
+         do k = 0, self%touching
+            sums = sums + memory(k)
+         end do
+         problem%anchor_sum = problem%cell*sums
+      end associate
+   end subroutine prepare_step
+
+   !> e, b0 and b1 of an arm, and what it loses over the step: with its stretch q before the step and the change d of the
+   !> displacement, the integral of q^2 over time and its own time is l1 q^2 + l2 q d + l3 d^2.
+   pure subroutine weigh(share, decay, from_begin, from_end, losses)
+      !> Length of the step over the time of the arm.
+      real(dp), intent(in) :: share
+      real(dp), intent(out) :: decay, from_begin, from_end, losses(3)
+      real(dp), parameter :: short = 1.0e-2_dp
+      real(dp) :: less
+
+      decay = exp(-share)
+      if (share < short) then
+         less = share*(1 - share/2*(1 - share/3*(1 - share/4*(1 - share/5*(1 - share/6)))))
+         from_end = share/2*(1 - share/3*(1 - share/4*(1 - share/5*(1 - share/6))))
+         ! sums of (2^(n - 1) - 2) (-share)^(n - 3)/n! from n = 3 on
+         losses(3) = share*(1/3.0_dp - share*(1/4.0_dp - share*(7/60.0_dp - share*(1/24.0_dp - share*(31/2520.0_dp &
+            & - share/320)))))
+      else
+         less = 1 - decay
+         from_end = 1 - less/share
+         losses(3) = (share - 2*less + less*(1 + decay)/2)/share**2
+      end if
+      from_begin = less - from_end
+      losses(1) = less*(1 + decay)/2
+      losses(2) = 0
+      if (share > 0) losses(2) = less*less/share
+   end subroutine weigh
+
+   !> Go to the end of a step. Adds what its arms have lost.
+   pure subroutine take_step(self, problem, state, lost)
+      !> The springs.
+      type(spring_memory_t), intent(inout) :: self
+      !> The elastic problem at its end, that of `prepare_step`.
+      type(zone_problem_t), intent(in) :: problem
+      !> The state there.
+      type(zone_state_t), intent(in) :: state
+      !> Energy that was lost, to which is added.
+      real(dp), intent(inout) :: lost
+      real(dp) :: before, change, factor, sums
+      real(dp) :: ends(0:max(self%last, int(state%c/problem%cell)))
+      integer :: k, arm, last, touching, edge
+
+      last = ubound(ends, 1)
+      self%last = last
+      touching = -1
+      if (state%c > 0) touching = int(state%a/problem%cell)
+      if (.not. state%a > 0) touching = -1
+      self%touching = max(touching, 0)
+      !$omp simd
+      do k = 0, touching
+         ends(k) = state%approach - self%depths(k)
+      end do
+      factor = 2*problem%stress/problem%modulus
+      edge = min(last, ceiling(state%c/problem%cell) - 1)
+      !$omp simd
+      do k = touching + 1, edge
+         ends(k) = problem%memory(k) - factor*sqrt(max((state%c - k*problem%cell)*(state%c + k*problem%cell), 0.0_dp))
+      end do
+      ends(max(touching, edge) + 1:) = problem%memory(max(touching, edge) + 1:last)
+      do arm = 1, size(self%solid%times)
+         associate (e => self%decay(arm), b0 => self%from_begin(arm), b1 => self%from_end(arm), loss => self%losses(:, arm))
+            ! the spring on the axis stands for half a cell
+            before = self%displacements(0) - self%arms(0, arm)
+            change = ends(0) - self%displacements(0)
+            sums = -(loss(1)*before*before + loss(2)*before*change + loss(3)*change*change)/2
+            !$omp simd private(before, change) reduction(+:sums)
+            do k = 0, last
+               before = self%displacements(k) - self%arms(k, arm)
+               change = ends(k) - self%displacements(k)
+               self%arms(k, arm) = self%displacements(k) - e*before + b1*change
+               sums = sums + (loss(1)*before*before + loss(2)*before*change + loss(3)*change*change)
+            end do
+            lost = lost + 2*self%solid%moduli(arm)*problem%cell*sums
+         end associate
+      end do
+      self%displacements(:last) = ends
+   end subroutine take_step
+
+   !> Energy that springs and arms store.
+   pure real(dp) function stored_energy(self, cell) result(energy)
+      !> The springs.
+      type(spring_memory_t), intent(in) :: self
+      !> Distance of the nodes.
+      real(dp), intent(in) :: cell
+      integer :: arm, last
+
+      last = self%last
+      energy = 0
+      if (last < 0) return
+      energy = self%solid%relaxed*(sum(self%displacements(:last)**2) - self%displacements(0)**2/2)
+      do arm = 1, size(self%solid%times)
+         energy = energy + self%solid%moduli(arm)*(sum((self%displacements(:last) - self%arms(:last, arm))**2) &
+            & - (self%displacements(0) - self%arms(0, arm))**2/2)
+      end do
+      energy = energy*cell
+   end function stored_energy
+
+end module adfric_round_timed_adhesion_memory

@@ -1,0 +1,149 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a memory that is straight between nodes adds to the gap at the edge of a zone of adhesion: the integral of its slope times
+!> arccos(x/c), and the derivative of that by c. Cells beside c are summed one by one, the others as a series.
+module adfric_round_timed_adhesion_sums
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: zone_sum_t, move_sum
+
+   !> The integral of the memory over the zone, node by node.
+   type :: zone_sum_t
+      !> Nodes above a and below c.
+      integer :: low = 0, high = 0
+      !> The integral between them, and the one of the angle up to the node above a.
+      real(dp) :: total = 0, angle_sum = 0
+      !> The derivative of the integral by c, times c, and sqrt(c^2 - x^2) at the node above a.
+      real(dp) :: turn = 0, side = 0
+   end type zone_sum_t
+
+contains
+
+   !> Bring the sum over whole cells from its lowest node to another one.
+   pure subroutine move_sum(memory, cell, c, low, total)
+      !> The memory at the nodes, and their distance; shape `(0:)`.
+      real(dp), intent(in) :: memory(0:), cell
+      !> The radius c of adhesion.
+      real(dp), intent(in) :: c
+      !> The node above a.
+      integer, intent(in) :: low
+      !> The sum.
+      type(zone_sum_t), intent(inout) :: total
+      ! cells beside c that are summed one by one, and the least number of others
+      integer, parameter :: nearest = 12, fewest = 8
+      type(zone_sum_t) :: next
+      integer :: k
+
+      if (total%low - low > nearest + fewest .and. total%low > total%high) then
+         do k = total%low - 1, total%high - nearest, -1
+            call add_cell(memory, cell, c, k, total)
+         end do
+         call add_far_cells(memory, cell, c, low, total)
+      end if
+      do k = total%low - 1, low, -1
+         call add_cell(memory, cell, c, k, total)
+      end do
+      do k = total%low, low - 1
+         next = total
+         next%low = k + 1
+         call get_sides(min((k + 1)*cell, c), c, next%angle_sum, next%side)
+         associate (slope => (memory(k + 1) - memory(k))/cell)
+            next%total = total%total - slope*(next%angle_sum - total%angle_sum)
+            next%turn = total%turn - slope*(total%side - next%side)
+         end associate
+         total = next
+      end do
+   end subroutine move_sum
+
+   !> Add the cell below the lowest node.
+   pure subroutine add_cell(memory, cell, c, node, total)
+      !> The memory at the nodes, and their distance; shape `(0:)`.
+      real(dp), intent(in) :: memory(0:), cell
+      !> The radius c of adhesion.
+      real(dp), intent(in) :: c
+      !> The node below the lowest one.
+      integer, intent(in) :: node
+      type(zone_sum_t), intent(inout) :: total
+      real(dp) :: angle_sum, side, slope
+
+      call get_sides(node*cell, c, angle_sum, side)
+      slope = (memory(node + 1) - memory(node))/cell
+      total%total = total%total + slope*(total%angle_sum - angle_sum)
+      total%turn = total%turn + slope*(side - total%side)
+      total%angle_sum = angle_sum
+      total%side = side
+      total%low = node
+   end subroutine add_cell
+
+   !> Add cells that are far from c all at once. By parts only second differences of the integral of arccos are needed, and
+   !> these are derivatives of 1/sqrt(c^2 - x^2), in even powers of the cell. Twelve cells from c the first that is left out is
+   !> 1e-11 of the whole.
+   pure subroutine add_far_cells(memory, cell, c, low, total)
+      !> The memory at the nodes, and their distance; shape `(0:)`.
+      real(dp), intent(in) :: memory(0:), cell
+      !> The radius c of adhesion.
+      real(dp), intent(in) :: c
+      !> The lowest node.
+      integer, intent(in) :: low
+      !> The sum over whole cells; in: of those that are near c.
+      type(zone_sum_t), intent(inout) :: total
+      real(dp) :: x, q, d, moved, part, sums, turns, top_angle, top_side, low_angle, low_side, angle_sum, side
+      integer :: k, top
+
+      top = total%low
+      sums = 0
+      turns = 0
+      !$omp simd private(x, q, d, moved, part) reduction(+:sums, turns)
+      do k = low + 1, top - 1
+         x = k*cell
+         q = 1/((c - x)*(c + x))
+         ! the square of a cell over that of the distance from c, and that of c
+         d = cell*cell*q
+         moved = c*c*q
+         part = memory(k)*sqrt(q)
+         sums = sums + part*(1 + d*((3*moved - 2)/12 + d*(((105*moved - 120)*moved + 24)/360 &
+            & + d*(((10395*moved - 17010)*moved + 7560)*moved - 720)/20160)))
+         turns = turns + part*moved*(1 + d*(15*moved - 12)/12)
+      end do
+      call get_sides((top - 1)*cell, c, top_angle, top_side)
+      call get_sides((low + 1)*cell, c, low_angle, low_side)
+      call get_sides(low*cell, c, angle_sum, side)
+      total%total = total%total + cell*sums + (memory(top)*(total%angle_sum - top_angle) &
+         & - memory(low)*(low_angle - angle_sum))/cell
+      total%turn = total%turn - cell*turns + (memory(top)*(top_side - total%side) &
+         & - memory(low)*(side - low_side))/cell
+      total%angle_sum = angle_sum
+      total%side = side
+      total%low = low
+   end subroutine add_far_cells
+
+   !> The integral of arccos(x/c) from c to x, which is below 0, and sqrt(c^2 - x^2).
+   pure subroutine get_sides(x, c, angle_sum, side)
+      !> Radii: of a point, and where the angle is 0.
+      real(dp), intent(in) :: x, c
+      !> Receive both.
+      real(dp), intent(out) :: angle_sum, side
+      integer :: k
+      integer, parameter :: n_terms = 12
+      ! arccos(1 - e) is sqrt(2 e) times a sum of these e^k
+      real(dp), parameter :: terms(0:n_terms) = [1.0_dp, 1/12.0_dp, 3/160.0_dp, 5/896.0_dp, 35/18432.0_dp, 63/90112.0_dp, &
+         & 231/851968.0_dp, 143/1310720.0_dp, 6435/142606336.0_dp, 12155/637534208.0_dp, 46189/5637144576.0_dp, &
+         & 88179/24696061952.0_dp, 676039/429496729600.0_dp], factors(0:n_terms) = [(terms(k)/(k + 1.5_dp), k=0, n_terms)]
+      real(dp), parameter :: short = 0.12_dp
+      real(dp) :: e, sums
+
+      ! a node at c may lie above it by round-off
+      side = sqrt(max((c - x)*(c + x), 0.0_dp))
+      e = max(c - x, 0.0_dp)/c
+      if (e < short) then
+         sums = factors(n_terms)
+         do k = n_terms - 1, 0, -1
+            sums = sums*e + factors(k)
+         end do
+         angle_sum = -c*e*sqrt(2*e)*sums
+      else
+         angle_sum = x*atan2(side, x) - side
+      end if
+   end subroutine get_sides
+
+end module adfric_round_timed_adhesion_sums

@@ -1,0 +1,285 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The contact of an instant with a zone of adhesion of Dugdale's law, on a solid that remembers: an elastic problem of modulus E
+!> and profile G(x) = g(x) + w(x). The profile g of the shape is exact; the memory w is straight between nodes of one distance, and
+!> integrated exactly. With s^2 = c^2 - a^2, cos(t) = a/c and the integral J of `adfric_round_annulus`,
+!>
+!>     h = (2/pi) (J + int w'(x) arccos(x/c) dx) + (4 S/pi E) [s t - (c - a)],   a < x < c
+!>     E [G(a) - delta] = 2 S s,    P = E {P1(a) + 2 int [w(a) - w(x)] dx} - 2 S (c^2 t + a s)
+!>
+!> For a given c the first equation has one a, since its right side falls as a rises. Where it is too small at a = 0, nothing
+!> touches: delta then comes from the gap at c, and the second equation is not needed.
+module adfric_round_timed_adhesion_zone
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: half_pi, pi
+   use adfric_round_annulus, only: get_annulus
+   use adfric_round_shape, only: shape_t, spot_t, within_edge
+   use adfric_round_timed_adhesion_sums, only: move_sum, zone_sum_t
+   implicit none (type, external)
+   private
+   public :: zone_problem_t, zone_state_t, solve_zone, shift_state, zone_energy
+
+   !> The elastic problem of an instant, in units of the contact.
+   type :: zone_problem_t
+      !> The shape, and where its profile ends.
+      class(shape_t), allocatable :: shape
+      !> Stress S of adhesion, its range h, and the modulus E; all > 0.
+      real(dp) :: stress = 1, range = 1, modulus = 1
+      !> Distance of the nodes.
+      real(dp) :: cell = 1
+      !> The memory w at the nodes; shape `(0:n_nodes)`.
+      real(dp), allocatable :: memory(:)
+      !> A node beside the edge of contact.
+      integer :: anchor = 0
+      !> The integral of the memory from the axis up to it.
+      real(dp) :: anchor_sum = 0
+   contains
+      procedure :: depth_at
+   end type zone_problem_t
+
+   !> A state.
+   type :: zone_state_t
+      !> Radii c of adhesion and a of contact, approach and load; no adhesion where c = 0.
+      real(dp) :: c = 0, a = 0, approach = 0, load = 0
+      !> Derivatives by c of a, approach and load along the curve of states; those of approach and load serve searches only.
+      real(dp) :: a_slope = 0, approach_slope = 0, load_slope = 0
+      !> Was it found?
+      logical :: is_found = .true.
+   end type zone_state_t
+
+   !> The gap at c above the range as a function of a and c.
+   type :: zone_gap_t
+      !> Its value, minus its derivative by a, that by c, and the derivative of G at a.
+      real(dp) :: value = 0, by_a = 1, by_c = 0, rise = 0
+   end type zone_gap_t
+
+contains
+
+   !> g at a radius; enormous where the profile has ended.
+   pure real(dp) function depth_at(self, radius) result(depth)
+      class(zone_problem_t), intent(in) :: self
+      real(dp), intent(in) :: radius
+      type(spot_t) :: spot
+
+      depth = huge(depth)
+      if (.not. radius < within_edge*self%shape%edge) return
+      call self%shape%evaluate(self%shape%unknown_of(radius), .not. radius < self%shape%corner, spot)
+      depth = spot%depth
+   end function depth_at
+
+   !> The state of a given radius of adhesion.
+   pure subroutine solve_zone(self, c, guess, state)
+      type(zone_problem_t), intent(in) :: self
+      !> The radius c, >= 0.
+      real(dp), intent(in) :: c
+      !> Where the search for a begins.
+      real(dp), intent(in) :: guess
+      !> Receives the state.
+      type(zone_state_t), intent(out) :: state
+      integer, parameter :: most_steps = 100
+      ! a step of Newton's method leaves its square
+      real(dp), parameter :: small_step = 1.0e-12_dp, fine_step = 1.0e-6_dp, least_gap = 1.0e-14_dp, near_axis = 0.6_dp
+      type(zone_sum_t) :: total
+      type(zone_gap_t) :: opening
+      real(dp) :: a, low, high, step, narrowest
+      logical :: is_last, is_open, knows_low
+      integer :: k
+
+      state%c = c
+      if (.not. c > 0) then
+         state%approach = self%memory(0) - self%range
+         return
+      end if
+      state%is_found = c < within_edge*self%shape%edge
+      if (.not. state%is_found) return
+      total%high = int(c/self%cell)
+      total%low = total%high + 1
+      narrowest = c*(1 - least_gap)
+      low = 0
+      high = narrowest
+      knows_low = .false.
+      a = min(max(guess, 0.0_dp), narrowest)
+      is_last = .false.
+      do k = 1, most_steps
+         call get_opening(self, c, a, total, opening)
+         if (.not. a > 0) then
+            if (.not. opening%value > 0) then
+               ! nothing touches
+               state%approach = self%memory(0) + opening%value
+               state%load = -pi*self%stress*c**2
+               state%approach_slope = opening%by_c
+               state%load_slope = -2*pi*self%stress*c
+               state%is_found = .not. ieee_is_nan(opening%value)
+               return
+            end if
+            knows_low = .true.
+         end if
+         if (opening%value > 0) then
+            low = a
+         else
+            high = a
+         end if
+         step = opening%value/opening%by_a
+         ! in the first cell the straight memory makes a dent that the profile does not fill
+         is_open = .not. low > 0 .and. .not. knows_low
+         if (.not. (a + step > low .and. a + step < high)) then
+            ! on the axis where Newton's method wants to go beyond it
+            if (.not. (is_open .and. .not. a + step > low)) step = (low + high)/2 - a
+         else if (abs(step) <= fine_step*min(a, c - a)) then
+            is_last = int((a + step)/self%cell) == int(a/self%cell)
+         end if
+         if (is_open .and. .not. a + step > near_axis*self%cell) then
+            step = -a
+            is_open = .false.
+         end if
+         ! on the axis the slope has no meaning
+         if (.not. a > 0) step = min(self%cell, high)/4
+         is_last = (is_last .or. abs(step) <= small_step*c .or. high - low <= small_step*c) .and. a > 0 &
+            & .and. a + step > near_axis*self%cell*merge(1, 0, is_open)
+         a = a + step
+         if (is_last) exit
+      end do
+      state%is_found = is_last
+      if (.not. is_last) return
+      state%a = a
+      state%a_slope = opening%by_c/opening%by_a
+      call close_state(self, opening%rise, state)
+      state%is_found = .not. ieee_is_nan(state%load)
+   end subroutine solve_zone
+
+   !> Go along the curve of states by a change of c that is small beside a cell.
+   pure subroutine shift_state(state, change)
+      !> The state.
+      type(zone_state_t), intent(inout) :: state
+      !> Change of c.
+      real(dp), intent(in) :: change
+
+      state%c = state%c + change
+      state%a = state%a + state%a_slope*change
+      state%approach = state%approach + state%approach_slope*change
+      state%load = state%load + state%load_slope*change
+   end subroutine shift_state
+
+   !> Approach and load of a contact that touches.
+   pure subroutine close_state(self, rise, state)
+      type(zone_problem_t), intent(in) :: self
+      !> The derivative of G at the radius of contact.
+      real(dp), intent(in) :: rise
+      !> In: with both radii and da/dc. Out: with approach and load.
+      type(zone_state_t), intent(inout) :: state
+      type(spot_t) :: spot
+      real(dp) :: s, t, memory, sums, by_a
+
+      associate (a => state%a, c => state%c)
+         call self%shape%evaluate(self%shape%unknown_of(a), .not. a < self%shape%corner, spot)
+         s = sqrt((c - a)*(c + a))
+         t = atan2(s, a)
+         call get_memory(self, a, memory, sums)
+         state%approach = spot%depth + memory - 2*self%stress*s/self%modulus
+         state%load = self%modulus*(spot%load + 2*(a*memory - sums)) - 2*self%stress*(c*c*t + a*s)
+         by_a = rise + 2*self%stress*a/(self%modulus*s)
+         state%approach_slope = by_a*state%a_slope - 2*self%stress*c/(self%modulus*s)
+         state%load_slope = 2*a*self%modulus*by_a*state%a_slope - 4*self%stress*c*(t + a/s)
+      end associate
+   end subroutine close_state
+
+   !> The gap at c above the range, with the approach that a has, and its derivatives. Where the gap at a = 0 is
+   !> too small, it is that of an approach w(0): the rest is what the approach gives.
+   pure subroutine get_opening(self, c, a, total, gap)
+      type(zone_problem_t), intent(in) :: self
+      real(dp), intent(in) :: c, a
+      !> The sum over whole cells, which is brought to the cell of a.
+      type(zone_sum_t), intent(inout) :: total
+      type(zone_gap_t), intent(out) :: gap
+      type(spot_t) :: spot
+      real(dp) :: s, t, opening, intensity, memory_slope
+      logical :: is_beyond
+      integer :: cell
+
+      s = sqrt((c - a)*(c + a))
+      t = atan2(s, a)
+      is_beyond = .not. a < self%shape%corner
+      call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
+      call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
+      cell = min(int(a/self%cell), total%high)
+      call move_sum(self%memory, self%cell, c, cell + 1, total)
+      memory_slope = (self%memory(cell + 1) - self%memory(cell))/self%cell
+      opening = opening + total%total + memory_slope*(total%angle_sum - (a*t - s))
+      gap%by_c = 2/(pi*c)*(intensity + total%turn + memory_slope*(s - total%side))
+      if (a > 0) then
+         gap%value = 2*opening/pi + 4*self%stress/(pi*self%modulus)*(s*t - (c - a)) - self%range
+         gap%by_c = gap%by_c + 4*self%stress/(pi*self%modulus)*(c*t/s + a/c - 1)
+         gap%rise = memory_slope
+         if (spot%radius_slope > 0) gap%rise = gap%rise + spot%depth_slope/spot%radius_slope
+         gap%by_a = 2*t/pi*(gap%rise + 2*self%stress*a/(s*self%modulus))
+      else
+         ! the state that touches at one point has w(0) - 2 S c/E as its approach
+         gap%value = 2*opening/pi + 4*self%stress*c/(pi*self%modulus)*(half_pi - 1) - self%range
+         if (.not. gap%value > 0) gap%value = gap%value - 2*self%stress*c/self%modulus
+         gap%by_c = gap%by_c - 4*self%stress/(pi*self%modulus)
+      end if
+   end subroutine get_opening
+
+   !> The memory at a radius, and its integral from the axis.
+   pure subroutine get_memory(self, x, memory, sums)
+      type(zone_problem_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: memory, sums
+      real(dp) :: share
+      integer :: cell, k
+
+      cell = int(x/self%cell)
+      share = x/self%cell - cell
+      memory = self%memory(cell) + share*(self%memory(cell + 1) - self%memory(cell))
+      sums = share*self%cell*(self%memory(cell) + memory)/2
+      do k = self%anchor, cell - 1
+         sums = sums + self%cell*(self%memory(k) + self%memory(k + 1))/2
+      end do
+      do k = cell, self%anchor - 1
+         sums = sums - self%cell*(self%memory(k) + self%memory(k + 1))/2
+      end do
+      sums = sums + self%anchor_sum
+   end subroutine get_memory
+
+   !> Energy of adhesion of a state: minus the work of adhesion over the disc r < c, and what of it the gap has taken.
+   pure real(dp) function zone_energy(self, state) result(energy)
+      type(zone_problem_t), intent(in) :: self
+      type(zone_state_t), intent(in) :: state
+      type(spot_t) :: spot
+      real(dp) :: s, t, opening, intensity, moment, memory, sums, taken, low, high, first, slope
+      integer :: k
+      logical :: is_beyond
+
+      energy = 0
+      if (.not. state%c > 0) return
+      associate (a => state%a, c => state%c)
+         s = sqrt((c - a)*(c + a))
+         t = atan2(s, a)
+         is_beyond = .not. a < self%shape%corner
+         call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
+         call get_annulus(self%shape, spot, is_beyond, s, opening, intensity, moment)
+         call get_memory(self, a, memory, sums)
+         taken = moment + (spot%depth + memory - state%approach)*(c*c*t - a*s)/2 &
+            & - 2*self%stress/self%modulus*(c - a)**2*(2*c + a)/3
+         do k = int(a/self%cell), int(c/self%cell)
+            low = max(a, k*self%cell)
+            high = min(c, (k + 1)*self%cell)
+            slope = (self%memory(k + 1) - self%memory(k))/self%cell
+            first = self%memory(k) + slope*(low - k*self%cell) - memory - slope*low
+            taken = taken + first*(half_disc(high, c) - half_disc(low, c)) &
+               & - slope*(max((c - high)*(c + high), 0.0_dp)**1.5_dp - max((c - low)*(c + low), 0.0_dp)**1.5_dp)/3
+         end do
+         energy = self%stress*(4*taken - pi*c*c*self%range)
+      end associate
+   end function zone_energy
+
+   !> The integral of sqrt(c^2 - x^2) from 0.
+   elemental real(dp) function half_disc(x, c)
+      real(dp), intent(in) :: x, c
+      real(dp) :: s
+
+      s = sqrt(max((c - x)*(c + x), 0.0_dp))
+      half_disc = (x*s + c*c*atan2(x, s))/2
+   end function half_disc
+
+end module adfric_round_timed_adhesion_zone

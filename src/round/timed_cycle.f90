@@ -1,0 +1,368 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> One cycle under a given approach in closed form (T. C. T. Ting, J. Appl. Mech. 33 (1966) 845): a contact that grows along straight
+!> legs and then shrinks along others, none slower than the one before, until the indenter is out of the dimple.
+!>
+!> While it grows, \( Q_i = \int e^{-(t-s)/t_i} a\, d\delta(s) \) is found on panels of time, and the load is
+!> \( 2[E_0 \int a\, d\delta + \sum E_i Q_i] \). While it shrinks, the edge is where it was at the time t1, which is the root of
+!> $$ E_0 [\delta(t) - \delta(t_1)] + \sum_i E_i [D_i(t) - D_i(t_1) e^{-(t - t_1)/t_i}] = 0, $$
+!> and the load is the same sum with Q_i(t1) exp(-(t - t1)/t_i). So a point costs a root and a look at a panel, and nothing is
+!> followed step by step. Times are those of the legs, and lengths and moduli have the units of the contacts.
+module adfric_round_timed_cycle
+   use adfric_base_kinds, only: dp
+   use adfric_interface_normal_contact, only: normal_contact_t
+   use adfric_numerics_time_panels, only: get_faded, get_tail, get_weights, n_nodes, panel_nodes
+   use adfric_round_timed_path, only: timed_control_t, timed_leg_t
+   use adfric_round_timed_springs, only: get_spot
+   use adfric_solid_prony, only: prony_t
+   implicit none (type, external)
+   private
+   public :: timed_cycle_t, new_cycle, read_cycle
+
+   !> A panel of the growing contact.
+   type :: grown_panel_t
+      !> Time at the begin, and length in time.
+      real(dp) :: clock = 0, span = 0
+      !> Load at the nodes.
+      real(dp) :: load(n_nodes) = 0
+      !> int a d delta in column 0, and Q_i in column i, at the nodes; shape `(n_nodes, 0:n_arms)`.
+      real(dp), allocatable :: sums(:, :)
+   end type grown_panel_t
+
+   !> A cycle.
+   type :: timed_cycle_t
+      !> Is it one, and was it found?
+      logical :: is_found = .false.
+      !> Error of the load over the largest one, estimated.
+      real(dp) :: error = 0
+      !> The solid.
+      type(prony_t) :: solid
+      !> All legs; and those from the first touch on.
+      type(timed_leg_t), allocatable :: path(:), legs(:)
+      !> The last of these that does not fall.
+      integer :: turn = 0
+      !> End of the path.
+      real(dp) :: end = 0
+      !> D_i at the begins of the legs; shape `(n_arms, n_legs)`.
+      real(dp), allocatable :: drive(:, :)
+      !> Panels of the growing contact.
+      type(grown_panel_t), allocatable :: panels(:)
+      !> Number of panels.
+      integer :: n = 0
+      !> The last time at which the shrinking contact was looked at, and its t1: a later one has an earlier t1.
+      real(dp), private :: last = huge(1.0_dp), last_root = 0
+   end type timed_cycle_t
+
+   !> Panels that there is space for at first.
+   integer, parameter :: first_space = 24
+
+contains
+
+   !> Find whether legs are one cycle, and if so, follow the growing contact.
+   pure subroutine new_cycle(self, solid, contacts, control, legs, tolerance)
+      !> Receives the cycle.
+      type(timed_cycle_t), intent(out) :: self
+      !> The solid, its relaxed modulus 1.
+      type(prony_t), intent(in) :: solid
+      !> Contacts of the indenter with an elastic half-space of modulus 1.
+      class(normal_contact_t), intent(in) :: contacts
+      !> What is prescribed.
+      type(timed_control_t), intent(in) :: control
+      !> Its legs; shape `(n_legs)`.
+      type(timed_leg_t), intent(in) :: legs(:)
+      !> Largest error of the load, over the largest one.
+      real(dp), intent(in) :: tolerance
+      !> Longest relaxation time over the length of the path: of a longer one sums would have too few digits.
+      real(dp), parameter :: longest = 1.0e4_dp
+      integer :: k
+
+      if (abs(control%by_load) > 0 .or. size(legs) == 0) return
+      if (any(abs(legs%amplitude) > 0) .or. .not. all(legs%span > 0)) return
+      self%end = legs(size(legs))%clock + legs(size(legs))%span
+      self%solid = solid
+      self%path = legs
+      if (any(solid%times > longest*(self%end - legs(1)%clock))) return
+      call take_legs(self, legs)
+      if (self%turn == 0) return
+      associate (arms => size(solid%times))
+         allocate (self%drive(arms, size(self%legs)))
+         self%drive(:, 1) = 0
+         do k = 2, size(self%legs)
+            call drive_at(self, k - 1, self%legs(k)%clock, self%drive(:, k))
+         end do
+      end associate
+      call grow(self, contacts, tolerance)
+   end subroutine new_cycle
+
+   !> Keep the legs from the first touch to where contact is lost at the latest, if they are one cycle.
+   pure subroutine take_legs(self, legs)
+      type(timed_cycle_t), intent(inout) :: self
+      type(timed_leg_t), intent(in) :: legs(:)
+      real(dp) :: slopes(size(legs))
+      integer :: first, last, k
+
+      first = findloc(legs%end > 0, .true., 1)
+      if (first == 0) return
+      if (legs(first)%begin > 0) return
+      last = size(legs) + 1 - findloc(legs(size(legs):1:-1)%begin > 0 .or. legs(size(legs):1:-1)%end > 0, .true., 1)
+      slopes = (legs%end - legs%begin)/legs%span
+      self%legs = legs(first:last)
+      do k = first, last
+         if (slopes(k) < 0) exit
+      end do
+      ! from then on never slower
+      if (any(slopes(k + 1:last) > slopes(k:last - 1))) return
+      if (any(legs(first + 1:last)%begin <= 0)) return
+      self%turn = k - first
+      associate (leg => self%legs(1))
+         leg%clock = leg%clock - leg%begin/slopes(first)
+         leg%span = leg%end/slopes(first)
+         leg%begin = 0
+      end associate
+   end subroutine take_legs
+
+   !> D_i at a time of a leg.
+   pure subroutine drive_at(self, leg, clock, drive)
+      type(timed_cycle_t), intent(in) :: self
+      integer, intent(in) :: leg
+      real(dp), intent(in) :: clock
+      !> Receives D_i; shape `(n_arms)`.
+      real(dp), intent(out) :: drive(:)
+      real(dp) :: slope
+
+      associate (l => self%legs(leg), times => self%solid%times)
+         slope = (l%end - l%begin)/l%span
+         drive = slope*times + (self%drive(:, leg) - slope*times)*exp(-(clock - l%clock)/times)
+      end associate
+   end subroutine drive_at
+
+   !> Follow the growing contact.
+   pure subroutine grow(self, contacts, tolerance)
+      type(timed_cycle_t), intent(inout) :: self
+      class(normal_contact_t), intent(in) :: contacts
+      real(dp), intent(in) :: tolerance
+      integer, parameter :: most_tries = 1000
+      real(dp), parameter :: first_part = 3.0e-3_dp, margin = 4
+      type(grown_panel_t) :: panel
+      real(dp) :: sums(0:size(self%solid%times)), largest, span, end, error, radius, moment
+      integer :: leg, try
+
+      associate (legs => self%legs, turn => self%legs(self%turn), solid => self%solid)
+         call get_spot(contacts, turn%end, radius, moment)
+         end = turn%clock + turn%span
+         ! the load is as large at least
+         largest = 2*(solid%relaxed + sum(solid%moduli*exp(-(end - legs(1)%clock)/solid%times)))*(turn%end*radius - moment)
+         if (.not. largest > 0) return
+         allocate (self%panels(first_space))
+         leg = 1
+         sums = 0
+         panel%clock = legs(1)%clock
+         span = first_part*(end - legs(1)%clock)
+         do try = 1, most_tries
+            end = end_of_piece(legs(leg), contacts%kink, panel%clock)
+            panel%span = end - panel%clock
+            if (panel%span > span) panel%span = merge(panel%span/2, span, span > 0.6_dp*panel%span)
+            call solve_growth(solid, contacts, legs(leg), sums, panel, error)
+            error = error/(tolerance*largest)
+            if (.not. error < huge(1.0_dp)) return
+            span = panel%span*max(0.2_dp, min(6.0_dp, 0.8_dp*max(error, 1.0e-20_dp)**(-1.0_dp/n_nodes)))
+            if (error > 1) cycle
+            self%error = max(self%error, margin*tolerance*error)
+            call keep(self, panel)
+            sums = panel%sums(n_nodes, :)
+            panel%clock = panel%clock + panel%span
+            if (panel%clock < end - 4*epsilon(1.0_dp)*(abs(end) + legs(1)%span)) cycle
+            panel%clock = end
+            if (end < legs(leg)%clock + legs(leg)%span) cycle
+            if (leg == self%turn) exit
+            leg = leg + 1
+            panel%clock = legs(leg)%clock
+         end do
+         self%is_found = try <= most_tries
+         self%error = max(self%error, 16*epsilon(1.0_dp))
+      end associate
+   end subroutine grow
+
+   !> Where a leg ends, or the edge passes a corner of the profile.
+   pure real(dp) function end_of_piece(leg, kink, clock) result(end)
+      type(timed_leg_t), intent(in) :: leg
+      !> Depth of the corner, and a time before the end.
+      real(dp), intent(in) :: kink, clock
+      real(dp) :: corner
+
+      end = leg%clock + leg%span
+      if (.not. (kink > leg%begin .and. kink < leg%end)) return
+      corner = leg%clock + leg%span*(kink - leg%begin)/(leg%end - leg%begin)
+      if (corner > clock .and. corner < end) end = corner
+   end function end_of_piece
+
+   !> A panel of the growing contact.
+   pure subroutine solve_growth(solid, contacts, leg, sums, panel, error)
+      type(prony_t), intent(in) :: solid
+      class(normal_contact_t), intent(in) :: contacts
+      !> The leg.
+      type(timed_leg_t), intent(in) :: leg
+      !> int a d delta and Q_i at the begin; shape `(0:n_arms)`.
+      real(dp), intent(in) :: sums(0:)
+      !> In: begin and length. Out: with loads and sums.
+      type(grown_panel_t), intent(inout) :: panel
+      !> Receives what the polynomials may lack of the load.
+      real(dp), intent(out) :: error
+      real(dp) :: depth(n_nodes), radius(n_nodes), moment(n_nodes), integral(n_nodes), faded(n_nodes), slope, lacking
+      integer :: i
+
+      if (.not. allocated(panel%sums)) allocate (panel%sums(n_nodes, 0:size(solid%times)))
+      slope = (leg%end - leg%begin)/leg%span
+      depth = leg%begin + slope*(panel%clock - leg%clock + panel%span*(panel_nodes + 1)/2)
+      call get_spot(contacts, depth, radius, moment)
+      panel%sums(:, 0) = depth*radius - moment
+      panel%load = solid%relaxed*panel%sums(:, 0)
+      lacking = get_tail(radius)*slope
+      error = solid%relaxed*get_tail(panel%sums(:, 0))
+      do i = 1, size(solid%times)
+         if (slope > 0) then
+            call get_faded(panel%span/(2*solid%times(i)), radius, integral, faded)
+            panel%sums(:, i) = faded*sums(i) + integral*(slope*panel%span/2)
+         else
+            panel%sums(:, i) = exp(-panel%span/(2*solid%times(i))*(panel_nodes + 1))*sums(i)
+         end if
+         panel%load = panel%load + solid%moduli(i)*panel%sums(:, i)
+         error = error + solid%moduli(i)*lacking*min(solid%times(i), panel%span)
+      end do
+      panel%load = 2*panel%load
+      error = max(2*error, get_tail(panel%load))
+   end subroutine solve_growth
+
+   !> Keep a panel.
+   pure subroutine keep(self, panel)
+      type(timed_cycle_t), intent(inout) :: self
+      type(grown_panel_t), intent(in) :: panel
+      type(grown_panel_t), allocatable :: more(:)
+      integer :: k
+
+      if (self%n == size(self%panels)) then
+         allocate (more(2*self%n))
+         do k = 1, self%n
+            more(k) = self%panels(k)
+         end do
+         call move_alloc(more, self%panels)
+      end if
+      self%n = self%n + 1
+      self%panels(self%n) = panel
+   end subroutine keep
+
+   !> Approach, depth of the edge and load at a time; the latter are both 0 without contact.
+   pure subroutine read_cycle(self, clock, approach, depth, load)
+      !> The cycle; it remembers where it was looked at last.
+      type(timed_cycle_t), intent(inout) :: self
+      !> The time, in that of the legs.
+      real(dp), intent(in) :: clock
+      !> Receive delta, G(a) and the load.
+      real(dp), intent(out) :: approach, depth, load
+      real(dp) :: weights(n_nodes), root
+      integer :: leg, k, i
+      logical :: has_contact
+
+      approach = approach_at(self%path(max(1, count(self%path%clock <= clock))), clock)
+      depth = 0
+      load = 0
+      if (clock <= self%legs(1)%clock) return
+      leg = count(self%legs%clock <= clock)
+      if (leg <= self%turn) then
+         call look_at(self, clock, k, weights)
+         depth = approach_at(self%legs(leg), clock)
+         load = dot_product(weights, self%panels(k)%load)
+         return
+      end if
+      call find_root(self, leg, clock, root, depth, has_contact)
+      if (.not. has_contact) return
+      call look_at(self, root, k, weights)
+      associate (sums => self%panels(k)%sums, solid => self%solid)
+         load = solid%relaxed*dot_product(weights, sums(:, 0))
+         do i = 1, size(solid%times)
+            load = load + solid%moduli(i)*exp(-(clock - root)/solid%times(i))*dot_product(weights, sums(:, i))
+         end do
+      end associate
+      load = max(0.0_dp, 2*load)
+   end subroutine read_cycle
+
+   !> The panel of a time, and the weights of its nodes.
+   pure subroutine look_at(self, clock, panel, weights)
+      type(timed_cycle_t), intent(in) :: self
+      real(dp), intent(in) :: clock
+      !> Receives the number of the panel.
+      integer, intent(out) :: panel
+      !> Receives the weights.
+      real(dp), intent(out) :: weights(n_nodes)
+      integer :: high, middle
+
+      panel = 1
+      high = self%n
+      do while (panel < high)
+         middle = (panel + high + 1)/2
+         if (self%panels(middle)%clock <= clock) then
+            panel = middle
+         else
+            high = middle - 1
+         end if
+      end do
+      associate (found => self%panels(panel))
+         call get_weights(min(1.0_dp, max(-1.0_dp, 2*(clock - found%clock)/found%span - 1)), weights)
+      end associate
+   end subroutine look_at
+
+   !> The approach at a time of a leg.
+   pure real(dp) function approach_at(leg, clock) result(approach)
+      type(timed_leg_t), intent(in) :: leg
+      real(dp), intent(in) :: clock
+
+      approach = leg%begin + (leg%end - leg%begin)*max(0.0_dp, min(1.0_dp, (clock - leg%clock)/leg%span))
+   end function approach_at
+
+   !> The time t1 at which the edge was where it is. E_0 delta(t1) + sum E_i D_i(t1) exp(-(t - t1)/t_i) rises with t1 and is convex
+   !> along a leg, so Newton's method from above passes no root.
+   pure subroutine find_root(self, leg, clock, root, depth, has_contact)
+      type(timed_cycle_t), intent(inout) :: self
+      !> The leg, and the time t.
+      integer, intent(in) :: leg
+      real(dp), intent(in) :: clock
+      !> Receive t1 and the approach there.
+      real(dp), intent(out) :: root, depth
+      logical, intent(out) :: has_contact
+      integer, parameter :: most_steps = 100
+      real(dp) :: drive(size(self%solid%times)), faded(size(self%solid%times)), base, rest, slope, change, value
+      integer :: k, step
+
+      associate (solid => self%solid)
+         root = self%legs(1)%clock
+         depth = 0
+         call drive_at(self, leg, clock, drive)
+         base = solid%relaxed*approach_at(self%legs(leg), clock) + sum(solid%moduli*drive)
+         has_contact = base > 0
+         if (.not. has_contact) return
+         do k = self%turn, 1, -1
+            associate (l => self%legs(k))
+               faded = exp(-(clock - l%clock)/solid%times)
+               if (solid%relaxed*l%begin + sum(solid%moduli*self%drive(:, k)*faded) > base) cycle
+               slope = (l%end - l%begin)/l%span
+               root = l%clock + l%span
+               depth = l%end
+               if (.not. slope > 0) return
+               if (self%last <= clock .and. self%last_root >= l%clock) root = min(root, self%last_root)
+               rest = solid%relaxed*l%begin + sum(solid%moduli*(self%drive(:, k) - slope*solid%times)*faded) - base
+               do step = 1, most_steps
+                  faded = exp(-(clock - root)/solid%times)
+                  value = rest + slope*(solid%relaxed*(root - l%clock) + sum(solid%moduli*solid%times*faded))
+                  change = value/(slope*(solid%relaxed + sum(solid%moduli*faded)))
+                  root = min(l%clock + l%span, max(l%clock, root - change))
+                  if (abs(change) <= 4*epsilon(1.0_dp)*self%end) exit
+               end do
+               depth = approach_at(l, root)
+            end associate
+            exit
+         end do
+      end associate
+      self%last = clock
+      self%last_root = root
+   end subroutine find_root
+
+end module adfric_round_timed_cycle

@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes in time: a round body on a viscoelastic half-space. Moduli of a small oscillation, loads that end at 0 and come back, solids
+that are far stiffer at once than at rest, units, and what is refused."""
+
+import math
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from runs import Runs, main  # noqa: E402
+
+SOLID = "&solid modulus = 1e3, moduli = 2e3, 1e3, relaxation_times = 0.1, 2.0 /\n"
+BALL = "&surface kind = 'paraboloid', radius = 5e-6 /\n"
+PUNCH = "&surface kind = 'flat_punch', face_radius = 1e-6 /\n"
+SINE = "&history path = 'sine', largest_approach = 5e-7, approach_rate = 1e-6, dwell_time = {dwell}, oscillation_amplitude = {amplitude}, " \
+    "frequency = {frequency}, cycles = {cycles} /\n"
+# of the loads, over the largest one: `relative_tolerance`
+TOLERANCE = 1e-9
+POWER = "&solid power_law_modulus = 800, power_law_exponent = {} /\n"
+# of loads of a power law that is ramped: of its integral over time a hundredth of `power_law_error` (tests/solid), and as much of the panels
+RAMPED = 5e-9
+
+
+def modulus_of(frequency):
+    """The complex modulus of the solid."""
+    turn = 2j*np.pi*frequency*np.array([0.1, 2.0])
+    return 1e3 + np.sum(np.array([2e3, 1e3])*turn/(1 + turn))
+
+
+class TimeScenes(Runs):
+    """Runs of scenes in time."""
+
+    def solve(self, scene):
+        """Results of a scene that the solver in time answers."""
+        results, model = self.run_scene(scene)
+        self.assertEqual("indenter_time", model)
+        return results
+
+    def refuse(self, text, words):
+        """An input is refused in one line with these words."""
+        self.write("&job output = 'run.h5' /\n" + text)
+        _, errors = self.run_program("run", "--quiet", "--force", "run.nml", status=2)
+        self.assertEqual(1, len(errors.strip().splitlines()), errors)
+        self.assertIn(words, errors)
+
+    def test_oscillation(self):
+        """The moduli of a flat punch are those of the solid, once the rest is over; those of a ball, but for the swing of its edge."""
+        for frequency in (0.3, 3.0):
+            wanted = modulus_of(frequency)
+            flat = self.solve(PUNCH + SOLID + SINE.format(dwell=60, amplitude=5e-9, frequency=frequency, cycles=40))
+            # forty periods are ten relaxation times and more: what is not periodic yet is below exp(-6)
+            self.assertLess(abs(flat["storage_modulus"] + 1j*flat["loss_modulus"] - wanted), 1e-4*abs(wanted))
+            off = [abs(ball["storage_modulus"] + 1j*ball["loss_modulus"] - wanted)/abs(wanted) for ball in
+                   (self.solve(BALL + SOLID + SINE.format(dwell=60, amplitude=amplitude, frequency=frequency, cycles=40))
+                    for amplitude in (1e-8, 5e-9))]
+            # of first order in the amplitude
+            self.assertGreater(off[0], 1.7*off[1])
+            self.assertLess(off[0], 2.3*off[1])
+            self.assertLess(off[1], 0.03)
+
+    def test_drift(self):
+        """A load that still relaxes counts little: what is straight in time is taken out."""
+        rested = self.solve(PUNCH + SOLID + SINE.format(dwell=60, amplitude=5e-9, frequency=3.0, cycles=40))
+        early = self.solve(PUNCH + SOLID + SINE.format(dwell=2, amplitude=5e-9, frequency=3.0, cycles=6))
+        self.assertLess(abs(early["storage_modulus"] - rested["storage_modulus"]), 0.02*rested["storage_modulus"])
+
+    def test_loads_that_come_back(self):
+        """A load ends at 0 and comes back, at once and after a rest; the contact recovers, and is softer than a new one."""
+        for loads in ("0, 1e-9, 0, 1e-9", "0, 1e-9, 0, 0, 1e-9"):
+            times = ", ".join(str(k) for k in range(loads.count(",") + 1))
+            found = self.solve(BALL + SOLID + f"&history times = {times}, loads = {loads} /\n")
+            self.assertGreater(found["approach"][-1], found["approach"][1])
+            np.testing.assert_allclose(found["load"], [float(word) for word in loads.split(",")], atol=2*TOLERANCE*1e-9)
+            self.assertLess(abs(found["energy_imbalance"]), 1e-6)
+
+    def test_stiff_at_once(self):
+        """A solid that is a hundred million times as stiff at once is answered, or said not to be, in a bounded time."""
+        found = self.solve("&surface kind = 'paraboloid', radius = 1 /\n&solid modulus = 1, moduli = 1e8, relaxation_times = 0.5 /\n"
+                           "&history times = 0, 1, approaches = 0, 0.1 /\n")
+        # growing contact: P = int E(t - s) 2 a d delta, a^2 = delta, delta = t/10
+        s = (np.arange(200000) + 0.5)/200000
+        wanted = np.sum((1 + 1e8*np.exp(-(1 - s)/0.5))*2*np.sqrt(0.1*s)*0.1)/200000
+        self.assertLess(abs(found["load"][-1]/wanted - 1), 1e-6)
+
+    def test_units(self):
+        """Lengths a thousandth, moduli a million times, times a hundredth: loads and radii follow."""
+        path = "&history times = 0, {0}, {1}, {2}, {3}, approaches = 0, {a}, {b}, {a}, 0 /\n"
+        one = self.solve(BALL + SOLID + path.format(1, 1.5, 2, 3, a=5e-7, b=3e-7))
+        other = self.solve("&surface kind = 'paraboloid', radius = 5e-9 /\n"
+                           "&solid modulus = 1e9, moduli = 2e9, 1e9, relaxation_times = 1e-3, 2e-2 /\n"
+                           + path.format(0.01, 0.015, 0.02, 0.03, a=5e-10, b=3e-10))
+        largest = np.max(one["load"])
+        np.testing.assert_allclose(other["load"], one["load"], atol=10*TOLERANCE*largest, rtol=0)
+        np.testing.assert_allclose(other["contact_radius"]*1e3, one["contact_radius"], atol=1e-5*np.max(one["contact_radius"]), rtol=0)
+
+    def test_rest_that_is_swept(self):
+        """A rest of no time is a rest: all points of a sweep have the same steps."""
+        path = "&history path = 'triangle', largest_approach = 1e-7, approach_rate = 1e-6{} /\n"
+        swept = self.solve(BALL + SOLID + path.format("") + "&sweep variable = 'dwell_time', values = 0, 1 /\n")
+        alone = self.solve(BALL + SOLID + path.format(", dwell_time = 0"))
+        without = self.solve(BALL + SOLID + path.format(""))
+        self.assertEqual((2, 151), swept["load"].shape)
+        np.testing.assert_array_equal(swept["load"][0], alone["load"])
+        np.testing.assert_allclose(alone["load"][[50, -30, -1]], without["load"][[50, -30, -1]], rtol=1e-8, atol=1e-9*np.max(alone["load"]))
+
+    def integral(self, until, now, exponent, power):
+        """The integral of (now - s)^(-exponent) s^power from 0 to `until`, by double-exponential quadrature."""
+        k = 0.04*np.arange(-100, 101)
+        turned = np.pi/2*np.sinh(k)
+        x, rest = 1/(1 + np.exp(-2*turned)), 1/(1 + np.exp(2*turned))
+        weights = 0.04*np.pi*np.cosh(k)*x*rest
+        return until*np.sum(weights*(now - until + until*rest)**-exponent*(until*x)**power)
+
+    def test_power_law(self):
+        """A ball and a cone on a power law: while they are pressed and drawn back the load is an integral, and the edge is where it was
+        at t - 2^(1/(1 - a)) (t - tm)."""
+        for exponent in (0.05, 0.3, 0.6):
+            for body, width, power in ((BALL, np.sqrt(5e-6*1e-6), 0.5),
+                                       ("&surface kind = 'cone', slope = 0.5 /\n", 1e-6/(np.pi/2*0.5), 1)):
+                found = self.solve(body + POWER.format(exponent) + "&history path = 'triangle', largest_approach = 1e-6, "
+                                   "approach_rate = 1e-6 /\n")
+                factor = 2**(1/(1 - exponent))
+                wanted = []
+                for time in found["time"]:
+                    earlier = time if time <= 1 else time - factor*(time - 1)
+                    wanted.append(800*2*width*1e-6*self.integral(earlier, time, exponent, power) if earlier > 0 else 0)
+                self.assertLess(np.max(np.abs(found["load"] - wanted)), RAMPED*max(wanted))
+                self.assertLess(abs(found["loss_time"] - factor/(factor - 1)), 1e-5)
+                self.assertLess(abs(found["energy_imbalance"]), 1e-6)
+                self.assertTrue(np.all(np.isnan(found["contact_stiffness"])))
+
+    def test_power_law_at_rest(self):
+        """A load that rests on a ball: a^3 grows as t^a times what the creep function sin(pi a)/(pi a) says. A flat punch that is pressed and
+        rests. The moduli of a small oscillation of a flat punch."""
+        exponent = 0.4
+        creep = np.sin(np.pi*exponent)/(np.pi*exponent)
+        found = self.solve(BALL + POWER.format(exponent) + "&history times = 0, 0, 1, 2, 4, loads = 0, 1e-9, 1e-9, 1e-9, 1e-9 /\n")
+        cube = 0.75*5e-6*1e-9*creep*found["time"][2:]**exponent/800
+        np.testing.assert_allclose(found["contact_radius"][2:]**3, cube, rtol=1e-7)
+        flat = self.solve(PUNCH + POWER.format(exponent) + "&history times = 0, 1, 3, approaches = 0, 1e-7, 1e-7 /\n")
+        np.testing.assert_allclose(flat["load"][2], 2*1e-6*1e-7*800*(3**0.6 - 2**0.6)/0.6, rtol=RAMPED)
+        flat = self.solve(PUNCH + POWER.format(exponent) + SINE.format(dwell=60, amplitude=5e-9, frequency=2.0, cycles=10))
+        wanted = 800*math.gamma(1 - exponent)*(2j*np.pi*2)**exponent
+        # what is not periodic after ten periods is the slow end of the spectrum, as that of an arm of some periods
+        self.assertLess(abs(flat["storage_modulus"] + 1j*flat["loss_modulus"] - wanted), 1e-3*abs(wanted))
+
+    def test_power_law_refused(self):
+        """A power law without one of its numbers, beside arms, with adhesion, under a jump; a solver that has none."""
+        path = "&history times = 0, 1, approaches = 0, 1e-7 /\n"
+        law = POWER.format(0.3)
+        self.refuse(BALL + "&solid power_law_exponent = 0.3 /\n" + path, "power_law_modulus: is missing")
+        self.refuse(BALL + "&solid power_law_modulus = 800 /\n" + path, "power_law_exponent: is missing")
+        self.refuse(BALL + POWER.format(0.7) + path, "power_law_exponent")
+        self.refuse(BALL + law.replace("/", ", modulus = 1 /") + path, "modulus: stands beside a power law")
+        self.refuse(BALL + law + "&adhesion work_of_adhesion = 1e-4, lambda = 2 /\n" + path, "power_law_modulus: has no meaning with adhesion")
+        self.refuse(BALL + law + path.replace("approaches = 0", "approaches = 1e-8"), "approaches: jumps")
+        self.refuse(BALL + law + path.replace("0, 1,", "0, 0,"), "are all equal")
+        self.refuse(BALL + law + "&history times = 0, 1, 1, approaches = 0, 1e-7, 2e-7 /\n", "approaches: jumps")
+        self.refuse(BALL + law + "&history path = 'ramp', largest_approach = 1e-6, approach_rate = 1e-6, contact_point = -1e-7 /\n",
+                    "largest_approach: jumps")
+        self.refuse(BALL + law + "&operating velocity = 1, load = 1 /\n", "nothing solves")
+
+    def test_wide_contact(self):
+        """A contact that is wider than its theory has a doubt, as at rest."""
+        self.solve(BALL + SOLID + "&history times = 0, 1, approaches = 0, 5e-5 /\n")
+        with h5py.File(self.folder/"run.h5") as file:
+            self.assertGreater(file["doubt"][()], 0)
+
+    def test_refused(self):
+        """Each thing that makes no history."""
+        lists = "times = 0, 1, 2, approaches = 0, 1e-7, 0"
+        for history, words in (
+                ("times = 0, 1, 2, approaches = 0, 1e-7", "has 2 values, and times has 3"),
+                ("times = 0, 2, 1, approaches = 0, 1e-7, 0", "falls from"),
+                ("times = 1, 1, approaches = 0, 1e-7", "are all equal"),
+                ("times = 0, 1, approaches = 0, -1e-7", "never presses"),
+                ("times = 0, 1", "is missing"),
+                ("approaches = 0, 1e-7", "is missing"),
+                ("times = 0, 1, loads = 0, -1e-9", "loads"),
+                (lists + ", loads = 0, 1, 0", "stands beside"),
+                (lists + ", dwell_time = 3", "has no meaning without path"),
+                (lists + ", cycles = 3", "has no meaning without path"),
+                (lists + ", frequency = 3", "has no meaning without path"),
+                ("path = 'ramp', largest_approach = 1e-7, approach_rate = 1e-6, cycles = 3", "has no meaning for path = 'ramp'"),
+                ("path = 'ramp', largest_approach = 1e-7", "approach_rate"),
+                ("path = 'triangle', largest_load = 1e-9, loading_rate = 1e-9, retraction_rate = 1e-6", "has no meaning with largest_load"),
+                ("path = 'sine', largest_approach = 1e-7, approach_rate = 1e-6, frequency = 1", "oscillation_amplitude"),
+                ("path = 'sine', largest_approach = 1e-7, approach_rate = 1e-6, frequency = 1, oscillation_amplitude = 1e-6",
+                 "above what is pressed")):
+            with self.subTest(history=history):
+                self.refuse(BALL + SOLID + f"&history {history} /\n", words)
+        self.refuse(BALL + SOLID + "&history times = 0, 1, base_approaches = 0, 1e-7 /\n", "machine_stiffness")
+        self.refuse(BALL + SOLID + f"&history {lists} /\n&operating machine_stiffness = 1.0 /\n", "has no meaning without")
+        path = "&history path = 'triangle', largest_approach = 1e-7, approach_rate = 1e-6 /\n"
+        for name in ("cycles", "steps_per_leg"):
+            self.refuse(BALL + SOLID + path + f"&sweep variable = '{name}', values = 1, 2 /\n", name)
+        self.refuse(BALL + SOLID + "&friction shear_strength = 1e4 /\n" + f"&history {lists} /\n", "nothing solves")
+
+    def test_shifted(self):
+        """Zero and drift of a history are those of its approaches; loads have none."""
+        lists = "&history times = 0, 1, 2, approaches = {} /\n"
+        plain = self.solve(BALL + SOLID + lists.format("0, 1e-6, 2e-7"))
+        for shifted in ("1e-7, 1.1e-6, 3e-7, contact_point = 1e-7", "0, 0.8e-6, -2e-7, drift_rate = 2e-7"):
+            found = self.solve(BALL + SOLID + lists.format(shifted))
+            np.testing.assert_allclose(found["load"], plain["load"], rtol=1e-12)
+            np.testing.assert_allclose(found["approach"], plain["approach"], rtol=1e-12)
+        self.refuse(BALL + SOLID + "&history times = 0, 1, loads = 0, 1e-9, drift_rate = 1e-9 /\n", "drift_rate: has no meaning with loads")
+        self.refuse(BALL + SOLID + lists.format("0, 1e-6, 0, contact_point = 2e-6"), "never presses: no value is above contact_point")
+        self.refuse(BALL + SOLID + "&history path = 'square', largest_approach = 1e-6, approach_rate = 1e-6 /\n", "unknown choice")
+
+    def test_noise(self):
+        """A list with noise is pointed out. Smoothing leaves its steps, and takes fewer legs; approaches differ by no more than it."""
+        times = np.linspace(0, 1, 401)
+        noise = 2e-9*np.random.default_rng(1).standard_normal(times.shape)
+        approaches = 1e-6*np.minimum(times, 1 - times) + noise
+        (self.folder/"list.csv").write_text("t,z\n" + "".join(f"{t:.17g},{z:.17g}\n" for t, z in zip(times, approaches)))
+        lists = "&history times = 'list.csv:t', approaches = 'list.csv:z'{} /\n"
+        self.write("&job output = 'run.h5' /\n" + BALL + SOLID + lists.format(""))
+        self.assertIn("times, and each turn is an unloading", self.run_program("check", "run.nml")[0])
+        self.write("&job output = 'run.h5' /\n" + BALL + SOLID + lists.format(", smoothing = 1e-8"))
+        self.assertNotIn("each turn", self.run_program("check", "run.nml")[0])
+        found = self.solve(BALL + SOLID + lists.format(", smoothing = 1e-8"))
+        np.testing.assert_allclose(found["time"], times, atol=1e-15)
+        self.assertLess(np.max(np.abs(found["approach"] - approaches)), 1e-8*(1 + 1e-9))
+        # the smooth triangle, but for what the noise is of its approaches
+        smooth = self.solve(BALL + SOLID + "&history times = 0, 0.5, 1, approaches = 0, 5e-7, 0 /\n&output steps_per_leg = 200 /\n")
+        self.assertLess(np.max(np.abs(found["load"] - smooth["load"])), 0.1*smooth["load"].max())
+        self.refuse(BALL + SOLID + "&history times = 0, 1, 1, approaches = 0, 1e-6, 2e-6, smoothing = 1e-9 /\n", "stands beside a jump")
+        self.refuse(BALL + SOLID + "&history path = 'ramp', largest_approach = 1e-6, approach_rate = 1e-6, smoothing = 1e-9 /\n",
+                    "has no meaning with path")
+
+    def test_loss_at_once(self):
+        """Contact that a jump ends is lost at its time."""
+        for what in ("approaches = 0, 1e-6, 0, 0", "loads = 0, 1e-9, 0, 0"):
+            self.assertEqual(1, self.solve(BALL + SOLID + f"&history times = 0, 1, 1, 2, {what} /\n")["loss_time"])
+
+
+if __name__ == "__main__":
+    main()
