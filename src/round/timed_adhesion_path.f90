@@ -133,10 +133,11 @@ contains
             distance = max(distance, step)
          end do
       end do
-      if (ieee_is_nan(one%numbers(o_load)) .neqv. ieee_is_nan(other%numbers(o_load))) then
-         distance = 1
-      else if (abs(one%numbers(o_load)) > 0) then
-         distance = max(distance, abs(one%numbers(o_load) - other%numbers(o_load))/abs(one%numbers(o_load)))
+      if (ieee_is_nan(one%numbers(o_load)) .neqv. ieee_is_nan(other%numbers(o_load))) distance = 1
+      ! paths that were not pulled off have no load of it
+      if (.not. (ieee_is_nan(one%numbers(o_load)) .or. ieee_is_nan(other%numbers(o_load)))) then
+         if (abs(one%numbers(o_load)) > 0) &
+            & distance = max(distance, abs(one%numbers(o_load) - other%numbers(o_load))/abs(one%numbers(o_load)))
       end if
       associate (energy => one%numbers(o_work:n_numbers), other_energy => other%numbers(o_work:n_numbers))
          if (one%largest_energy > 0) distance = max(distance, maxval(abs(energy - other_energy))/one%largest_energy)
