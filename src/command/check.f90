@@ -155,6 +155,8 @@ contains
          line = pad('  '//variable%name, name_width)
          if (variable%kind == kind_dataset) then
             line = line//run%datasets(at)%describe()
+         else if (variable%zero_is_automatic .and. abs(run%plan%base(at)) < 0.5_dp) then
+            line = line//'chosen by the solver'
          else
             line = line//show_input_value(variable, run%plan%base(at))
          end if
