@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> `adfric check`: read and validate an input, and say what it means.
 module adfric_command_check
+   use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words, get_word, pad
    use adfric_base_text, only: newline, show_count, show_number, show_text
