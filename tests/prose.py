@@ -23,7 +23,7 @@ NOT_YET = ()
 WIDE_TABLES = (
     "README.md", "CONTRIBUTING.md", "docs/paper/joss.md", "docs/paper/results.md", "docs/reference/doubts.md",
     "docs/reference/file_format.md", "docs/reference/glossary.md", "docs/reference/library.md", "docs/reference/python.md",
-    "docs/theory/adhesion_in_sliding.md", "docs/theory/adhesive_sliding.md", "docs/theory/adhesive_wave.md",
+    "docs/theory/adhesive_sliding.md", "docs/theory/adhesive_wave.md",
     "docs/theory/columns_adhesion.md", "docs/theory/columns_any_shape.md", "docs/theory/columns_material.md",
     "docs/theory/columns_strips.md", "docs/theory/fits.md", "docs/theory/hertz.md", "docs/theory/interface.md",
     "docs/theory/johnson1997.md", "docs/theory/line_contacts.md", "docs/theory/periodic_adhesion.md",
