@@ -2,10 +2,10 @@
 !> What `adfric help` knows by the names of phenomena and authors: which words of an input, which shipped inputs and which page.
 module adfric_command_help_phenomena
    use adfric_base_words, only: count_words, get_word, has_word
-   use adfric_base_text, only: newline
+   use adfric_base_text, only: join_words, newline
    implicit none (type, external)
    private
-   public :: describe_phenomena, list_phenomena
+   public :: describe_phenomena, list_phenomena, show_phenomena
 
    !> Columns of the table: names, what it is, words of an input, shipped inputs, and pages of the documents.
    integer, parameter :: names = 1, meaning = 2, scene = 3, inputs = 4, pages = 5, n_columns = 5
@@ -138,6 +138,17 @@ contains
          text = text//folder//get_word(list, k)//ending
       end do
    end function list_files
+
+   !> What each row is, with its names below.
+   pure function show_phenomena() result(text)
+      character(:), allocatable :: text
+      integer :: i
+
+      text = 'Phenomena and authors; adfric help NAME says what to write, which inputs and which pages'//newline
+      do i = 1, n_rows
+         text = text//'  '//trim(table(meaning, i))//newline//'      '//join_words(trim(table(names, i)), ', ')//newline
+      end do
+   end function show_phenomena
 
    !> Every name of the table, once, separated by a blank.
    pure function list_phenomena() result(list)
