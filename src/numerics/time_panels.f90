@@ -13,7 +13,7 @@ module adfric_numerics_time_panels
    use adfric_base_constants, only: pi
    implicit none (type, external)
    private
-   public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_weights, get_tail, find_fall
+   public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_all_faded, get_weights, get_tail, find_fall
 
    !> Number of nodes of a panel.
    integer, parameter :: n_nodes = 12
@@ -81,6 +81,22 @@ contains
       call get_integrals(lambda, faded, integrals)
       integral = matmul(integrals, matmul(to_coefficients, values))
    end subroutine get_faded
+
+   !> The same of several functions at once.
+   pure subroutine get_all_faded(lambda, values, integrals, faded)
+      !> Half the length of the panel over the relaxation time, >= 0.
+      real(dp), intent(in) :: lambda
+      !> Values of the functions at the nodes; shape `(n_nodes, n_functions)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the integrals up to the nodes; shape `(n_nodes, n_functions)`.
+      real(dp), intent(out) :: integrals(:, :)
+      !> Receives what has faded by then.
+      real(dp), intent(out) :: faded(n_nodes)
+      real(dp) :: of_t(n_nodes, 0:degree)
+
+      call get_integrals(lambda, faded, of_t)
+      integrals = matmul(of_t, matmul(to_coefficients, values))
+   end subroutine get_all_faded
 
    !> The integrals of T_k with memory.
    pure subroutine get_integrals(lambda, faded, integrals)

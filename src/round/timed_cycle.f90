@@ -16,12 +16,16 @@ module adfric_round_timed_cycle
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
    private
-   public :: timed_cycle_t, new_cycle, read_cycle
+   public :: timed_cycle_t, new_cycle, read_cycle, find_origin, look_at, approach_at, drive_at
 
    !> A panel of the growing contact.
    type :: grown_panel_t
       !> Time at the begin, and length in time.
       real(dp) :: clock = 0, span = 0
+      !> Speed of the approach.
+      real(dp) :: slope = 0
+      !> Radius of contact at the nodes.
+      real(dp) :: radius(n_nodes) = 0
       !> Load at the nodes.
       real(dp) :: load(n_nodes) = 0
       !> int a d delta in column 0, and Q_i in column i, at the nodes; shape `(n_nodes, 0:n_arms)`.
@@ -122,7 +126,9 @@ contains
 
    !> D_i at a time of a leg.
    pure subroutine drive_at(self, leg, clock, drive)
+      !> The cycle, with D_i at the begin of the leg.
       type(timed_cycle_t), intent(in) :: self
+      !> The leg, among those from the first touch on, and the time.
       integer, intent(in) :: leg
       real(dp), intent(in) :: clock
       !> Receives D_i; shape `(n_arms)`.
@@ -207,20 +213,21 @@ contains
       type(grown_panel_t), intent(inout) :: panel
       !> Receives what the polynomials may lack of the load.
       real(dp), intent(out) :: error
-      real(dp) :: depth(n_nodes), radius(n_nodes), moment(n_nodes), integral(n_nodes), faded(n_nodes), slope, lacking
+      real(dp) :: depth(n_nodes), moment(n_nodes), integral(n_nodes), faded(n_nodes), slope, lacking
       integer :: i
 
       if (.not. allocated(panel%sums)) allocate (panel%sums(n_nodes, 0:size(solid%times)))
       slope = (leg%end - leg%begin)/leg%span
+      panel%slope = slope
       depth = leg%begin + slope*(panel%clock - leg%clock + panel%span*(panel_nodes + 1)/2)
-      call get_spot(contacts, depth, radius, moment)
-      panel%sums(:, 0) = depth*radius - moment
+      call get_spot(contacts, depth, panel%radius, moment)
+      panel%sums(:, 0) = depth*panel%radius - moment
       panel%load = solid%relaxed*panel%sums(:, 0)
-      lacking = get_tail(radius)*slope
+      lacking = get_tail(panel%radius)*slope
       error = solid%relaxed*get_tail(panel%sums(:, 0))
       do i = 1, size(solid%times)
          if (slope > 0) then
-            call get_faded(panel%span/(2*solid%times(i)), radius, integral, faded)
+            call get_faded(panel%span/(2*solid%times(i)), panel%radius, integral, faded)
             panel%sums(:, i) = faded*sums(i) + integral*(slope*panel%span/2)
          else
             panel%sums(:, i) = exp(-panel%span/(2*solid%times(i))*(panel_nodes + 1))*sums(i)
@@ -263,19 +270,14 @@ contains
       logical :: has_contact
 
       approach = approach_at(self%path(max(1, count(self%path%clock <= clock))), clock)
-      depth = 0
       load = 0
-      if (clock <= self%legs(1)%clock) return
-      leg = count(self%legs%clock <= clock)
+      call find_origin(self, clock, leg, root, depth, has_contact)
+      if (.not. has_contact) return
+      call look_at(self, root, k, weights)
       if (leg <= self%turn) then
-         call look_at(self, clock, k, weights)
-         depth = approach_at(self%legs(leg), clock)
          load = dot_product(weights, self%panels(k)%load)
          return
       end if
-      call find_root(self, leg, clock, root, depth, has_contact)
-      if (.not. has_contact) return
-      call look_at(self, root, k, weights)
       associate (sums => self%panels(k)%sums, solid => self%solid)
          load = solid%relaxed*dot_product(weights, sums(:, 0))
          do i = 1, size(solid%times)
@@ -285,9 +287,37 @@ contains
       load = max(0.0_dp, 2*load)
    end subroutine read_cycle
 
+   !> The time t1 at which the edge came to where it is: now while the contact grows, earlier while it shrinks.
+   pure subroutine find_origin(self, clock, leg, root, depth, has_contact)
+      !> The cycle; it remembers where it was looked at last.
+      type(timed_cycle_t), intent(inout) :: self
+      !> The time t, in that of the legs.
+      real(dp), intent(in) :: clock
+      !> Receives the leg of the time, among those from the first touch on; 0: before it.
+      integer, intent(out) :: leg
+      !> Receive t1 and G(a), the approach there.
+      real(dp), intent(out) :: root, depth
+      !> Receives whether there is contact.
+      logical, intent(out) :: has_contact
+
+      root = clock
+      depth = 0
+      leg = 0
+      has_contact = clock > self%legs(1)%clock
+      if (.not. has_contact) return
+      leg = count(self%legs%clock <= clock)
+      if (leg <= self%turn) then
+         depth = approach_at(self%legs(leg), clock)
+      else
+         call find_root(self, leg, clock, root, depth, has_contact)
+      end if
+   end subroutine find_origin
+
    !> The panel of a time, and the weights of its nodes.
    pure subroutine look_at(self, clock, panel, weights)
+      !> The cycle.
       type(timed_cycle_t), intent(in) :: self
+      !> The time, while the contact grows.
       real(dp), intent(in) :: clock
       !> Receives the number of the panel.
       integer, intent(out) :: panel
@@ -312,7 +342,9 @@ contains
 
    !> The approach at a time of a leg.
    pure real(dp) function approach_at(leg, clock) result(approach)
+      !> The leg.
       type(timed_leg_t), intent(in) :: leg
+      !> The time.
       real(dp), intent(in) :: clock
 
       approach = leg%begin + (leg%end - leg%begin)*max(0.0_dp, min(1.0_dp, (clock - leg%clock)/leg%span))
