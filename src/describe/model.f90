@@ -242,7 +242,9 @@ contains
       is_known = .false.
       error_estimate = 0
       is_there = .false.
-      associate (unused => self, unused_values => values, unused_x => x, unused_of => of, unused_by => by, unused_members => members)
+      associate (unused => self, unused_values => values, unused_x => x, unused_of => of)
+      end associate
+      associate (unused_by => by, unused_members => members)
       end associate
    end subroutine solve_with_slopes
 
