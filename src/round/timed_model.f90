@@ -478,6 +478,12 @@ contains
       is_known = .false.
       error_estimate = 0
       is_there = of == out%load .and. size(x) > 0
+      select type (self)
+      type is (indenter_time_t)
+      class default
+         ! another contact, such as one with adhesion
+         is_there = .false.
+      end select
       if (.not. is_there) return
       own = values
       own(before_history + timed_input%time) = x(1)
@@ -486,7 +492,8 @@ contains
       begin = 0
       if (allocated(self%lists%times)) begin = self%lists%times(1)
       is_there = cycle%is_found
-      if (is_there) is_there = all(x - begin >= -round_off*abs(x)) .and. all(x - begin <= cycle%end + round_off*(abs(x) + abs(begin)))
+      if (is_there) is_there = all(x - begin >= -round_off*abs(x)) .and. &
+         & all(x - begin <= cycle%end + round_off*(abs(x) + abs(begin)))
       if (.not. is_there) return
       error_estimate = cycle%error
       do k = 1, size(by)
