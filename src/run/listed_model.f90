@@ -215,7 +215,8 @@ contains
          end do
       end do
       call get_copy(self, values, copy)
-      call copy%solve_with_slopes(values(:self%n_inner), x, of, inner_by, inner_members, y, y_by, is_known, error_estimate, is_there)
+      call copy%solve_with_slopes(values(:self%n_inner), x, of, inner_by, inner_members, y, y_by, is_known, error_estimate, &
+         & is_there)
    end subroutine solve_with_slopes
 
    !> See `model_t`.
