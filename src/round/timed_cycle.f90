@@ -1,12 +1,16 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One cycle under a given approach in closed form (T. C. T. Ting, J. Appl. Mech. 33 (1966) 845): a contact that grows along straight
-!> legs and then shrinks along others, none slower than the one before, until the indenter is out of the dimple.
+!> legs and then shrinks along others, none slower than the one before, until the indenter is out of the dimple. It may begin with a
+!> jump into contact.
 !>
 !> While it grows, \( Q_i = \int e^{-(t-s)/t_i} a\, d\delta(s) \) is found on panels of time, and the load is
 !> \( 2[E_0 \int a\, d\delta + \sum E_i Q_i] \). While it shrinks, the edge is where it was at the time t1, which is the root of
 !> $$ E_0 [\delta(t) - \delta(t_1)] + \sum_i E_i [D_i(t) - D_i(t_1) e^{-(t - t_1)/t_i}] = 0, $$
 !> and the load is the same sum with Q_i(t1) exp(-(t - t1)/t_i). So a point costs a root and a look at a panel, and nothing is
-!> followed step by step. Times are those of the legs, and lengths and moduli have the units of the contacts.
+!> followed step by step. Springs of the jump have all come at once. Among them the edge is at the depth G with
+!> \( E_0 \delta(t) + \sum_i E_i D_i(t) = E(t)\, G \), and the load is \( 2 E(t) \int_0^G a\, d\delta \).
+!> Times are those of the legs, and lengths and moduli have the units of the contacts. The file is long by what growth and shrinking
+!> share.
 module adfric_round_timed_cycle
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_contact_t
@@ -44,8 +48,8 @@ module adfric_round_timed_cycle
       type(timed_leg_t), allocatable :: path(:), legs(:)
       !> The last of these that does not fall.
       integer :: turn = 0
-      !> End of the path.
-      real(dp) :: end = 0
+      !> End of the path, and approach right after a jump at its begin, 0 without one.
+      real(dp) :: end = 0, jump = 0
       !> D_i at the begins of the legs; shape `(n_arms, n_legs)`.
       real(dp), allocatable :: drive(:, :)
       !> Panels of the growing contact.
@@ -77,19 +81,23 @@ contains
       real(dp), intent(in) :: tolerance
       !> Longest relaxation time over the length of the path: of a longer one sums would have too few digits.
       real(dp), parameter :: longest = 1.0e4_dp
-      integer :: k
+      integer :: k, first
 
       if (abs(control%by_load) > 0 .or. size(legs) == 0) return
-      if (any(abs(legs%amplitude) > 0) .or. .not. all(legs%span > 0)) return
+      first = 1
+      if (.not. legs(1)%span > 0 .and. .not. abs(legs(1)%begin) > 0 .and. legs(1)%end > 0) first = 2
+      if (size(legs) < first) return
+      if (any(abs(legs%amplitude) > 0) .or. .not. all(legs(first:)%span > 0)) return
       self%end = legs(size(legs))%clock + legs(size(legs))%span
+      if (first == 2) self%jump = legs(1)%end
       self%solid = solid
-      self%path = legs
+      self%path = legs(first:)
       if (any(solid%times > longest*(self%end - legs(1)%clock))) return
-      call take_legs(self, legs)
+      call take_legs(self, self%path)
       if (self%turn == 0) return
       associate (arms => size(solid%times))
          allocate (self%drive(arms, size(self%legs)))
-         self%drive(:, 1) = 0
+         self%drive(:, 1) = self%jump
          do k = 2, size(self%legs)
             call drive_at(self, k - 1, self%legs(k)%clock, self%drive(:, k))
          end do
@@ -106,7 +114,8 @@ contains
 
       first = findloc(legs%end > 0, .true., 1)
       if (first == 0) return
-      if (legs(first)%begin > 0) return
+      if (.not. self%jump > 0 .and. legs(first)%begin > 0) return
+      if (self%jump > 0 .and. (first > 1 .or. abs(legs(1)%begin - self%jump) > 0)) return
       last = size(legs) + 1 - findloc(legs(size(legs):1:-1)%begin > 0 .or. legs(size(legs):1:-1)%end > 0, .true., 1)
       slopes = (legs%end - legs%begin)/legs%span
       self%legs = legs(first:last)
@@ -117,6 +126,7 @@ contains
       if (any(slopes(k + 1:last) > slopes(k:last - 1))) return
       if (any(legs(first + 1:last)%begin <= 0)) return
       self%turn = k - first
+      if (self%jump > 0) return
       associate (leg => self%legs(1))
          leg%clock = leg%clock - leg%begin/slopes(first)
          leg%span = leg%end/slopes(first)
@@ -161,6 +171,10 @@ contains
          allocate (self%panels(first_space))
          leg = 1
          sums = 0
+         if (self%jump > 0) then
+            call get_spot(contacts, self%jump, radius, moment)
+            sums = self%jump*radius - moment
+         end if
          panel%clock = legs(1)%clock
          span = first_part*(end - legs(1)%clock)
          do try = 1, most_tries
@@ -258,14 +272,16 @@ contains
    end subroutine keep
 
    !> Approach, depth of the edge and load at a time; the latter are both 0 without contact.
-   pure subroutine read_cycle(self, clock, approach, depth, load)
+   pure subroutine read_cycle(self, contacts, clock, approach, depth, load)
       !> The cycle; it remembers where it was looked at last.
       type(timed_cycle_t), intent(inout) :: self
+      !> Contacts of the indenter with an elastic half-space of modulus 1.
+      class(normal_contact_t), intent(in) :: contacts
       !> The time, in that of the legs.
       real(dp), intent(in) :: clock
       !> Receive delta, G(a) and the load.
       real(dp), intent(out) :: approach, depth, load
-      real(dp) :: weights(n_nodes), root
+      real(dp) :: weights(n_nodes), root, radius, moment
       integer :: leg, k, i
       logical :: has_contact
 
@@ -273,6 +289,11 @@ contains
       load = 0
       call find_origin(self, clock, leg, root, depth, has_contact)
       if (.not. has_contact) return
+      if (depth < self%jump) then
+         call get_spot(contacts, depth, radius, moment)
+         load = 2*(self%solid%relaxed + sum(self%solid%moduli*exp(-(clock - root)/self%solid%times)))*(depth*radius - moment)
+         return
+      end if
       call look_at(self, root, k, weights)
       if (leg <= self%turn) then
          load = dot_product(weights, self%panels(k)%load)
@@ -295,7 +316,7 @@ contains
       real(dp), intent(in) :: clock
       !> Receives the leg of the time, among those from the first touch on; 0: before it.
       integer, intent(out) :: leg
-      !> Receive t1 and G(a), the approach there.
+      !> Receive t1 and G(a), the approach there; below `jump` it came into contact in the jump.
       real(dp), intent(out) :: root, depth
       !> Receives whether there is contact.
       logical, intent(out) :: has_contact
@@ -303,9 +324,9 @@ contains
       root = clock
       depth = 0
       leg = 0
-      has_contact = clock > self%legs(1)%clock
+      has_contact = clock > self%legs(1)%clock .or. self%jump > 0
       if (.not. has_contact) return
-      leg = count(self%legs%clock <= clock)
+      leg = max(1, count(self%legs%clock <= clock))
       if (leg <= self%turn) then
          depth = approach_at(self%legs(leg), clock)
       else
@@ -392,6 +413,7 @@ contains
             end associate
             exit
          end do
+         if (k == 0) depth = base/(solid%relaxed + sum(solid%moduli*exp(-(clock - root)/solid%times)))
       end associate
       self%last = clock
       self%last_root = root

@@ -168,7 +168,8 @@ contains
       real(dp), intent(out) :: load
       !> Its arms are there. Receives the derivatives.
       type(cycle_change_t), intent(inout) :: gradient
-      real(dp) :: weights(n_nodes), root, depth, radius, moment, lag, sums(3), memory, faded
+      real(dp) :: weights(n_nodes), memories(0:size(cycle%solid%times)), sums(3, size(cycle%solid%times)), root, depth, radius, &
+         & moment, lag, faded
       integer :: leg, k, i
       logical :: has_contact
 
@@ -180,29 +181,37 @@ contains
       gradient%times = 0
       call find_origin(cycle, clock, leg, root, depth, has_contact)
       if (.not. has_contact) return
-      call look_at(cycle, root, k, weights)
       call get_spot(contacts, depth, radius, moment)
       lag = clock - root
-      associate (solid => cycle%solid, panel => cycle%panels(k))
-         gradient%relaxed = dot_product(weights, panel%sums(:, 0))
-         load = solid%relaxed*gradient%relaxed
+      associate (solid => cycle%solid)
+         if (depth < cycle%jump) then
+            ! springs of the jump remember nothing else
+            memories = depth*radius - moment
+            sums = 0
+         else
+            call look_at(cycle, root, k, weights)
+            memories = matmul(weights, cycle%panels(k)%sums)
+            do i = 1, size(solid%times)
+               sums(:, i) = matmul(weights, self%sums(:, :, i, k))
+            end do
+         end if
+         gradient%relaxed = memories(0)
+         load = solid%relaxed*memories(0)
          gradient%shift = solid%relaxed*radius
          gradient%drift = solid%relaxed*radius*root
          do i = 1, size(solid%times)
             associate (time => solid%times(i), modulus => solid%moduli(i))
                faded = exp(-lag/time)
-               memory = dot_product(weights, panel%sums(:, i))
-               sums = matmul(weights, self%sums(:, :, i, k))
-               gradient%moduli(i) = faded*memory
-               load = load + modulus*faded*memory
-               gradient%times(i) = modulus*faded*(sums(by_time) + memory*lag/time**2)
-               gradient%shift = gradient%shift + modulus*faded*(radius - sums(of_radius)/time)
-               gradient%drift = gradient%drift + modulus*faded*(radius*root - sums(of_radius_and_time)/time)
+               gradient%moduli(i) = faded*memories(i)
+               load = load + modulus*faded*memories(i)
+               gradient%times(i) = modulus*faded*(sums(by_time, i) + memories(i)*lag/time**2)
+               gradient%shift = gradient%shift + modulus*faded*(radius - sums(of_radius, i)/time)
+               gradient%drift = gradient%drift + modulus*faded*(radius*root - sums(of_radius_and_time, i)/time)
             end associate
          end do
-         if (leg > cycle%turn) call add_root(self, cycle, clock, leg, root, radius, gradient)
+         if (leg > cycle%turn) call add_root(self, cycle, clock, leg, root, depth, radius, gradient)
          load = 2*load
-         if (leg <= cycle%turn) load = dot_product(weights, panel%load)
+         if (leg <= cycle%turn) load = dot_product(weights, cycle%panels(k)%load)
          gradient%relaxed = 2*gradient%relaxed
          gradient%shift = 2*gradient%shift
          gradient%drift = 2*gradient%drift
@@ -213,30 +222,35 @@ contains
    end subroutine read_slopes
 
    !> What the condition of the edge adds while the contact shrinks: a times the derivatives of F. A motion of the approach by a
-   !> constant adds nothing.
-   pure subroutine add_root(self, cycle, clock, leg, root, radius, gradient)
+   !> constant adds nothing that the sums do not have: F is of what moves after t1, or, in the jump, what they have themselves.
+   pure subroutine add_root(self, cycle, clock, leg, root, depth, radius, gradient)
       type(cycle_slopes_t), intent(in) :: self
       type(timed_cycle_t), intent(in) :: cycle
       real(dp), intent(in) :: clock
       !> Leg of the time.
       integer, intent(in) :: leg
-      !> t1 and a.
-      real(dp), intent(in) :: root, radius
+      !> t1, G(a) and a.
+      real(dp), intent(in) :: root, depth, radius
       !> The derivatives are added.
       type(cycle_change_t), intent(inout) :: gradient
-      real(dp), dimension(size(cycle%solid%times)) :: faded, earlier, now
+      real(dp), dimension(size(cycle%solid%times)) :: faded, earlier, earlier_by_time, now
       integer :: first
 
-      ! the edge stays where it came to be before a rest
-      first = max(1, count(cycle%legs(:cycle%turn)%clock < root))
+      if (depth < cycle%jump) then
+         earlier = depth
+         earlier_by_time = 0
+      else
+         first = max(1, count(cycle%legs(:cycle%turn)%clock < root))
+         call drive_at(cycle, first, root, earlier)
+         earlier_by_time = drive_by_time(self, cycle, first, root)
+      end if
+      call drive_at(cycle, leg, clock, now)
       associate (solid => cycle%solid, lag => clock - root)
          faded = exp(-lag/solid%times)
-         call drive_at(cycle, first, root, earlier)
-         call drive_at(cycle, leg, clock, now)
-         gradient%relaxed = gradient%relaxed + radius*(approach_at(cycle%legs(leg), clock) - approach_at(cycle%legs(first), root))
+         gradient%relaxed = gradient%relaxed + radius*(approach_at(cycle%legs(leg), clock) - depth)
          gradient%moduli = gradient%moduli + radius*(now - earlier*faded)
          gradient%times = gradient%times + radius*solid%moduli*(drive_by_time(self, cycle, leg, clock) &
-            & - (drive_by_time(self, cycle, first, root) + earlier*lag/solid%times**2)*faded)
+            & - (earlier_by_time + earlier*lag/solid%times**2)*faded)
          gradient%drift = gradient%drift + radius*(solid%relaxed*lag + sum(solid%moduli*solid%times*(1 - faded)))
       end associate
    end subroutine add_root
