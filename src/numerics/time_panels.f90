@@ -14,6 +14,7 @@ module adfric_numerics_time_panels
    implicit none (type, external)
    private
    public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_all_faded, get_weights, get_tail, find_fall
+   public :: lost_part, lost_twice
 
    !> Number of nodes of a panel.
    integer, parameter :: n_nodes = 12
@@ -194,6 +195,37 @@ contains
          small_decay = 1 - x*small_decay/k
       end do
    end function small_decay
+
+   !> 1 - exp(-x) to all digits, of any x >= 0.
+   elemental real(dp) function lost_part(x)
+      !> Time over a relaxation time.
+      real(dp), intent(in) :: x
+
+      if (x > 1) then
+         lost_part = 1 - exp(-x)
+      else
+         lost_part = 2*exp(-x/2)*sinh(x/2)
+      end if
+   end function lost_part
+
+   !> 1 - (1 + x) exp(-x), the integral of s exp(-s) from 0, to all digits, of any x >= 0.
+   elemental real(dp) function lost_twice(x)
+      !> Time over a relaxation time.
+      real(dp), intent(in) :: x
+      integer, parameter :: most = 14
+      integer :: k
+
+      if (x > 0.5_dp) then
+         lost_twice = 1 - exp(-x) - x*exp(-x)
+      else
+         ! sum of (-1)^k x^k/(k! (k + 2)), times x^2
+         lost_twice = 1.0_dp/(most + 2)
+         do k = most - 1, 0, -1
+            lost_twice = 1.0_dp/(k + 2) - lost_twice*x/(k + 1)
+         end do
+         lost_twice = lost_twice*x**2
+      end if
+   end function lost_twice
 
    !> Weights w of the values at the nodes for a position: f(s) = sum w f (J.-P. Berrut and L. N. Trefethen, SIAM Rev. 46, 2004, 501).
    pure subroutine get_weights(s, weights)

@@ -14,7 +14,7 @@
 module adfric_round_timed_cycle
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_contact_t
-   use adfric_numerics_time_panels, only: get_faded, get_tail, get_weights, n_nodes, panel_nodes
+   use adfric_numerics_time_panels, only: get_faded, get_tail, get_weights, lost_part, n_nodes, panel_nodes
    use adfric_round_timed_path, only: timed_control_t, timed_leg_t
    use adfric_round_timed_springs, only: get_spot
    use adfric_solid_prony, only: prony_t
@@ -79,8 +79,6 @@ contains
       type(timed_leg_t), intent(in) :: legs(:)
       !> Largest error of the load, over the largest one.
       real(dp), intent(in) :: tolerance
-      !> Longest relaxation time over the length of the path: of a longer one sums would have too few digits.
-      real(dp), parameter :: longest = 1.0e4_dp
       integer :: k, first
 
       if (abs(control%by_load) > 0 .or. size(legs) == 0) return
@@ -92,7 +90,6 @@ contains
       if (first == 2) self%jump = legs(1)%end
       self%solid = solid
       self%path = legs(first:)
-      if (any(solid%times > longest*(self%end - legs(1)%clock))) return
       call take_legs(self, self%path)
       if (self%turn == 0) return
       associate (arms => size(solid%times))
@@ -147,7 +144,7 @@ contains
 
       associate (l => self%legs(leg), times => self%solid%times)
          slope = (l%end - l%begin)/l%span
-         drive = slope*times + (self%drive(:, leg) - slope*times)*exp(-(clock - l%clock)/times)
+         drive = slope*times*lost_part((clock - l%clock)/times) + self%drive(:, leg)*exp(-(clock - l%clock)/times)
       end associate
    end subroutine drive_at
 
@@ -401,10 +398,11 @@ contains
                depth = l%end
                if (.not. slope > 0) return
                if (self%last <= clock .and. self%last_root >= l%clock) root = min(root, self%last_root)
-               rest = solid%relaxed*l%begin + sum(solid%moduli*(self%drive(:, k) - slope*solid%times)*faded) - base
+               rest = solid%relaxed*l%begin + sum(solid%moduli*self%drive(:, k)*faded) - base
                do step = 1, most_steps
                   faded = exp(-(clock - root)/solid%times)
-                  value = rest + slope*(solid%relaxed*(root - l%clock) + sum(solid%moduli*solid%times*faded))
+                  value = rest + slope*(solid%relaxed*(root - l%clock) + sum(solid%moduli*solid%times*faded &
+                     & *lost_part((root - l%clock)/solid%times)))
                   change = value/(slope*(solid%relaxed + sum(solid%moduli*faded)))
                   root = min(l%clock + l%span, max(l%clock, root - change))
                   if (abs(change) <= 4*epsilon(1.0_dp)*self%end) exit

@@ -15,7 +15,7 @@
 module adfric_round_timed_cycle_slopes
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_contact_t
-   use adfric_numerics_time_panels, only: get_all_faded, n_nodes, panel_nodes
+   use adfric_numerics_time_panels, only: get_all_faded, lost_part, lost_twice, n_nodes, panel_nodes
    use adfric_round_timed_cycle, only: approach_at, drive_at, find_origin, look_at, timed_cycle_t
    use adfric_round_timed_springs, only: get_spot
    implicit none (type, external)
@@ -127,14 +127,14 @@ contains
          before = 0
          do i = 1, size(times)
             if (number > 1) before = self%sums(n_nodes, :, i, number - 1)
-            values(:, by_time) = panel%sums(:, i)/times(i)**2
+            values(:, by_time) = panel%sums(:, i)/times(i)/times(i)
             call get_all_faded(panel%span/(2*times(i)), values, integrals, faded)
             do c = 1, 3
                self%sums(:, c, i, number) = faded*before(c) + integrals(:, c)*panel%span/2
             end do
             ! a rest is nothing but decay, however fast
             if (.not. abs(panel%slope) > 0) self%sums(:, by_time, i, number) = faded*before(by_time) &
-               & + lag/times(i)**2*panel%sums(:, i)
+               & + lag/times(i)/times(i)*panel%sums(:, i)
          end do
       end associate
    end subroutine sum_panel
@@ -149,8 +149,8 @@ contains
 
       associate (l => cycle%legs(leg), times => cycle%solid%times)
          slope = (l%end - l%begin)/l%span
-         drive = slope + (self%drive(:, leg) - slope + (cycle%drive(:, leg) - slope*times)*(clock - l%clock)/times**2) &
-            & *exp(-(clock - l%clock)/times)
+         drive = slope*lost_twice((clock - l%clock)/times) + (self%drive(:, leg) + cycle%drive(:, leg) &
+            & *((clock - l%clock)/times/times))*exp(-(clock - l%clock)/times)
       end associate
    end function drive_by_time
 
@@ -204,7 +204,7 @@ contains
                faded = exp(-lag/time)
                gradient%moduli(i) = faded*memories(i)
                load = load + modulus*faded*memories(i)
-               gradient%times(i) = modulus*faded*(sums(by_time, i) + memories(i)*lag/time**2)
+               gradient%times(i) = modulus*faded*(sums(by_time, i) + memories(i)*(lag/time/time))
                gradient%shift = gradient%shift + modulus*faded*(radius - sums(of_radius, i)/time)
                gradient%drift = gradient%drift + modulus*faded*(radius*root - sums(of_radius_and_time, i)/time)
             end associate
@@ -250,8 +250,8 @@ contains
          gradient%relaxed = gradient%relaxed + radius*(approach_at(cycle%legs(leg), clock) - depth)
          gradient%moduli = gradient%moduli + radius*(now - earlier*faded)
          gradient%times = gradient%times + radius*solid%moduli*(drive_by_time(self, cycle, leg, clock) &
-            & - (earlier_by_time + earlier*lag/solid%times**2)*faded)
-         gradient%drift = gradient%drift + radius*(solid%relaxed*lag + sum(solid%moduli*solid%times*(1 - faded)))
+            & - (earlier_by_time + earlier*(lag/solid%times/solid%times))*faded)
+         gradient%drift = gradient%drift + radius*(solid%relaxed*lag + sum(solid%moduli*solid%times*lost_part(lag/solid%times)))
       end associate
    end subroutine add_root
 
