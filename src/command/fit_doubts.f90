@@ -75,7 +75,7 @@ contains
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       logical :: is_time(size(fit%frees))
-      real(dp) :: duration, relative
+      real(dp) :: duration, relative, both
       integer :: i, k, partner
 
       lines = ''
@@ -102,19 +102,17 @@ contains
          partner = modulus_of(fit, i)
          if (partner > 0) then
             if (is_no_arm(solution, partner, i)) then
-               lines = lines//'warning: '//fit%frees(partner)%name//' is 0 within its error; the curve shows no such arm, and is '// &
-                  'as good without it'//newline
+               lines = lines//'warning: '//fit%frees(partner)%name//' is 0 within its error; the curve shows no such arm, and '// &
+                  'is as good without it'//newline
                cycle
             end if
-            ! of a fast arm that is there
-            relative = max(relative, solution%error(partner)/solution%estimate(partner))
-            if (solution%estimate(i) < fast_part*duration .and. relative > most_share .and. relative < most_time_error) then
-               lines = lines//'warning: of '//fit%frees(partner)%name//' and '//fit%frees(i)%name//' the product, a viscosity of '// &
-                  show_to_digits(solution%estimate(i)*solution%estimate(partner), 3)//' Pa s, is known to '// &
-                  show_to_digits(100*error_of_both(solution, partner, i, 1), 2)//' %, far better than each'//newline
+            both = error_of_both(solution, partner, i, 1)
+            if (solution%estimate(i) < fast_part*duration .and. relative > most_share .and. both < most_share*relative) then
+               lines = lines//'warning: of '//fit%frees(partner)%name//' and '//fit%frees(i)%name//' only the product is '// &
+                  'known, a viscosity of '//show_to_digits(solution%estimate(i)*solution%estimate(partner), 3)//' Pa s to '// &
+                  show_to_digits(100*both, 2)//' %'//newline
                cycle
             end if
-            relative = solution%error(i)/solution%estimate(i)
          end if
          if (relative < most_time_error) cycle
          if (solution%estimate(i) > duration) then
