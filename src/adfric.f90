@@ -12,7 +12,7 @@ module adfric
    use adfric_plane_wave_model, only: wave_model_t, new_wave_model
    use adfric_round_history_model, only: indenter_history_t, new_indenter_history
    use adfric_round_model, only: indenter_model_t, new_indenter_model
-   use adfric_round_fitted_adhesion, only: fitted_adhesion_t, new_fitted_adhesion
+   use adfric_round_timed_adhesion_model, only: adhesive_indenter_time_t, new_adhesive_indenter_time
    use adfric_round_timed_model, only: indenter_time_t, new_indenter_time
    use adfric_describe_model, only: model_t
    use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
@@ -54,7 +54,7 @@ contains
       type(adhesive_cylinder_t), allocatable :: adhesive_cylinder
       type(indenter_time_t), allocatable :: indenter_time
       type(surface_time_t), allocatable :: surface_time
-      type(fitted_adhesion_t), allocatable :: adhesive_indenter_time
+      type(adhesive_indenter_time_t), allocatable :: adhesive_indenter_time
       type(line_load_model_t), allocatable :: line_load
       type(strip_load_model_t), allocatable :: strip_load
       type(point_load_model_t), allocatable :: point_load
@@ -82,7 +82,7 @@ contains
          call move_alloc(indenter_time, model)
       case ('adhesive_indenter_time')
          allocate (adhesive_indenter_time)
-         call new_fitted_adhesion(adhesive_indenter_time)
+         call new_adhesive_indenter_time(adhesive_indenter_time)
          call move_alloc(adhesive_indenter_time, model)
       case ('hertz')
          allocate (hertz)

@@ -200,28 +200,6 @@ class TimeFits(Runs):
         np.testing.assert_array_equal(answers[0], answers[1])
         np.testing.assert_array_equal(answers[0], answers[2])
 
-    def test_adhesion(self):
-        """A curve with adhesion, whose history is its own: moduli, a time and the work of adhesion are found, and a range is needed."""
-        times = np.linspace(0, 4, 201)
-        base = np.interp(times, [0, 2, 4], [-1e-7, 2e-6, -2e-6])
-        lists = ", ".join(f"{t:.12g}" for t in times), ", ".join(f"{z:.12g}" for z in base)
-        ball = BALL.replace("5e-6", "20e-6")
-        self.write(ball + "&solid modulus = 1e4, moduli = 4e4, relaxation_times = 1 /\n&adhesion work_of_adhesion = 1e-4, lambda = 2 /\n"
-                   f"&numerics relative_tolerance = 1e-5 /\n&history times = {lists[0]}\n approaches = {lists[1]} /\n")
-        self.run_program("run", "--quiet", "--force", "run.nml")
-        noise = 2e-9
-        load = self.read("run.h5")["load"] + noise*np.random.default_rng(2).standard_normal(times.size)
-        (self.folder / "curve.csv").write_text("time,base,load,sigma\n" + "".join(
-            f"{t:.12g},{z:.12g},{p:.12g},{noise}\n" for t, z, p in zip(times, base, load)))
-        fit = "&solid moduli = 3e4, relaxation_times = 0.5 /\n&adhesion lambda = 2 /\n" + DATA.format(file="curve.csv") + ONCE + \
-            "&free variable = 'modulus', start = 2e4 /\n&free variable = 'solid%moduli(1)' /\n" \
-            "&free variable = 'solid%relaxation_times(1)' /\n&free variable = 'work_of_adhesion', start = 2e-4 /\n"
-        found, _ = self.answer(ball + fit)
-        for word, wanted in (("modulus", 1e4), ("moduli_1", 4e4), ("relaxation_times_1", 1), ("work_of_adhesion", 1e-4)):
-            self.assertLess(abs(found[word] - wanted), 4*found[word + "_error"], word)
-            self.assertLess(found[word + "_error"], 0.1*wanted, word)
-        self.refuse(ball + fit.replace("&adhesion lambda = 2 /\n", ""), "adhesion")
-
     def test_refused(self):
         """Members that are not there, histories that do not go together."""
         (self.folder / "curve.csv").write_text("time,base,load\n0,0,0\n1,1e-6,1e-9\n2,0,0\n")
