@@ -10,7 +10,7 @@ module adfric_command_fit_doubts
    use adfric_fit_parts, only: set_values_at
    use adfric_fit_problem, only: data_set_t, fit_t, nuisance_tilt
    use adfric_interface_heat_rows, only: usual_capacity, usual_conductivity
-   use adfric_fit_solution, only: solution_t, fit_not_identifiable, fit_solved
+   use adfric_fit_solution, only: solution_t, fit_not_converged, fit_not_identifiable, fit_solved
    use adfric_describe_doubt, only: doubt_limits, n_doubts, quantity_of
    implicit none (type, external)
    private
@@ -29,6 +29,9 @@ module adfric_command_fit_doubts
    integer, parameter :: least_count = 8
    !> A relaxation time is not known beyond this relative standard error; one of this part of the duration, or less, is a fast one.
    real(dp), parameter :: most_time_error = 0.5_dp, fast_part = 0.03_dp
+   !> What two of them are together is known far better than each, below this part of the lesser error, and that is said from this
+   !> relative error on.
+   real(dp), parameter :: most_share = 0.2_dp
    !> The runs of signs are doubted below this probability.
    real(dp), parameter :: least_runs = 1.0e-3_dp
 
@@ -45,9 +48,10 @@ contains
       character(:), allocatable :: lines
 
       lines = ''
-      if (solution%status == fit_not_identifiable .and. count(of_times(fit)) > 0) lines = 'hint: '//what_curves_see//newline
+      if (any(solution%status == [fit_not_identifiable, fit_not_converged]) .and. count(of_times(fit)) > 0) &
+         & lines = 'hint: '//what_curves_see//'; more arms than one need several speeds or a rest'//newline
       if (solution%status /= fit_solved) return
-      lines = doubt_arms(fit, solution)//doubt_range(solution)//doubt_theory(solution)// &
+      lines = doubt_sums(fit, solution)//doubt_arms(fit, solution)//doubt_range(solution)//doubt_theory(solution)// &
          & doubt_heat_of_friction(fit, solution)//doubt_base_lines(fit, solution)//doubt_goodness(solution)// &
          & doubt_residuals(solution)
    end function describe_fit_doubts
@@ -71,8 +75,8 @@ contains
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
       logical :: is_time(size(fit%frees))
-      real(dp) :: duration, relative
-      integer :: i, k
+      real(dp) :: duration, relative, both
+      integer :: i, k, partner
 
       lines = ''
       is_time = of_times(fit)
@@ -95,6 +99,21 @@ contains
          end do
          if (.not. ieee_is_finite(solution%error(i))) cycle
          relative = solution%error(i)/solution%estimate(i)
+         partner = modulus_of(fit, i)
+         if (partner > 0) then
+            if (is_no_arm(solution, partner, i)) then
+               lines = lines//'warning: '//fit%frees(partner)%name//' is 0 within its error; the curve shows no such arm, and '// &
+                  'is as good without it'//newline
+               cycle
+            end if
+            both = error_of_both(solution, partner, i, 1)
+            if (solution%estimate(i) < fast_part*duration .and. relative > most_share .and. both < most_share*relative) then
+               lines = lines//'warning: of '//fit%frees(partner)%name//' and '//fit%frees(i)%name//' only the product is '// &
+                  'known, a viscosity of '//show_to_digits(solution%estimate(i)*solution%estimate(partner), 3)//' Pa s to '// &
+                  show_to_digits(100*both, 2)//' %'//newline
+               cycle
+            end if
+         end if
          if (relative < most_time_error) cycle
          if (solution%estimate(i) > duration) then
             lines = lines//'warning: '//fit%frees(i)%name//' is longer than the curve; of such an arm only the sum of its '// &
@@ -107,6 +126,73 @@ contains
          end if
       end do
    end function doubt_arms
+
+   !> The free modulus of the arm of a free time; 0: there is none.
+   pure integer function modulus_of(fit, time) result(at)
+      type(fit_t), intent(in) :: fit
+      !> Number of the free time.
+      integer, intent(in) :: time
+
+      do at = size(fit%frees), 1, -1
+         if (fit%frees(at)%list == 0 .or. fit%frees(at)%member /= fit%frees(time)%member) cycle
+         if (index(fit%frees(at)%name, 'moduli') > 0) return
+      end do
+   end function modulus_of
+
+   !> Relative error of the product (+1) or the ratio (-1) of two estimates that are fitted by their logarithms.
+   pure real(dp) function error_of_both(solution, first, second, sign) result(error)
+      type(solution_t), intent(in) :: solution
+      integer, intent(in) :: first, second, sign
+      real(dp) :: parts(2)
+
+      parts = solution%error([first, second])/solution%estimate([first, second])
+      error = sqrt(max(0.0_dp, parts(1)**2 + parts(2)**2 + 2*sign*solution%correlation(first, second)*parts(1)*parts(2)))
+   end function error_of_both
+
+   !> Does an arm differ from none neither by its modulus, nor by its viscosity, nor by the speed at which it relaxes?
+   pure logical function is_no_arm(solution, modulus, time)
+      type(solution_t), intent(in) :: solution
+      !> Numbers of the free modulus and the free time.
+      integer, intent(in) :: modulus, time
+
+      is_no_arm = solution%error(modulus) > most_time_error*solution%estimate(modulus) .and. &
+         & min(error_of_both(solution, modulus, time, 1), error_of_both(solution, modulus, time, -1)) > most_time_error
+   end function is_no_arm
+
+   !> Moduli of which the data know little but the sum.
+   pure function doubt_sums(fit, solution) result(lines)
+      type(fit_t), intent(in) :: fit
+      type(solution_t), intent(in) :: solution
+      character(:), allocatable :: lines
+      real(dp) :: error
+      integer :: i, k
+
+      lines = ''
+      if (.not. allocated(solution%error) .or. .not. allocated(solution%correlation)) return
+      do i = 1, size(fit%frees)
+         if (.not. is_relaxed_modulus(fit%frees(i)%name) .or. .not. ieee_is_finite(solution%error(i))) cycle
+         do k = 1, size(fit%frees)
+            if (index(fit%frees(k)%name, 'moduli') == 0 .or. .not. ieee_is_finite(solution%error(k))) cycle
+            associate (e => solution%error([i, k]))
+               error = sqrt(max(0.0_dp, e(1)**2 + e(2)**2 + 2*solution%correlation(i, k)*e(1)*e(2)))
+               if (error > most_share*minval(e) .or. maxval(e/solution%estimate([i, k])) < most_share) cycle
+            end associate
+            lines = lines//'warning: '//fit%frees(i)%name//' and '//fit%frees(k)%name//' are known by their sum, '// &
+               show_to_digits(sum(solution%estimate([i, k])), 4)//' +- '//show_to_digits(error, 2)//' Pa, far better than each'// &
+               newline
+         end do
+      end do
+   end function doubt_sums
+
+   !> Is it the relaxed modulus of a solid with arms?
+   pure logical function is_relaxed_modulus(name)
+      !> Name of a free variable, with its group or without.
+      character(*), intent(in) :: name
+      character(:), allocatable :: last
+
+      last = name(index(name, '%', back=.true.) + 1:)
+      is_relaxed_modulus = last == 'modulus' .or. last == 'young_modulus'
+   end function is_relaxed_modulus
 
    !> Is the range of adhesion one of atoms?
    pure function doubt_range(solution) result(lines)

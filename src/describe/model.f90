@@ -58,6 +58,7 @@ module adfric_describe_model
       procedure :: obey
       procedure :: is_stopped
       procedure :: solve_block_and_profiles
+      procedure :: solve_with_slopes
       procedure :: take_dataset
       procedure :: take_attribute
       procedure :: describe_results
@@ -213,6 +214,39 @@ contains
          if (.not. goes_on) return
       end do
    end subroutine solve_block_and_profiles
+
+   !> A result over an abscissa of fits, with its derivatives in closed form: here there are none. A model that has some overrides it.
+   subroutine solve_with_slopes(self, values, x, of, by, members, y, y_by, is_known, error_estimate, is_there)
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`. That of the abscissa is any.
+      real(dp), intent(in) :: values(:)
+      !> Values of the abscissa of fits; shape `(n_points)`.
+      real(dp), intent(in) :: x(:)
+      !> Index of the result.
+      integer, intent(in) :: of
+      !> Indices of the variables by which derivatives are wanted, and which member of a list it is, 0: none; shape `(n_wanted)`.
+      integer, intent(in) :: by(:), members(:)
+      !> Receives the result; shape `(n_points)`.
+      real(dp), intent(out) :: y(:)
+      !> Receives the derivatives, 0 where they are not known; shape `(n_points, n_wanted)`.
+      real(dp), intent(out) :: y_by(:, :)
+      !> Receives by which variables the derivatives are known; shape `(n_wanted)`.
+      logical, intent(out) :: is_known(:)
+      !> Relative error of the result, estimated.
+      real(dp), intent(out) :: error_estimate
+      !> Receives whether there is a closed form for all these points; without one nothing else has a meaning.
+      logical, intent(out) :: is_there
+
+      y = 0
+      y_by = 0
+      is_known = .false.
+      error_estimate = 0
+      is_there = .false.
+      associate (unused => self, unused_values => values, unused_x => x, unused_of => of)
+      end associate
+      associate (unused_by => by, unused_members => members)
+      end associate
+   end subroutine solve_with_slopes
 
    !> Take over the values of a dataset, a list or the columns of a group; called for every one that is given, in the order of the
    !> table, before the values are checked. They are finite and within the table's bounds. A model with such variables overrides it;

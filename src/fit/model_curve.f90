@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A measured curve of any model, with derivatives by differences.
+!> A measured curve of any model, with derivatives by differences, or in closed form where the model has it over the time.
 !>
 !> A result has the relative error e that the model says (`error_estimate`), 1e-13 at least. A step h forward leaves the error e/h + h/2 in
 !> a derivative, least for h = e^(1/2); a central one e/h + h^2/6, least for about h = e^(1/3). A relative error of the derivatives moves

@@ -52,8 +52,11 @@ module adfric_fit_model_points
       logical :: is_sphere = .false.
       !> Points that the model is asked for at once: all, where they are those of one history.
       integer :: most = most_at_once
+      !> Is the abscissa one of fits alone, over which a model may have derivatives in closed form?
+      logical :: is_of_fits = .false.
    contains
       procedure :: ask
+      procedure :: ask_with_slopes
       procedure :: find_fold
    end type model_points_t
 
@@ -98,7 +101,8 @@ contains
       case default
          self%pull_off_load = 0
       end select
-      if (is_abscissa_of_fits(model%variables(abscissa))) self%most = most_of_history
+      self%is_of_fits = is_abscissa_of_fits(model%variables(abscissa))
+      if (self%is_of_fits) self%most = most_of_history
       self%is_sphere = is_sphere .and. model%variables(abscissa)%name == 'approach'
    end subroutine new_model_points
 
@@ -149,6 +153,33 @@ contains
       if (any(is_beyond_fold(regimes))) call find_ordinate(self, values, fold)
       where (is_beyond_fold(regimes)) y = fold%y
    end subroutine ask
+
+   !> Ask the model for the ordinates at abscissas with derivatives by the free variables, where it has them in closed form.
+   subroutine ask_with_slopes(self, values, x, frees, slopes, y, y_by, is_known, error, is_there)
+      class(model_points_t), intent(in) :: self
+      real(dp), intent(in) :: values(:), x(:)
+      type(free_t), intent(in) :: frees(:)
+      !> Derivatives of the variables by the numbers that are fitted; shape `(n_free)`.
+      real(dp), intent(in) :: slopes(:)
+      real(dp), intent(out) :: y(:)
+      !> Receives derivatives by the numbers that are fitted, 0 where they are not known; shape `(n_points, n_free)`.
+      real(dp), intent(out) :: y_by(:, :)
+      !> Receives for which free variables they are known.
+      logical, intent(out) :: is_known(:)
+      !> Receives the relative error of an ordinate.
+      real(dp), intent(out) :: error
+      !> Receives whether there is a closed form; without one nothing else has a meaning.
+      logical, intent(out) :: is_there
+      integer :: k
+
+      call self%model%solve_with_slopes(values, x, self%ordinate, frees%variable, [(0, k=1, size(frees))], y, y_by, is_known, &
+         & error, is_there)
+      is_there = is_there .and. all(ieee_is_finite(y)) .and. all(ieee_is_finite(y_by))
+      error = min(max(error, least_error), largest_error)
+      do k = 1, size(frees)
+         y_by(:, k) = y_by(:, k)*slopes(k)
+      end do
+   end subroutine ask_with_slopes
 
    !> Ask the model for the ordinates of a block; what stands in other blocks does not matter.
    subroutine ask_block(self, values, x, y, regimes, errors, first)

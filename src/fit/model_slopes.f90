@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Ordinates of any model and their derivatives by differences, with or without a fold.
+!> Ordinates of any model and their derivatives by differences, with or without a fold; in closed form where the model has it.
 !>
 !> Above the fold x_f a point is a position s = sqrt(d), d = x - x_f. Ordinates are smooth over s, and at a given x near the fold
 !> they are not: y is about y_f + c s. So a variable v is moved at a fixed position, and the position at fixed variables:
@@ -54,19 +54,30 @@ contains
       !> Has the model a value at all points?
       logical, intent(out) :: is_valid
       real(dp) :: e, h
+      logical :: is_known(size(slopes))
       integer :: k, n
 
       n = size(x)
       allocate (of%y(n), of%regimes(n))
       allocate (of%y_x(n), of%x_s(n), of%y_s(n), of%fold_x_by(size(slopes)), source=0.0_dp)
       allocate (of%by(n, size(slopes)), of%by_at_position(n, size(slopes)), of%x_by_at_position(n, size(slopes)), source=0.0_dp)
-      call points%ask(values, x, of%y, of%regimes, e, of%fold)
+      is_known = .false.
+      is_valid = points%is_of_fits .and. n > 0
+      if (is_valid) call points%ask_with_slopes(values, x, frees, slopes, of%y, of%by, is_known, e, is_valid)
+      if (is_valid) then
+         of%regimes = 0
+      else
+         is_known = .false.
+         of%by = 0
+         call points%ask(values, x, of%y, of%regimes, e, of%fold)
+      end if
       is_valid = all(of%regimes >= 0)
       if (.not. is_valid) return
       h = merge(e**(1.0_dp/3), sqrt(e), is_central)
       of%derivative_error = merge(e**(2.0_dp/3), sqrt(e), is_central)
+      if (all(is_known .or. frees%variable == 0)) of%derivative_error = e
       do k = 1, size(slopes)
-         if (frees(k)%variable == 0) cycle
+         if (frees(k)%variable == 0 .or. is_known(k)) cycle
          if (of%fold%is_known) then
             call move_variable(of, points, values, x, frees(k)%variable, k, slopes(k), h, is_central, is_valid)
          else

@@ -13,7 +13,8 @@ module adfric_numerics_time_panels
    use adfric_base_constants, only: pi
    implicit none (type, external)
    private
-   public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_weights, get_tail, find_fall
+   public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_all_faded, get_weights, get_tail, find_fall
+   public :: lost_part, lost_twice
 
    !> Number of nodes of a panel.
    integer, parameter :: n_nodes = 12
@@ -81,6 +82,22 @@ contains
       call get_integrals(lambda, faded, integrals)
       integral = matmul(integrals, matmul(to_coefficients, values))
    end subroutine get_faded
+
+   !> The same of several functions at once.
+   pure subroutine get_all_faded(lambda, values, integrals, faded)
+      !> Half the length of the panel over the relaxation time, >= 0.
+      real(dp), intent(in) :: lambda
+      !> Values of the functions at the nodes; shape `(n_nodes, n_functions)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the integrals up to the nodes; shape `(n_nodes, n_functions)`.
+      real(dp), intent(out) :: integrals(:, :)
+      !> Receives what has faded by then.
+      real(dp), intent(out) :: faded(n_nodes)
+      real(dp) :: of_t(n_nodes, 0:degree)
+
+      call get_integrals(lambda, faded, of_t)
+      integrals = matmul(of_t, matmul(to_coefficients, values))
+   end subroutine get_all_faded
 
    !> The integrals of T_k with memory.
    pure subroutine get_integrals(lambda, faded, integrals)
@@ -178,6 +195,37 @@ contains
          small_decay = 1 - x*small_decay/k
       end do
    end function small_decay
+
+   !> 1 - exp(-x) to all digits, of any x >= 0.
+   elemental real(dp) function lost_part(x)
+      !> Time over a relaxation time.
+      real(dp), intent(in) :: x
+
+      if (x > 1) then
+         lost_part = 1 - exp(-x)
+      else
+         lost_part = 2*exp(-x/2)*sinh(x/2)
+      end if
+   end function lost_part
+
+   !> 1 - (1 + x) exp(-x), the integral of s exp(-s) from 0, to all digits, of any x >= 0.
+   elemental real(dp) function lost_twice(x)
+      !> Time over a relaxation time.
+      real(dp), intent(in) :: x
+      integer, parameter :: most = 14
+      integer :: k
+
+      if (x > 0.5_dp) then
+         lost_twice = 1 - exp(-x) - x*exp(-x)
+      else
+         ! sum of (-1)^k x^k/(k! (k + 2)), times x^2
+         lost_twice = 1.0_dp/(most + 2)
+         do k = most - 1, 0, -1
+            lost_twice = 1.0_dp/(k + 2) - lost_twice*x/(k + 1)
+         end do
+         lost_twice = lost_twice*x**2
+      end if
+   end function lost_twice
 
    !> Weights w of the values at the nodes for a position: f(s) = sum w f (J.-P. Berrut and L. N. Trefethen, SIAM Rev. 46, 2004, 501).
    pure subroutine get_weights(s, weights)

@@ -184,7 +184,7 @@ contains
       real(dp) :: depth, moment
 
       associate (case => self%states%case)
-         call read_cycle(self%cycle, clock, approach, depth, load)
+         call read_cycle(self%cycle, self%states, clock, approach, depth, load)
          approach = approach*case%height_unit
          load = load*case%force_unit()
          radius = 0

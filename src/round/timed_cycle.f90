@@ -1,27 +1,35 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One cycle under a given approach in closed form (T. C. T. Ting, J. Appl. Mech. 33 (1966) 845): a contact that grows along straight
-!> legs and then shrinks along others, none slower than the one before, until the indenter is out of the dimple.
+!> legs and then shrinks along others, none slower than the one before, until the indenter is out of the dimple. It may begin with a
+!> jump into contact.
 !>
 !> While it grows, \( Q_i = \int e^{-(t-s)/t_i} a\, d\delta(s) \) is found on panels of time, and the load is
 !> \( 2[E_0 \int a\, d\delta + \sum E_i Q_i] \). While it shrinks, the edge is where it was at the time t1, which is the root of
 !> $$ E_0 [\delta(t) - \delta(t_1)] + \sum_i E_i [D_i(t) - D_i(t_1) e^{-(t - t_1)/t_i}] = 0, $$
 !> and the load is the same sum with Q_i(t1) exp(-(t - t1)/t_i). So a point costs a root and a look at a panel, and nothing is
-!> followed step by step. Times are those of the legs, and lengths and moduli have the units of the contacts.
+!> followed step by step. Springs of the jump have all come at once. Among them the edge is at the depth G with
+!> \( E_0 \delta(t) + \sum_i E_i D_i(t) = E(t)\, G \), and the load is \( 2 E(t) \int_0^G a\, d\delta \).
+!> Times are those of the legs, and lengths and moduli have the units of the contacts. The file is long by what growth and shrinking
+!> share.
 module adfric_round_timed_cycle
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_contact_t
-   use adfric_numerics_time_panels, only: get_faded, get_tail, get_weights, n_nodes, panel_nodes
+   use adfric_numerics_time_panels, only: get_faded, get_tail, get_weights, lost_part, n_nodes, panel_nodes
    use adfric_round_timed_path, only: timed_control_t, timed_leg_t
    use adfric_round_timed_springs, only: get_spot
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
    private
-   public :: timed_cycle_t, new_cycle, read_cycle
+   public :: timed_cycle_t, new_cycle, read_cycle, find_origin, look_at, approach_at, drive_at
 
    !> A panel of the growing contact.
    type :: grown_panel_t
       !> Time at the begin, and length in time.
       real(dp) :: clock = 0, span = 0
+      !> Speed of the approach.
+      real(dp) :: slope = 0
+      !> Radius of contact at the nodes.
+      real(dp) :: radius(n_nodes) = 0
       !> Load at the nodes.
       real(dp) :: load(n_nodes) = 0
       !> int a d delta in column 0, and Q_i in column i, at the nodes; shape `(n_nodes, 0:n_arms)`.
@@ -40,8 +48,8 @@ module adfric_round_timed_cycle
       type(timed_leg_t), allocatable :: path(:), legs(:)
       !> The last of these that does not fall.
       integer :: turn = 0
-      !> End of the path.
-      real(dp) :: end = 0
+      !> End of the path, and approach right after a jump at its begin, 0 without one.
+      real(dp) :: end = 0, jump = 0
       !> D_i at the begins of the legs; shape `(n_arms, n_legs)`.
       real(dp), allocatable :: drive(:, :)
       !> Panels of the growing contact.
@@ -71,21 +79,22 @@ contains
       type(timed_leg_t), intent(in) :: legs(:)
       !> Largest error of the load, over the largest one.
       real(dp), intent(in) :: tolerance
-      !> Longest relaxation time over the length of the path: of a longer one sums would have too few digits.
-      real(dp), parameter :: longest = 1.0e4_dp
-      integer :: k
+      integer :: k, first
 
       if (abs(control%by_load) > 0 .or. size(legs) == 0) return
-      if (any(abs(legs%amplitude) > 0) .or. .not. all(legs%span > 0)) return
+      first = 1
+      if (.not. legs(1)%span > 0 .and. .not. abs(legs(1)%begin) > 0 .and. legs(1)%end > 0) first = 2
+      if (size(legs) < first) return
+      if (any(abs(legs%amplitude) > 0) .or. .not. all(legs(first:)%span > 0)) return
       self%end = legs(size(legs))%clock + legs(size(legs))%span
+      if (first == 2) self%jump = legs(1)%end
       self%solid = solid
-      self%path = legs
-      if (any(solid%times > longest*(self%end - legs(1)%clock))) return
-      call take_legs(self, legs)
+      self%path = legs(first:)
+      call take_legs(self, self%path)
       if (self%turn == 0) return
       associate (arms => size(solid%times))
          allocate (self%drive(arms, size(self%legs)))
-         self%drive(:, 1) = 0
+         self%drive(:, 1) = self%jump
          do k = 2, size(self%legs)
             call drive_at(self, k - 1, self%legs(k)%clock, self%drive(:, k))
          end do
@@ -102,7 +111,8 @@ contains
 
       first = findloc(legs%end > 0, .true., 1)
       if (first == 0) return
-      if (legs(first)%begin > 0) return
+      if (.not. self%jump > 0 .and. legs(first)%begin > 0) return
+      if (self%jump > 0 .and. (first > 1 .or. abs(legs(1)%begin - self%jump) > 0)) return
       last = size(legs) + 1 - findloc(legs(size(legs):1:-1)%begin > 0 .or. legs(size(legs):1:-1)%end > 0, .true., 1)
       slopes = (legs%end - legs%begin)/legs%span
       self%legs = legs(first:last)
@@ -113,6 +123,7 @@ contains
       if (any(slopes(k + 1:last) > slopes(k:last - 1))) return
       if (any(legs(first + 1:last)%begin <= 0)) return
       self%turn = k - first
+      if (self%jump > 0) return
       associate (leg => self%legs(1))
          leg%clock = leg%clock - leg%begin/slopes(first)
          leg%span = leg%end/slopes(first)
@@ -122,7 +133,9 @@ contains
 
    !> D_i at a time of a leg.
    pure subroutine drive_at(self, leg, clock, drive)
+      !> The cycle, with D_i at the begin of the leg.
       type(timed_cycle_t), intent(in) :: self
+      !> The leg, among those from the first touch on, and the time.
       integer, intent(in) :: leg
       real(dp), intent(in) :: clock
       !> Receives D_i; shape `(n_arms)`.
@@ -131,7 +144,7 @@ contains
 
       associate (l => self%legs(leg), times => self%solid%times)
          slope = (l%end - l%begin)/l%span
-         drive = slope*times + (self%drive(:, leg) - slope*times)*exp(-(clock - l%clock)/times)
+         drive = slope*times*lost_part((clock - l%clock)/times) + self%drive(:, leg)*exp(-(clock - l%clock)/times)
       end associate
    end subroutine drive_at
 
@@ -155,6 +168,10 @@ contains
          allocate (self%panels(first_space))
          leg = 1
          sums = 0
+         if (self%jump > 0) then
+            call get_spot(contacts, self%jump, radius, moment)
+            sums = self%jump*radius - moment
+         end if
          panel%clock = legs(1)%clock
          span = first_part*(end - legs(1)%clock)
          do try = 1, most_tries
@@ -207,20 +224,21 @@ contains
       type(grown_panel_t), intent(inout) :: panel
       !> Receives what the polynomials may lack of the load.
       real(dp), intent(out) :: error
-      real(dp) :: depth(n_nodes), radius(n_nodes), moment(n_nodes), integral(n_nodes), faded(n_nodes), slope, lacking
+      real(dp) :: depth(n_nodes), moment(n_nodes), integral(n_nodes), faded(n_nodes), slope, lacking
       integer :: i
 
       if (.not. allocated(panel%sums)) allocate (panel%sums(n_nodes, 0:size(solid%times)))
       slope = (leg%end - leg%begin)/leg%span
+      panel%slope = slope
       depth = leg%begin + slope*(panel%clock - leg%clock + panel%span*(panel_nodes + 1)/2)
-      call get_spot(contacts, depth, radius, moment)
-      panel%sums(:, 0) = depth*radius - moment
+      call get_spot(contacts, depth, panel%radius, moment)
+      panel%sums(:, 0) = depth*panel%radius - moment
       panel%load = solid%relaxed*panel%sums(:, 0)
-      lacking = get_tail(radius)*slope
+      lacking = get_tail(panel%radius)*slope
       error = solid%relaxed*get_tail(panel%sums(:, 0))
       do i = 1, size(solid%times)
          if (slope > 0) then
-            call get_faded(panel%span/(2*solid%times(i)), radius, integral, faded)
+            call get_faded(panel%span/(2*solid%times(i)), panel%radius, integral, faded)
             panel%sums(:, i) = faded*sums(i) + integral*(slope*panel%span/2)
          else
             panel%sums(:, i) = exp(-panel%span/(2*solid%times(i))*(panel_nodes + 1))*sums(i)
@@ -251,31 +269,33 @@ contains
    end subroutine keep
 
    !> Approach, depth of the edge and load at a time; the latter are both 0 without contact.
-   pure subroutine read_cycle(self, clock, approach, depth, load)
+   pure subroutine read_cycle(self, contacts, clock, approach, depth, load)
       !> The cycle; it remembers where it was looked at last.
       type(timed_cycle_t), intent(inout) :: self
+      !> Contacts of the indenter with an elastic half-space of modulus 1.
+      class(normal_contact_t), intent(in) :: contacts
       !> The time, in that of the legs.
       real(dp), intent(in) :: clock
       !> Receive delta, G(a) and the load.
       real(dp), intent(out) :: approach, depth, load
-      real(dp) :: weights(n_nodes), root
+      real(dp) :: weights(n_nodes), root, radius, moment
       integer :: leg, k, i
       logical :: has_contact
 
       approach = approach_at(self%path(max(1, count(self%path%clock <= clock))), clock)
-      depth = 0
       load = 0
-      if (clock <= self%legs(1)%clock) return
-      leg = count(self%legs%clock <= clock)
+      call find_origin(self, clock, leg, root, depth, has_contact)
+      if (.not. has_contact) return
+      if (depth < self%jump) then
+         call get_spot(contacts, depth, radius, moment)
+         load = 2*(self%solid%relaxed + sum(self%solid%moduli*exp(-(clock - root)/self%solid%times)))*(depth*radius - moment)
+         return
+      end if
+      call look_at(self, root, k, weights)
       if (leg <= self%turn) then
-         call look_at(self, clock, k, weights)
-         depth = approach_at(self%legs(leg), clock)
          load = dot_product(weights, self%panels(k)%load)
          return
       end if
-      call find_root(self, leg, clock, root, depth, has_contact)
-      if (.not. has_contact) return
-      call look_at(self, root, k, weights)
       associate (sums => self%panels(k)%sums, solid => self%solid)
          load = solid%relaxed*dot_product(weights, sums(:, 0))
          do i = 1, size(solid%times)
@@ -285,9 +305,37 @@ contains
       load = max(0.0_dp, 2*load)
    end subroutine read_cycle
 
+   !> The time t1 at which the edge came to where it is: now while the contact grows, earlier while it shrinks.
+   pure subroutine find_origin(self, clock, leg, root, depth, has_contact)
+      !> The cycle; it remembers where it was looked at last.
+      type(timed_cycle_t), intent(inout) :: self
+      !> The time t, in that of the legs.
+      real(dp), intent(in) :: clock
+      !> Receives the leg of the time, among those from the first touch on; 0: before it.
+      integer, intent(out) :: leg
+      !> Receive t1 and G(a), the approach there; below `jump` it came into contact in the jump.
+      real(dp), intent(out) :: root, depth
+      !> Receives whether there is contact.
+      logical, intent(out) :: has_contact
+
+      root = clock
+      depth = 0
+      leg = 0
+      has_contact = clock > self%legs(1)%clock .or. self%jump > 0
+      if (.not. has_contact) return
+      leg = max(1, count(self%legs%clock <= clock))
+      if (leg <= self%turn) then
+         depth = approach_at(self%legs(leg), clock)
+      else
+         call find_root(self, leg, clock, root, depth, has_contact)
+      end if
+   end subroutine find_origin
+
    !> The panel of a time, and the weights of its nodes.
    pure subroutine look_at(self, clock, panel, weights)
+      !> The cycle.
       type(timed_cycle_t), intent(in) :: self
+      !> The time, while the contact grows.
       real(dp), intent(in) :: clock
       !> Receives the number of the panel.
       integer, intent(out) :: panel
@@ -312,7 +360,9 @@ contains
 
    !> The approach at a time of a leg.
    pure real(dp) function approach_at(leg, clock) result(approach)
+      !> The leg.
       type(timed_leg_t), intent(in) :: leg
+      !> The time.
       real(dp), intent(in) :: clock
 
       approach = leg%begin + (leg%end - leg%begin)*max(0.0_dp, min(1.0_dp, (clock - leg%clock)/leg%span))
@@ -348,10 +398,11 @@ contains
                depth = l%end
                if (.not. slope > 0) return
                if (self%last <= clock .and. self%last_root >= l%clock) root = min(root, self%last_root)
-               rest = solid%relaxed*l%begin + sum(solid%moduli*(self%drive(:, k) - slope*solid%times)*faded) - base
+               rest = solid%relaxed*l%begin + sum(solid%moduli*self%drive(:, k)*faded) - base
                do step = 1, most_steps
                   faded = exp(-(clock - root)/solid%times)
-                  value = rest + slope*(solid%relaxed*(root - l%clock) + sum(solid%moduli*solid%times*faded))
+                  value = rest + slope*(solid%relaxed*(root - l%clock) + sum(solid%moduli*solid%times*faded &
+                     & *lost_part((root - l%clock)/solid%times)))
                   change = value/(slope*(solid%relaxed + sum(solid%moduli*faded)))
                   root = min(l%clock + l%span, max(l%clock, root - change))
                   if (abs(change) <= 4*epsilon(1.0_dp)*self%end) exit
@@ -360,6 +411,7 @@ contains
             end associate
             exit
          end do
+         if (k == 0) depth = base/(solid%relaxed + sum(solid%moduli*exp(-(clock - root)/solid%times)))
       end associate
       self%last = clock
       self%last_root = root

@@ -19,7 +19,8 @@ module adfric_round_timed_model
    use adfric_round_indenter_states, only: find_indenter_states, indenter_states_t, plain_indenter
    use adfric_round_timed_contact, only: advance, error_of, start_contact, timed_contact_t
    use adfric_round_timed_course, only: find_course, join_legs, read_steps, timed_course_t
-   use adfric_round_timed_cycle, only: new_cycle
+   use adfric_round_timed_cycle, only: new_cycle, timed_cycle_t
+   use adfric_round_timed_cycle_slopes, only: cycle_change_t, get_loads, new_cycle_change
    use adfric_round_timed_energy, only: stored_free, stored_in_contact
    use adfric_round_timed_history, only: adheres, check_history, doubt_noise, get_legs, has_power_law, largest_prescribed, &
       & n_given_legs, n_timed_rows, set_history_rows, steps_of_leg, timed_input, timed_lists_t
@@ -34,8 +35,8 @@ module adfric_round_timed_model
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_power_law, only: get_power_law, power_law_error
    use adfric_solid_prony, only: new_prony, prony_t
-   use adfric_solid_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, get_spectrum, n_spectrum_rows, &
-      & set_spectrum_rows, shift_factor_of, take_spectrum, take_spectrum_attribute
+   use adfric_solid_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, get_spectrum, &
+      & get_spectrum_slopes, n_spectrum_rows, set_spectrum_rows, shift_factor_of, take_spectrum, take_spectrum_attribute
    implicit none (type, external)
    private
    public :: indenter_time_t, new_indenter_time, set_timed_rows, before_history, before_solid, n_timed_variables
@@ -73,6 +74,7 @@ module adfric_round_timed_model
       procedure :: derive_quantities
       procedure :: describe_doubts
       procedure :: solve_point
+      procedure :: solve_with_slopes
       procedure :: measure
       procedure :: unit_of
    end type indenter_time_t
@@ -453,6 +455,113 @@ contains
       end if
       call move_alloc(course, state)
    end subroutine start_course
+
+   !> See `model_t`: the load of one cycle, by moduli and times of the solid, and by zero and drift of the approach.
+   subroutine solve_with_slopes(self, values, x, of, by, members, y, y_by, is_known, error_estimate, is_there)
+      class(indenter_time_t), intent(in) :: self
+      real(dp), intent(in) :: values(:), x(:)
+      integer, intent(in) :: of, by(:), members(:)
+      real(dp), intent(out) :: y(:), y_by(:, :)
+      logical, intent(out) :: is_known(:)
+      real(dp), intent(out) :: error_estimate
+      logical, intent(out) :: is_there
+      real(dp), parameter :: round_off = 16*epsilon(1.0_dp)
+      type(timed_setting_t) :: setting
+      type(indenter_states_t) :: states
+      type(timed_cycle_t) :: cycle
+      type(cycle_change_t) :: changes(size(by))
+      real(dp) :: own(size(values)), begin
+      integer :: k
+
+      y = 0
+      y_by = 0
+      is_known = .false.
+      error_estimate = 0
+      is_there = of == out%load .and. size(x) > 0
+      select type (self)
+      type is (indenter_time_t)
+      class default
+         ! another contact, such as one with adhesion
+         is_there = .false.
+      end select
+      if (.not. is_there) return
+      own = values
+      own(before_history + timed_input%time) = x(1)
+      call set_up(self, own, setting, states, is_there)
+      if (is_there) call new_cycle(cycle, setting%solid, states, setting%control, setting%legs, setting%tolerance)
+      begin = 0
+      if (allocated(self%lists%times)) begin = self%lists%times(1)
+      is_there = cycle%is_found
+      if (is_there) is_there = all(x - begin >= -round_off*abs(x)) .and. &
+         & all(x - begin <= cycle%end + round_off*(abs(x) + abs(begin)))
+      if (.not. is_there) return
+      error_estimate = cycle%error
+      do k = 1, size(by)
+         call get_change(self, own, setting, states, by(k), members(k), begin, changes(k), is_known(k))
+      end do
+      call get_loads(cycle, states, x - begin, changes, y, y_by)
+      y = y*states%case%force_unit()
+      y_by = y_by*states%case%force_unit()
+   end subroutine solve_with_slopes
+
+   !> Derivatives of the numbers of a cycle, in its units, by a variable.
+   subroutine get_change(self, values, setting, states, by, member, begin, change, is_known)
+      class(indenter_time_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Solid and path of the cycle, and its units.
+      type(timed_setting_t), intent(in) :: setting
+      type(indenter_states_t), intent(in) :: states
+      !> Index of the variable, and number of the member of a list; 0: none.
+      integer, intent(in) :: by, member
+      !> Time at the begin of the history [s].
+      real(dp), intent(in) :: begin
+      !> Receives the derivatives; 0 where they are not known.
+      type(cycle_change_t), intent(out) :: change
+      !> Receives whether they are known.
+      logical, intent(out) :: is_known
+      !> Step of the exponent of a power law: its error is far below that of the arms.
+      real(dp), parameter :: step = 1.0e-5_dp
+      type(prony_t) :: solid, below
+      real(dp) :: history(n_timed_rows)
+
+      is_known = .true.
+      history = values(before_history + 1:)
+      call new_cycle_change(change, size(setting%solid%times))
+      associate (row => by - before_history, modulus => states%case%modulus)
+         if (row == timed_input%contact_point) then
+            change%shift = -1/states%case%height_unit
+         else if (row == timed_input%drift_rate) then
+            change%drift = 1/states%case%height_unit
+            change%shift = begin/states%case%height_unit
+         else if (.not. has_power_law(history)) then
+            is_known = by > before_solid .and. row <= 0
+            if (.not. is_known) return
+            associate (rows => values(before_solid + 1:before_history))
+               call get_spectrum(rows, self%given, solid)
+               is_known = size(solid%times) == size(setting%solid%times)
+               if (is_known) call get_spectrum_slopes(rows, self%given, solid, by - before_solid, member, change%relaxed, &
+                  & change%moduli, change%times, is_known)
+               change%relaxed = change%relaxed/modulus
+               change%moduli = change%moduli/modulus
+               change%times = change%times*shift_factor_of(rows, self%given)
+            end associate
+         else if (row == timed_input%power_law_modulus) then
+            change%relaxed = setting%solid%relaxed/history(row)
+            change%moduli = setting%solid%moduli/history(row)
+         else if (row == timed_input%power_law_exponent) then
+            history(row) = history(row) - step
+            call get_power_law_of(history, self%lists, below)
+            history(row) = history(row) + 2*step
+            call get_power_law_of(history, self%lists, solid)
+            change%relaxed = (solid%relaxed - below%relaxed)/(2*step*modulus)
+            change%moduli = (solid%moduli - below%moduli)/(2*step*modulus)
+            change%times = (solid%times - below%times)/(2*step)
+         else
+            is_known = .false.
+         end if
+      end associate
+   end subroutine get_change
 
    !> Go through the history.
    subroutine follow(self, contact, states, n_per_leg, n_before, is_smoothed, steps, results, status)

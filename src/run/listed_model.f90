@@ -49,6 +49,7 @@ module adfric_run_listed_model
       procedure :: take_dataset
       procedure :: check_values
       procedure :: solve_block
+      procedure :: solve_with_slopes
       procedure :: measure
       procedure :: velocity_of_heat
       procedure :: unit_of
@@ -190,6 +191,33 @@ contains
       call get_copy(self, values(:, 1), copy)
       call copy%solve_block(values(:self%n_inner, :), results, error_estimate, status, counts)
    end subroutine solve_block
+
+   !> See `model_t`: a member of a list is one of the inner model's.
+   subroutine solve_with_slopes(self, values, x, of, by, members, y, y_by, is_known, error_estimate, is_there)
+      class(listed_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:), x(:)
+      integer, intent(in) :: of, by(:), members(:)
+      real(dp), intent(out) :: y(:), y_by(:, :)
+      logical, intent(out) :: is_known(:)
+      real(dp), intent(out) :: error_estimate
+      logical, intent(out) :: is_there
+      class(model_t), allocatable :: copy
+      integer :: inner_by(size(by)), inner_members(size(by)), i, k, at
+
+      inner_by = by
+      inner_members = members
+      do i = 1, size(self%lists)
+         do k = 1, size(by)
+            at = findloc(self%lists(i)%slots, by(k), 1)
+            if (at == 0) cycle
+            inner_by(k) = self%lists(i)%variable
+            inner_members(k) = self%lists(i)%members(at)
+         end do
+      end do
+      call get_copy(self, values, copy)
+      call copy%solve_with_slopes(values(:self%n_inner), x, of, inner_by, inner_members, y, y_by, is_known, error_estimate, &
+         & is_there)
+   end subroutine solve_with_slopes
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)

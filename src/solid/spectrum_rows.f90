@@ -26,7 +26,7 @@ module adfric_solid_spectrum_rows
    private
    public :: set_spectrum_rows, take_spectrum, take_spectrum_attribute, has_spectrum, check_spectrum, get_spectrum
    public :: is_same_spectrum, shift_factor_of, solid_shift_of, poisson_ratio_of, describe_spectrum, doubt_spectrum, derive_spectrum
-   public :: n_spectrum_rows, spectrum_names, needs_velocity
+   public :: n_spectrum_rows, spectrum_names, needs_velocity, get_spectrum_slopes
 
    !> Indices among the rows; the last one stands in the group of the operating conditions.
    integer, parameter :: modulus = 1, young_modulus = 2, poisson_ratio = 3, moduli = 4, young_moduli = 5, relaxation_times = 6, &
@@ -238,6 +238,55 @@ contains
          end if
       end associate
    end subroutine get_spectrum
+
+   !> Derivatives of the numbers of a spectrum by one of its rows, or by a member of a list, in closed form.
+   pure subroutine get_spectrum_slopes(values, given, prony, index, member, relaxed_by, moduli_by, times_by, is_known)
+      !> Values of the rows, which have been checked; shape `(n_spectrum_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      class(given_spectrum_t), intent(in) :: given
+      !> Their spectrum, as `get_spectrum` finds it.
+      type(prony_t), intent(in) :: prony
+      !> Index among the rows, and number of the member; 0: it is no list.
+      integer, intent(in) :: index, member
+      !> Receive derivatives of the relaxed modulus, and of moduli and times of the arms; shape `(n_arms)`.
+      real(dp), intent(out) :: relaxed_by, moduli_by(:), times_by(:)
+      !> Receives whether they are known; else they are 0.
+      logical, intent(out) :: is_known
+      real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
+      real(dp) :: per_modulus, own
+      integer :: arm
+
+      relaxed_by = 0
+      moduli_by = 0
+      times_by = 0
+      is_known = .not. is_set(values(master_curve))
+      if (.not. is_known) return
+      if (member == 0) then
+         is_known = index == modulus .or. index == young_modulus
+         if (index == modulus) relaxed_by = 1
+         if (index == young_modulus) relaxed_by = prony%relaxed/values(young_modulus)
+         return
+      end if
+      is_known = any(index == [moduli, young_moduli, relaxation_times])
+      if (.not. is_known) return
+      arm = findloc(abs(prony%times - given%relaxation_times(member)) <= round_off*given%relaxation_times(member), .true., 1)
+      is_known = arm > 0
+      if (.not. is_known) return
+      per_modulus = 1
+      if (is_set(values(poisson_ratio))) per_modulus = plane_strain_modulus(1.0_dp, values(poisson_ratio))
+      if (index == relaxation_times) then
+         ! an arm may be two of one time
+         if (is_set(values(moduli))) then
+            own = given%moduli(member)
+         else
+            own = given%young_moduli(member)*per_modulus
+         end if
+         times_by(arm) = own/prony%moduli(arm)
+      else
+         moduli_by(arm) = merge(per_modulus, 1.0_dp, index == young_moduli)
+      end if
+   end subroutine get_spectrum_slopes
 
    !> Do two points have the same spectrum before it is shifted?
    pure logical function is_same_spectrum(values, others)

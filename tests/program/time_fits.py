@@ -148,6 +148,58 @@ class TimeFits(Runs):
             self.assertIn(words, printed)
             self.assertIn("S at the start", self.run_program("check", "run.nml")[0])
 
+    def test_what_is_known(self):
+        """Moduli of a slow arm are known by their sum, whether its time is free or not, an elastic solid has no arm, and two arms of one
+        curve have no answer or none that is silent."""
+        free = FREE.replace("&free variable = 'solid%relaxation_times(1)' /\n", "")
+        for time, text, words in ((1, FREE, "are known by their sum"), (40, free, "are known by their sum"), (1e-3, FREE, "a viscosity of"),
+                                  (1e12, FREE, "is 0 within its error")):
+            self.make("curve.csv", 5e-6, f"&solid modulus = 500, moduli = 1e3, relaxation_times = {time} /\n")
+            start = f"&solid moduli = 1e3, relaxation_times = {40 if text == free else 0.1} /\n"
+            self.assertIn(words, self.answer(BALL + start + DATA.format(file="curve.csv") + text)[1], time)
+        self.make("curve.csv", 5e-6, "&solid modulus = 500, moduli = 1e3, 800, relaxation_times = 0.02, 1 /\n")
+        two = "&free variable = 'solid%moduli(2)' /\n&free variable = 'solid%relaxation_times(2)' /\n"
+        self.write(BALL + "&solid moduli = 500, 500, relaxation_times = 0.05, 0.5 /\n" + DATA.format(file="curve.csv") + FREE + two)
+        printed, _ = self.run_program("fit", "--force", "run.nml")
+        self.assertIn("more arms", printed)
+
+    def test_young(self):
+        """Young's moduli are contact moduli times 1 - nu^2, with their errors."""
+        self.make("curve.csv", 5e-6, "&solid modulus = 500, moduli = 1e3, relaxation_times = 0.05 /\n")
+        plain, _ = self.answer(BALL + ARM + DATA.format(file="curve.csv") + FREE + ONCE)
+        young = "&solid young_moduli = 1.5e3, relaxation_times = 0.05, poisson_ratio = 0.4 /\n"
+        found, _ = self.answer(BALL + young + DATA.format(file="curve.csv") + FREE.replace("'modulus'", "'young_modulus'").replace(
+            "moduli(1)", "young_moduli(1)") + ONCE)
+        for word, other, factor in (("modulus", "young_modulus", 0.84), ("moduli_1", "young_moduli_1", 0.84),
+                                    ("relaxation_times_1", "relaxation_times_1", 1), ("contact_point", "contact_point", 1)):
+            self.assertLess(abs(found[other] - factor*plain[word]), ESTIMATE*factor*plain[word + "_error"], word)
+            self.assertLess(abs(found[other + "_error"] - factor*plain[word + "_error"]), ESTIMATE*factor*plain[word + "_error"], word)
+        self.assertLess(abs(found["chi2"] - plain["chi2"]), CHI2)
+
+    def test_map_order(self):
+        """A map has the same bits whatever the threads and the order of its curves, each with its own history."""
+        rng = np.random.default_rng(64)
+        curves = []
+        for k in range(8):
+            self.make("curve.csv", 3e-6*(1 + k), f"&solid modulus = {400 + 50*k}, moduli = 1e3, relaxation_times = 0.1 /\n", (1 + 0.2*k)*1e-7)
+            curves.append(np.genfromtxt(self.folder / "curve.csv", delimiter=",", skip_header=1).T[:3])
+        order = rng.permutation(8)
+        answers = []
+        for which, threads in ((np.arange(8), 1), (np.arange(8), 2), (order, 2)):
+            with h5py.File(self.folder / "map.h5", "w") as file:
+                for column, name in enumerate(("time", "base", "load")):
+                    file[name] = np.reshape([curves[k][column] for k in which], (2, 4, -1))
+            self.write(BALL + ARM + "&data file = 'map.h5:/load', abscissa = 'time', abscissa_column = 'time', ordinate = 'load', "
+                       "sigma = 1e-11, variables = 'approaches', variable_columns = 'base' /\n" + FREE + ONCE)
+            self.run_program("fit", "--quiet", "--force", "run.nml", threads=threads)
+            with h5py.File(self.folder / "run.h5") as file:
+                found = np.array([file[name][()].ravel() for name in ("modulus", "modulus_error", "moduli_1", "contact_point", "chi2")])
+            back = np.empty_like(found)
+            back[:, which] = found
+            answers.append(back)
+        np.testing.assert_array_equal(answers[0], answers[1])
+        np.testing.assert_array_equal(answers[0], answers[2])
+
     def test_refused(self):
         """Members that are not there, histories that do not go together."""
         (self.folder / "curve.csv").write_text("time,base,load\n0,0,0\n1,1e-6,1e-9\n2,0,0\n")
