@@ -10,6 +10,7 @@ module adfric_round_timed_contact
    use adfric_numerics_time_panels, only: n_nodes
    use adfric_round_timed_energy, only: add_face, add_panel, end_contact, start_energy, timed_energy_t
    use adfric_round_timed_event, only: by_contact, by_piece, by_time, by_turn, find_event
+   use adfric_round_timed_loss, only: ends_soon, solve_end
    use adfric_round_timed_panel, only: approach_rate, cannot_solve, solve_panel, timed_panel_t
    use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
@@ -138,7 +139,12 @@ contains
       span = phase_span_of(self)
       ended_by = by_time
       n_cuts = 0
-      do try = 1, most_tries
+      is_solved = ends_soon(self%timed_springs_t)
+      if (is_solved) then
+         span = 1 - self%phase
+         call solve_end(self%timed_springs_t, panel)
+      end if
+      do try = 1, merge(0, most_tries, is_solved)
          call solve_panel(self%timed_springs_t, span, panel)
          is_solved = panel%error < cannot_solve
          if (.not. is_solved) then
@@ -257,7 +263,8 @@ contains
       real(dp) :: factor
 
       if (.not. panel%span > 0) return
-      factor = min(4.0_dp, 0.8_dp*max(panel%error, 1.0e-20_dp)**(-1.0_dp/n_nodes))
+      ! what round-off makes is no smaller in a shorter panel
+      factor = min(4.0_dp, 0.8_dp*max(panel%error - panel%round_off, 1.0e-20_dp)**(-1.0_dp/n_nodes))
       if (event == by_time) self%next_span = panel%span*factor
    end subroutine choose_next_span
 
@@ -297,6 +304,7 @@ contains
       type(timed_contact_t), intent(inout) :: self
       real(dp) :: moment
 
+      self%next_span = 0
       ! an elastic solid has no dimple
       if (size(self%times) == 0) self%free%count = 0
       call set_growing(self)
@@ -315,6 +323,7 @@ contains
    pure subroutine accept(self, panel)
       type(timed_contact_t), intent(inout) :: self
       type(timed_panel_t), intent(in) :: panel
+      real(dp), parameter :: digits = 1.0e-9_dp
       real(dp) :: times(4)
       logical :: is_thin, is_lost
       real(dp) :: small
@@ -339,9 +348,10 @@ contains
       self%sums = panel%sums(n_nodes, :)
       self%at_edge = panel%at_edge(n_nodes, :)
       if (self%edge_mode /= shrinking) return
-      ! under a load that ends at 0 the edge has no digits left there
       is_lost = self%depth <= small*self%depth_size
-      if (.not. self%control%by_approach > 0) is_lost = is_lost .or. self%load <= self%tolerance*self%load_size
+      ! under a load that ends at 0 the edge has no digits left there
+      if (.not. self%control%by_approach > 0) is_lost = is_lost .or. &
+         & self%load <= min(self%tolerance, digits)*self%legs(self%leg)%begin
       if (is_lost) call lose_contact(self)
    end subroutine accept
 
@@ -390,6 +400,8 @@ contains
       self%lost_depth = self%depth
       self%lost_radius = self%radius
       if (self%has_energy) call end_contact(self%energy, self%timed_springs_t)
+      ! free springs go more slowly than the edge did
+      self%next_span = 0
       self%depth = 0
       self%radius = 0
       self%load = 0
