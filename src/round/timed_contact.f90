@@ -126,8 +126,9 @@ contains
       type(timed_panel_t), intent(inout) :: panel
       !> Was it found?
       logical, intent(out) :: is_solved
-      integer, parameter :: most_tries = 150, most_instant = 2, most_cuts = 8, most_of_leg = 3000
-      real(dp), parameter :: at_once = 64*epsilon(1.0_dp), least_span = 1.0e-12_dp, stands_still = 30
+      integer, parameter :: most_tries = 150, most_instant = 2, most_cuts = 8, most_of_leg = 10000
+      real(dp), parameter :: at_once = 64*epsilon(1.0_dp), least_span = 1.0e-12_dp, stands_still = 30, &
+         & round_off = 8*epsilon(1.0_dp)
       real(dp) :: span, end
       integer :: try, event, ended_by, n_cuts
       logical :: is_cut
@@ -152,7 +153,7 @@ contains
             cycle
          end if
          call find_event(self%timed_springs_t, panel, event, end)
-         if (end <= -1 + at_once) then
+         if (end <= -1 + at_once .or. (end + 1)/2*span <= round_off*self%phase) then
             ! nothing comes before the event; an edge that turns again and again without moving stands still
             if (event /= by_piece) self%n_instant = self%n_instant + 1
             if (self%n_instant <= most_instant .or. event == by_piece) then
