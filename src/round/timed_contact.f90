@@ -126,7 +126,7 @@ contains
       type(timed_panel_t), intent(inout) :: panel
       !> Was it found?
       logical, intent(out) :: is_solved
-      integer, parameter :: most_tries = 150, most_instant = 2, most_cuts = 8, most_of_leg = 10000
+      integer, parameter :: most_tries = 150, most_instant = 2, most_cuts = 8, most_of_leg = 3000, most_of_arms = 30000
       real(dp), parameter :: at_once = 64*epsilon(1.0_dp), least_span = 1.0e-12_dp, stands_still = 30, &
          & round_off = 8*epsilon(1.0_dp)
       real(dp) :: span, end
@@ -199,7 +199,8 @@ contains
       if (span > least_span) self%n_instant = 0
       self%n_panels = self%n_panels + 1
       self%n_of_leg = self%n_of_leg + 1
-      is_solved = self%n_of_leg <= most_of_leg
+      ! a bounded time: a panel takes as many arms
+      is_solved = self%n_of_leg <= max(most_of_leg, most_of_arms/(1 + size(self%times)))
       if (.not. is_solved) return
       self%load_size = max(self%load_size, maxval(abs(panel%load)))
       if (ended_by == by_piece .and. panel%piece_end(n_nodes) > 0.1_dp*self%tolerance*piece_size(self)) ended_by = by_time

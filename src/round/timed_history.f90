@@ -180,8 +180,8 @@ contains
          call c%add(first + in%power_law_modulus, 'has no meaning with adhesion, whose theory needs a relaxed modulus, and '// &
             & 'that of a power law is 0', adheres(c%variables, first))
          values = c%values(first + 1:first + n_timed_rows)
-         ! no path with a name jumps, and one up to a load has no end yet
-         if (is_set(values(in%trigger_load))) return
+         ! a path up to a load has no end yet
+         if (is_set(values(in%trigger_load))) values = pressing_alone(values, 1.0_dp)
          ! a zero or a drift that varies has no value yet
          where (is_swept(first + [in%contact_point, in%drift_rate])) values([in%contact_point, in%drift_rate]) = 0
          call get_legs(values, lists, 1.0_dp, 1.0_dp, 0.0_dp, control, legs, n_before)
