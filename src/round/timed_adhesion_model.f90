@@ -146,8 +146,9 @@ contains
             & 'adhesion_stress, adhesion_range or lambda (a work that depends on speed is no model of it)')
          return
       end if
-      if (c%has(in%kind)) call c%add(in%kind, 'is ''flat_punch'', whose adhesion in time has no solver here; give a '// &
-         & 'rounded_punch', c%is_choice(in%kind, kind_flat))
+      if (c%has(in%kind)) call c%add(in%kind, 'is ''flat_punch'', whose adhesion in time has no solver here: its zone stays '// &
+         & 'at the edge of the face until the gap there is the range; give a rounded_punch', &
+         & c%is_choice(in%kind, kind_flat))
       associate (path => before_history + timed_input%path)
          if (c%has(path)) call c%add(path, 'is ''sine'', whose moduli have no meaning with adhesion; give times and approaches', &
             & c%is_choice(path, path_sine))

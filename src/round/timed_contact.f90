@@ -3,7 +3,7 @@
 !>
 !> The edge moves in one direction as long as the gap beside it closes, or opens. Events end a panel: the edge turns, it meets the
 !> begin of a piece of springs, contact is lost or made, the edge passes a corner of the profile. Memory is never wiped out by a larger
-!> loop, so no loop is closed.
+!> loop, so no loop is closed. The file is long by what ends a panel and by what follows.
 module adfric_round_timed_contact
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_contact_t

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `indenter_time`: an indenter of any axisymmetric shape on a viscoelastic half-space through a history in time, without
-!> adhesion and friction. What each step leaves is a profile along the axis `step`. The file is long by its answers to `model_t`.
+!> adhesion and friction. What each step leaves is a profile along the axis `step`. The file is long by its answers to `model_t`
+!> and by the load that may end pressing.
 module adfric_round_timed_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
