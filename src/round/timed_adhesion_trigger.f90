@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Pressing with adhesion that ends where a load is reached: the approach there. The contact is pressed at the same speed up to a larger
-!> approach, on grids that become finer until what two of them say together stays.
+!> Pressing with adhesion that ends where a load is reached: the approach there. The contact is pressed at the same speed up to a
+!> larger approach, on grids that become finer until what two of them say together stays.
 module adfric_round_timed_adhesion_trigger
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set, unset

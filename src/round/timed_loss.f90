@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The last moments of a contact whose load falls to 0. There the edge recedes as a power of the time that remains, and has no digits:
-!> the force of a spring is a difference of approaches. So short a time is one panel in closed form.
+!> The last moments of a contact whose load falls to 0. There the edge recedes as a power of the time that remains, and has no
+!> digits: the force of a spring is a difference of approaches. So short a time is one panel in closed form.
 !>
 !> The time that remains is far below all relaxation times. A spring of force y is let go when the approach has fallen by
 !>
 !>     (E0 theta + sum_i E_i q_i exp(-t/t_i))/E_glassy,
 !>
-!> with the time t that has passed: then it has no force. What the arms forget of this fall meanwhile is left out: it is the fall times
-!> t/t_i. Which spring is let go when changes what it remembers by no more; here the depth of the edge falls straight in time.
+!> with the time t that has passed: then it has no force. What the arms forget of this fall meanwhile is left out: it is the fall
+!> times t/t_i. Which spring is let go when changes what it remembers by no more; here the depth of the edge falls straight in time.
 module adfric_round_timed_loss
    use adfric_base_kinds, only: dp
    use adfric_numerics_time_panels, only: n_nodes, panel_nodes

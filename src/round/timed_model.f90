@@ -358,8 +358,8 @@ contains
       end associate
    end subroutine solve_point
 
-   !> The approach at which pressing reaches the load that ends it, in place of this load. The contact is pressed at the same speed up
-   !> to a larger approach: where the load is reached is a root in a panel.
+   !> The approach at which pressing reaches the load that ends it, in place of this load. The contact is pressed at the same speed
+   !> up to a larger approach: where the load is reached is a root in a panel.
    subroutine find_trigger(self, values, is_found)
       class(indenter_time_t), intent(in) :: self
       !> In: values of the variables; shape `(n_variables)`. Out: the same without the load, if there is one.
