@@ -22,7 +22,8 @@ module adfric_round_timed_adhesion_model
    use adfric_round_timed_adhesion_rows, only: adhesion_input, more => adhesion_output, most_cells, n_adhesion_profiles, &
       & n_adhesion_results, n_adhesion_rows, p_adhesion_radius, set_adhesion_profiles, set_adhesion_results, set_adhesion_rows
    use adfric_round_timed_adhesion_setting, only: set_up, setting_t, values_of_indenter
-   use adfric_round_timed_history, only: path_sine, timed_input
+   use adfric_round_timed_adhesion_trigger, only: find_adhesive_trigger
+   use adfric_round_timed_history, only: path_sine, pressing_under, timed_input
    use adfric_round_timed_model, only: before_history, indenter_time_t, n_timed_variables, set_timed_rows
    use adfric_round_timed_rows, only: n_timed_results, out => timed_output, p_approach, p_area, p_load, p_radius, p_stiffness, &
       & p_time
@@ -94,6 +95,7 @@ contains
       type(problems_t), intent(inout) :: problems
       type(checks_t) :: c
       type(setting_t) :: setting
+      real(dp) :: own(size(values))
       integer :: before
       logical :: is_found
 
@@ -103,7 +105,11 @@ contains
       call self%indenter_time_t%check_values(values, is_swept, problems)
       if (problems%count() > before) return
       call new_checks(c, self%variables, values, problems)
-      call set_up(self, values, setting, is_found)
+      ! where a load ends pressing, cells are those of the relaxed contact under it
+      own = values
+      if (is_set(values(before_history + timed_input%trigger_load))) own(before_history + 1:n_timed_variables) = &
+         & pressing_under(values(before_history + 1:n_timed_variables))
+      call set_up(self, own, setting, is_found)
       if (.not. is_found) then
          call problems%add('surface', 'kind', 'is too small for this history: adhesion would reach beyond the body, or numbers '// &
             & 'beyond 1e308')
@@ -140,8 +146,9 @@ contains
             & 'adhesion_stress, adhesion_range or lambda (a work that depends on speed is no model of it)')
          return
       end if
-      if (c%has(in%kind)) call c%add(in%kind, 'is ''flat_punch'', whose adhesion in time has no solver here; give a '// &
-         & 'rounded_punch', c%is_choice(in%kind, kind_flat))
+      if (c%has(in%kind)) call c%add(in%kind, 'is ''flat_punch'', whose adhesion in time has no solver here: its zone stays '// &
+         & 'at the edge of the face until the gap there is the range; give a rounded_punch', &
+         & c%is_choice(in%kind, kind_flat))
       associate (path => before_history + timed_input%path)
          if (c%has(path)) call c%add(path, 'is ''sine'', whose moduli have no meaning with adhesion; give times and approaches', &
             & c%is_choice(path, path_sine))
@@ -170,11 +177,16 @@ contains
       type(setting_t) :: setting
       type(zone_outcome_t) :: best
       type(steps_t), allocatable :: found
+      real(dp) :: own(size(values))
       logical :: is_found
 
       error_estimate = 0
+      own = values
+      status = status_not_converged
+      call find_adhesive_trigger(self, own, is_found)
+      if (.not. is_found) return
       status = status_no_equilibrium
-      call set_up(self, values, setting, is_found)
+      call set_up(self, own, setting, is_found)
       if (.not. is_found) return
       if (setting%per_zone < fewest_per_zone .or. setting%largest%adhesion_radius/setting%cell > 2*most_cells) return
       call refine(self, setting, values(before_history + timed_input%relative_tolerance), best, error_estimate, status)

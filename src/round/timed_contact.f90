@@ -3,13 +3,14 @@
 !>
 !> The edge moves in one direction as long as the gap beside it closes, or opens. Events end a panel: the edge turns, it meets the
 !> begin of a piece of springs, contact is lost or made, the edge passes a corner of the profile. Memory is never wiped out by a larger
-!> loop, so no loop is closed.
+!> loop, so no loop is closed. The file is long by what ends a panel and by what follows.
 module adfric_round_timed_contact
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_contact_t
    use adfric_numerics_time_panels, only: n_nodes
    use adfric_round_timed_energy, only: add_face, add_panel, end_contact, start_energy, timed_energy_t
    use adfric_round_timed_event, only: by_contact, by_piece, by_time, by_turn, find_event
+   use adfric_round_timed_loss, only: ends_soon, solve_end
    use adfric_round_timed_panel, only: approach_rate, cannot_solve, solve_panel, timed_panel_t
    use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
@@ -125,8 +126,9 @@ contains
       type(timed_panel_t), intent(inout) :: panel
       !> Was it found?
       logical, intent(out) :: is_solved
-      integer, parameter :: most_tries = 150, most_instant = 2, most_cuts = 8, most_of_leg = 3000
-      real(dp), parameter :: at_once = 64*epsilon(1.0_dp), least_span = 1.0e-12_dp, stands_still = 30
+      integer, parameter :: most_tries = 150, most_instant = 2, most_cuts = 8, most_of_leg = 3000, most_of_arms = 30000
+      real(dp), parameter :: at_once = 64*epsilon(1.0_dp), least_span = 1.0e-12_dp, stands_still = 30, &
+         & round_off = 8*epsilon(1.0_dp)
       real(dp) :: span, end
       integer :: try, event, ended_by, n_cuts
       logical :: is_cut
@@ -138,7 +140,12 @@ contains
       span = phase_span_of(self)
       ended_by = by_time
       n_cuts = 0
-      do try = 1, most_tries
+      is_solved = ends_soon(self%timed_springs_t)
+      if (is_solved) then
+         span = 1 - self%phase
+         call solve_end(self%timed_springs_t, panel)
+      end if
+      do try = 1, merge(0, most_tries, is_solved)
          call solve_panel(self%timed_springs_t, span, panel)
          is_solved = panel%error < cannot_solve
          if (.not. is_solved) then
@@ -146,7 +153,7 @@ contains
             cycle
          end if
          call find_event(self%timed_springs_t, panel, event, end)
-         if (end <= -1 + at_once) then
+         if (end <= -1 + at_once .or. (end + 1)/2*span <= round_off*self%phase) then
             ! nothing comes before the event; an edge that turns again and again without moving stands still
             if (event /= by_piece) self%n_instant = self%n_instant + 1
             if (self%n_instant <= most_instant .or. event == by_piece) then
@@ -192,7 +199,8 @@ contains
       if (span > least_span) self%n_instant = 0
       self%n_panels = self%n_panels + 1
       self%n_of_leg = self%n_of_leg + 1
-      is_solved = self%n_of_leg <= most_of_leg
+      ! a bounded time: a panel takes as many arms
+      is_solved = self%n_of_leg <= max(most_of_leg, most_of_arms/(1 + size(self%times)))
       if (.not. is_solved) return
       self%load_size = max(self%load_size, maxval(abs(panel%load)))
       if (ended_by == by_piece .and. panel%piece_end(n_nodes) > 0.1_dp*self%tolerance*piece_size(self)) ended_by = by_time
@@ -257,7 +265,8 @@ contains
       real(dp) :: factor
 
       if (.not. panel%span > 0) return
-      factor = min(4.0_dp, 0.8_dp*max(panel%error, 1.0e-20_dp)**(-1.0_dp/n_nodes))
+      ! what round-off makes is no smaller in a shorter panel
+      factor = min(4.0_dp, 0.8_dp*max(panel%error - panel%round_off, 1.0e-20_dp)**(-1.0_dp/n_nodes))
       if (event == by_time) self%next_span = panel%span*factor
    end subroutine choose_next_span
 
@@ -297,6 +306,7 @@ contains
       type(timed_contact_t), intent(inout) :: self
       real(dp) :: moment
 
+      self%next_span = 0
       ! an elastic solid has no dimple
       if (size(self%times) == 0) self%free%count = 0
       call set_growing(self)
@@ -315,6 +325,7 @@ contains
    pure subroutine accept(self, panel)
       type(timed_contact_t), intent(inout) :: self
       type(timed_panel_t), intent(in) :: panel
+      real(dp), parameter :: digits = 1.0e-9_dp
       real(dp) :: times(4)
       logical :: is_thin, is_lost
       real(dp) :: small
@@ -339,9 +350,10 @@ contains
       self%sums = panel%sums(n_nodes, :)
       self%at_edge = panel%at_edge(n_nodes, :)
       if (self%edge_mode /= shrinking) return
-      ! under a load that ends at 0 the edge has no digits left there
       is_lost = self%depth <= small*self%depth_size
-      if (.not. self%control%by_approach > 0) is_lost = is_lost .or. self%load <= self%tolerance*self%load_size
+      ! under a load that ends at 0 the edge has no digits left there
+      if (.not. self%control%by_approach > 0) is_lost = is_lost .or. &
+         & self%load <= min(self%tolerance, digits)*self%legs(self%leg)%begin
       if (is_lost) call lose_contact(self)
    end subroutine accept
 
@@ -390,6 +402,8 @@ contains
       self%lost_depth = self%depth
       self%lost_radius = self%radius
       if (self%has_energy) call end_contact(self%energy, self%timed_springs_t)
+      ! free springs go more slowly than the edge did
+      self%next_span = 0
       self%depth = 0
       self%radius = 0
       self%load = 0

@@ -7,7 +7,7 @@ module adfric_round_timed_history
    use adfric_base_counting, only: counting
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count, show_number
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
    use adfric_describe_check, only: checks_t, refuse_swept
    use adfric_describe_rows, only: any_number, choice, list_row, positive, whole_number
@@ -17,7 +17,7 @@ module adfric_round_timed_history
    implicit none (type, external)
    private
    public :: timed_lists_t, set_history_rows, check_history, doubt_noise, get_legs, steps_of_leg, largest_prescribed, n_given_legs
-   public :: adheres, has_power_law
+   public :: adheres, has_power_law, pressing_alone, pressing_under, top_row
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: timed_input_t
@@ -26,7 +26,7 @@ module adfric_round_timed_history
          & largest_base_approach = 0, approach_rate = 0, retraction_rate = 0, largest_load = 0, loading_rate = 0, &
          & unloading_rate = 0, dwell_time = 0, cycles = 0, oscillation_amplitude = 0, frequency = 0, machine_stiffness = 0, &
          & relative_tolerance = 0, steps_per_leg = 0, time = 0, contact_point = 0, drift_rate = 0, smoothing = 0, &
-         & power_law_modulus = 0, power_law_exponent = 0
+         & power_law_modulus = 0, power_law_exponent = 0, trigger_load = 0
    end type timed_input_t
    type(timed_input_t), parameter, public :: timed_input = transfer(counting, timed_input_t())
    integer, parameter, public :: n_timed_rows = storage_size(timed_input)/storage_size(1)
@@ -105,6 +105,8 @@ contains
             & meaning='contact modulus E(t) of a power law a second after a step; in place of modulus and arms')
          v(in%power_law_exponent) = any_number(group='material', name='power_law_exponent', unit='-', &
             & meaning='exponent alpha of a power law, E(t) = power_law_modulus (t/1 s)^(-alpha)', lower=0.01_dp, upper=0.6_dp)
+         v(in%trigger_load) = positive(group=group, name='trigger_load', unit='N', meaning='load at which pressing at a given '// &
+            & 'speed ends; that of the base of a spring, if there is one')
       end associate
    end subroutine set_history_rows
 
@@ -129,7 +131,8 @@ contains
             call check_path(c, first)
          else
             call c%refuse(first + [in%largest_approach, in%largest_base_approach, in%approach_rate, in%retraction_rate, &
-               & in%largest_load, in%loading_rate, in%unloading_rate, in%dwell_time, in%oscillation_amplitude, in%frequency], &
+               & in%largest_load, in%loading_rate, in%unloading_rate, in%dwell_time, in%oscillation_amplitude, in%frequency, &
+               & in%trigger_load], &
                & 'has no meaning without path')
             call c%add(first + in%times, 'is missing [s]; give it, or a path', .not. c%has(first + in%times))
             if (c%has_any(first + [in%approaches, in%loads, in%base_approaches])) then
@@ -177,6 +180,8 @@ contains
          call c%add(first + in%power_law_modulus, 'has no meaning with adhesion, whose theory needs a relaxed modulus, and '// &
             & 'that of a power law is 0', adheres(c%variables, first))
          values = c%values(first + 1:first + n_timed_rows)
+         ! a path up to a load has no end yet
+         if (is_set(values(in%trigger_load))) values = pressing_alone(values, 1.0_dp)
          ! a zero or a drift that varies has no value yet
          where (is_swept(first + [in%contact_point, in%drift_rate])) values([in%contact_point, in%drift_rate]) = 0
          call get_legs(values, lists, 1.0_dp, 1.0_dp, 0.0_dp, control, legs, n_before)
@@ -201,7 +206,8 @@ contains
       type(checks_t), intent(in) :: c
       integer, intent(in) :: first
 
-      has_base = c%has(first + timed_input%base_approaches) .or. c%has(first + timed_input%largest_base_approach)
+      has_base = c%has(first + timed_input%base_approaches) .or. c%has(first + timed_input%largest_base_approach) .or. &
+         & c%has(first + timed_input%trigger_load) .and. c%has(first + timed_input%machine_stiffness)
    end function has_base
 
    !> A path with a name.
@@ -215,7 +221,12 @@ contains
          word = get_word(c%variables(first + in%path)%choices, nint(c%values(first + in%path)))
          call c%refuse(first + [in%times, in%approaches, in%loads, in%base_approaches], 'stands beside path; give lists or a path')
          call c%refuse([first + in%smoothing], 'has no meaning with path, which has no noise')
-         call c%need_one(first + [in%largest_approach, in%largest_base_approach, in%largest_load], .true.)
+         call c%need_one(first + [in%largest_approach, in%largest_base_approach, in%largest_load, in%trigger_load], .true.)
+         call c%add(first + in%cycles, 'stands beside trigger_load, and each cycle would turn elsewhere; give a list', &
+            & c%has(first + in%trigger_load) .and. nint(c%values(first + in%path)) == path_triangle .and. &
+            & c%values(first + in%cycles) > 1)
+         call c%add(first + in%time, 'cannot be fitted over with trigger_load; give largest_approach', &
+            & c%has(first + in%trigger_load) .and. c%has(first + in%time))
          by_load = c%has(first + in%largest_load)
          oscillates = nint(c%values(first + in%path)) == path_sine
          call c%add(first + in%drift_rate, 'stands beside path = ''sine'', whose moduli are those without drift', &
@@ -379,6 +390,46 @@ contains
          if (nint(values(timed_input%path)) == path_sine) n = n + nint(values(timed_input%cycles))
       end if
    end function n_given_legs
+
+   !> The row of the approach at the end of pressing.
+   pure integer function top_row(values) result(row)
+      !> Values of the rows; shape `(n_timed_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      row = merge(timed_input%largest_base_approach, timed_input%largest_approach, &
+         & is_set(values(timed_input%machine_stiffness)))
+   end function top_row
+
+   !> The same values with nothing but pressing, up to an approach.
+   pure function pressing_alone(values, top) result(own)
+      !> Values of the rows; shape `(n_timed_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> The approach [m].
+      real(dp), intent(in) :: top
+      real(dp) :: own(size(values))
+
+      associate (in => timed_input)
+         own = values
+         own([in%trigger_load, in%dwell_time, in%retraction_rate, in%oscillation_amplitude, in%frequency]) = unset
+         own(in%path) = path_ramp
+         own(in%cycles) = 1
+         own(top_row(values)) = top
+      end associate
+   end function pressing_alone
+
+   !> The same values with a path of the load that ends pressing.
+   pure function pressing_under(values) result(own)
+      !> Values of the rows; shape `(n_timed_rows)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: own(size(values))
+
+      associate (in => timed_input)
+         own = pressing_alone(values, unset)
+         own([in%largest_approach, in%largest_base_approach, in%machine_stiffness, in%approach_rate]) = unset
+         own([in%largest_load, in%loading_rate]) = values(in%trigger_load)
+         own([in%contact_point, in%drift_rate]) = 0
+      end associate
+   end function pressing_under
 
    !> Steps that are written of each leg.
    pure integer function steps_of_leg(values) result(n)

@@ -1,19 +1,21 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `indenter_time`: an indenter of any axisymmetric shape on a viscoelastic half-space through a history in time, without
-!> adhesion and friction. What each step leaves is a profile along the axis `step`. The file is long by its answers to `model_t`.
+!> adhesion and friction. What each step leaves is a profile along the axis `step`. The file is long by its answers to `model_t`
+!> and by the load that may end pressing.
 module adfric_round_timed_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_describe_check, only: checks_t, new_checks, refuse_given
    use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
    use adfric_describe_stepwise, only: steps_t, stepwise_model_t
    use adfric_describe_table, only: variable_t
-   use adfric_numerics_time_panels, only: get_weights, n_nodes
+   use adfric_interface_normal_contact, only: normal_state_t
+   use adfric_numerics_time_panels, only: find_fall, get_weights, n_nodes
    use adfric_round_check, only: check_shape_alone
    use adfric_round_edge_slope, only: measure_edge
    use adfric_round_indenter_states, only: find_indenter_states, indenter_states_t, plain_indenter
@@ -23,7 +25,7 @@ module adfric_round_timed_model
    use adfric_round_timed_cycle_slopes, only: cycle_change_t, get_loads, new_cycle_change
    use adfric_round_timed_energy, only: stored_free, stored_in_contact
    use adfric_round_timed_history, only: adheres, check_history, doubt_noise, get_legs, has_power_law, largest_prescribed, &
-      & n_given_legs, n_timed_rows, set_history_rows, steps_of_leg, timed_input, timed_lists_t
+      & n_given_legs, n_timed_rows, pressing_alone, set_history_rows, steps_of_leg, timed_input, timed_lists_t, top_row
    use adfric_round_timed_oscillation, only: add_oscillation, get_moduli, oscillation_t
    use adfric_round_timed_panel, only: timed_panel_t
    use adfric_round_timed_path, only: timed_control_t, timed_leg_t
@@ -187,7 +189,8 @@ contains
       own = values
       ! a zero or a drift that varies has no value yet
       where (is_swept(before_history + shifts)) own(before_history + shifts) = 0
-      call new_contact(self, own, contact, states, n_before, is_possible)
+      call find_trigger(self, own, is_possible)
+      if (is_possible) call new_contact(self, own, contact, states, n_before, is_possible)
       if (.not. is_possible) call problems%add('surface', 'kind', &
          & 'leads to numbers above 1e308 or below 1e-308 with this history')
    end subroutine check_values
@@ -341,15 +344,114 @@ contains
       integer, intent(out) :: status
       !> This model counts nothing; size 0.
       real(dp), intent(inout) :: counts(:)
+      real(dp) :: own(size(values))
+      logical :: is_found
 
       if (is_set(values(before_history + timed_input%time))) then
          call read_course(self, values, state, results, error_estimate, status)
       else
-         call solve_steps(self, values, state, results, error_estimate, status)
+         own = values
+         error_estimate = 0
+         status = status_not_converged
+         call find_trigger(self, own, is_found)
+         if (is_found) call solve_steps(self, own, state, results, error_estimate, status)
       end if
       associate (unused => counts)
       end associate
    end subroutine solve_point
+
+   !> The approach at which pressing reaches the load that ends it, in place of this load. The contact is pressed at the same speed
+   !> up to a larger approach: where the load is reached is a root in a panel.
+   subroutine find_trigger(self, values, is_found)
+      class(indenter_time_t), intent(in) :: self
+      !> In: values of the variables; shape `(n_variables)`. Out: the same without the load, if there is one.
+      real(dp), intent(inout) :: values(:)
+      !> Was it found, or is there none?
+      logical, intent(out) :: is_found
+      integer, parameter :: most_tries = 80
+      ! how far beyond the root pressing may go, since errors count over the largest approach
+      real(dp), parameter :: far = 1.5_dp, next = 1.2_dp
+      type(timed_contact_t) :: contact
+      type(indenter_states_t) :: states
+      type(timed_panel_t) :: panel
+      real(dp) :: top, end, trigger
+      integer :: try, n_before
+      logical :: is_reached
+
+      associate (history => values(before_history + 1:before_history + n_timed_rows))
+         trigger = history(timed_input%trigger_load)
+         is_found = .not. is_set(trigger)
+         if (is_found) return
+         call guess_top(self, values, top, is_found)
+         if (.not. is_found) return
+         do try = 1, most_tries
+            is_found = .false.
+            call new_contact(self, [values(:before_history), pressing_alone(history, top)], contact, states, n_before, is_found)
+            if (.not. is_found) return
+            is_reached = .false.
+            do while (.not. (contact%is_done .or. is_reached))
+               is_found = .not. self%is_stopped()
+               if (is_found) call advance(contact, panel, is_found)
+               if (.not. is_found) return
+               is_reached = contact%load*states%case%force_unit() >= trigger
+            end do
+            if (.not. is_reached) then
+               top = 2*top
+               cycle
+            end if
+            end = top - history(timed_input%approach_rate)*(contact%legs(size(contact%legs))%span - (panel%clock + panel%span* &
+               & (find_rise(panel%load - trigger/states%case%force_unit()) + 1)/2 - contact%legs(size(contact%legs))%clock))
+            is_found = .not. end*far < top
+            top = end
+            if (is_found) exit
+            top = next*top
+         end do
+         history(top_row(history)) = top
+         history(timed_input%trigger_load) = unset
+      end associate
+   end subroutine find_trigger
+
+   !> Where a polynomial that ends at or above 0 comes there for the first time.
+   pure real(dp) function find_rise(values) result(root)
+      !> Values at the nodes of a panel.
+      real(dp), intent(in) :: values(n_nodes)
+
+      root = find_fall(-values, 0.0_dp)
+      if (root > 1) root = 1
+   end function find_rise
+
+   !> An approach from which the search for the end of pressing begins: that of an elastic solid.
+   subroutine guess_top(self, values, top, is_found)
+      class(indenter_time_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the approach [m], before its zero is taken off.
+      real(dp), intent(out) :: top
+      logical, intent(out) :: is_found
+      real(dp) :: indenter(n_indenter_variables)
+      type(indenter_states_t) :: states
+      type(normal_state_t) :: state
+      type(prony_t) :: solid
+
+      top = 0
+      associate (history => values(before_history + 1:before_history + n_timed_rows))
+         indenter = plain_indenter(values(:n_shape))
+         indenter(in%load) = history(timed_input%trigger_load)
+         if (has_power_law(history)) then
+            indenter(in%contact_modulus) = history(timed_input%power_law_modulus)
+         else
+            call get_spectrum(values(before_solid + 1:before_history), self%given, solid)
+            indenter(in%contact_modulus) = solid%relaxed
+         end if
+         call find_indenter_states(indenter, states, is_found)
+         if (.not. is_found) return
+         call states%under_load(indenter(in%load)/states%case%force_unit(), state, is_found)
+         if (.not. is_found) return
+         top = state%approach*states%case%height_unit + max(0.0_dp, history(timed_input%contact_point))
+         if (is_set(history(timed_input%machine_stiffness))) top = top + &
+            & history(timed_input%trigger_load)/history(timed_input%machine_stiffness)
+      end associate
+   end subroutine guess_top
 
    !> The steps of a history.
    subroutine solve_steps(self, values, state, results, error_estimate, status)

@@ -13,7 +13,7 @@ module adfric_round_timed_panel
    use adfric_round_timed_springs, only: get_spot, growing, growing_again, lost, shrinking, timed_springs_t
    implicit none (type, external)
    private
-   public :: timed_panel_t, solve_panel, approach_rate, cannot_solve
+   public :: timed_panel_t, begin_panel, solve_panel, approach_rate, cannot_solve
 
    !> An error that asks for a much shorter panel.
    real(dp), parameter :: cannot_solve = 1.0e30_dp
@@ -75,8 +75,11 @@ contains
 
    !> Times and memory of a panel.
    pure subroutine begin_panel(self, phase_span, panel)
+      !> The springs at its begin.
       type(timed_springs_t), intent(in) :: self
+      !> Length of the panel in phase.
       real(dp), intent(in) :: phase_span
+      !> Receives them.
       type(timed_panel_t), intent(inout) :: panel
       integer :: i, n
 

@@ -47,6 +47,7 @@ module adfric_round_timed_pile
    contains
       procedure :: push
       procedure :: read_piece
+      procedure :: read_at
       procedure :: value_at
       procedure :: value_per_lag
       procedure :: position_at
@@ -120,12 +121,25 @@ contains
       real(dp), intent(in) :: s
       !> Receive G and c_i of the spring; shape `(n_arms)`.
       real(dp), intent(out) :: depth, memory(:)
+
+      call self%read_at(self%count, s, depth, memory)
+   end subroutine read_piece
+
+   !> Depth and memory in a piece.
+   pure subroutine read_at(self, piece, s, depth, memory)
+      class(timed_pile_t), intent(in) :: self
+      !> Index of the piece.
+      integer, intent(in) :: piece
+      !> Position in the piece, from -1 to 1.
+      real(dp), intent(in) :: s
+      !> Receive G and c_i of the spring; shape `(n_arms)`.
+      real(dp), intent(out) :: depth, memory(:)
       real(dp) :: weights(n_nodes)
 
       call get_weights(s, weights)
-      depth = dot_product(weights, self%depths(:, self%count))
-      memory = matmul(weights, self%memories(:, :, self%count))
-   end subroutine read_piece
+      depth = dot_product(weights, self%depths(:, piece))
+      memory = matmul(weights, self%memories(:, :, piece))
+   end subroutine read_at
 
    !> F of a spring of the last piece.
    pure real(dp) function value_at(self, s, instant) result(value)

@@ -186,6 +186,19 @@ class AdhesionInTime(Runs):
             self.assertEqual((4, 4), (fine["jumps"], plain["jumps"]))
             self.assertLess(abs(fine["pull_off_load"]/plain["pull_off_load"] - 1), TOLERANCE)
 
+    def test_trigger(self):
+        """Pressing ends where a load is reached, at an approach that gives the same path; also behind a spring."""
+        rates = "approach_rate = 0.5, retraction_rate = 0.5, dwell_time = 0.3"
+        for end, name in (("", "largest_approach"), ("&operating machine_stiffness = 3 /\n", "largest_base_approach"))[::EVERY]:
+            for tolerance in (TOLERANCE, 1e-4):
+                found = self.solve(scene_of("A", 1.0, f"&history path = 'triangle', trigger_load = 2, {rates} /\n{end}", tolerance=tolerance))
+                # the load counts over the largest one, and the approach of the turn over all of pressing
+                self.assertLess(abs(found["load"][50]/2 - 1), 2*tolerance)
+            # it begins where the range does
+            top = 0.5*float(found["time"][50]) - 2/math.pi
+            given = self.solve(scene_of("A", 1.0, f"&history path = 'triangle', {name} = {top!r}, {rates} /\n{end}", tolerance=tolerance))
+            self.assertLess(abs(given["pull_off_load"]/found["pull_off_load"] - 1), 2*tolerance)
+
     def test_long_list(self):
         """A smooth list of many values is that of few: weak kinks do not shorten steps."""
         loads = []

@@ -76,6 +76,30 @@ class TimeScenes(Runs):
             np.testing.assert_allclose(found["load"], [float(word) for word in loads.split(",")], atol=2*TOLERANCE*1e-9)
             self.assertLess(abs(found["energy_imbalance"]), 1e-6)
 
+    def test_trigger(self):
+        """Pressing ends where a load is reached: at an approach that gives the same path, also behind a spring, of a power law, with a
+        zero and a drift, and where the relaxed contact under this load is far deeper."""
+        rates = "approach_rate = 2e-6, retraction_rate = 1e-6, dwell_time = 0.2"
+        law, spring = POWER.format(0.3), "&operating machine_stiffness = 0.02 /\n"
+        shifts = ", contact_point = 2e-7, drift_rate = 3e-7"
+        for solid, more, end in ((SOLID, "", ""), (SOLID, "", spring), (law, "", ""), (law, shifts, spring), (SOLID, shifts, ""),
+                                 ("&solid modulus = 1, moduli = 4e3, relaxation_times = 2 /\n", "", "")):
+            found = self.solve(BALL + solid + f"&history path = 'triangle', trigger_load = 3e-9, {rates}{more} /\n" + end)
+            self.assertLess(abs(found["load"][50] - 3e-9), 10*TOLERANCE*3e-9)
+            self.assertEqual(50, np.argmax(found["load"]))
+            time = float(found["time"][50])
+            # what is prescribed at the turn, without zero and drift
+            name = "largest_base_approach" if end else "largest_approach"
+            path = f"&history path = 'triangle', {name} = {2e-6*time!r}, {rates}{more} /\n"
+            np.testing.assert_allclose(self.solve(BALL + solid + path + end)["load"], found["load"], atol=1e-7*3e-9, rtol=0)
+        swept = self.solve(BALL + SOLID + f"&history path = 'triangle', {rates} /\n&sweep variable = 'trigger_load', values = 1e-9, 2e-9 /\n")
+        np.testing.assert_allclose(swept["load"][:, 50], [1e-9, 2e-9], rtol=10*TOLERANCE)
+        path = f"&history path = 'triangle', trigger_load = 3e-9, {rates}"
+        self.refuse(BALL + SOLID + path + ", cycles = 2 /\n", "cycles: stands beside trigger_load")
+        self.refuse(BALL + SOLID + path + ", largest_approach = 1e-6 /\n", "trigger_load")
+        self.refuse(BALL + SOLID + "&history times = 0, 1, approaches = 0, 1e-7, trigger_load = 1e-9 /\n", "trigger_load: has no meaning without path")
+        self.refuse(BALL + law + path + ", contact_point = -1e-7 /\n", "jumps")
+
     def test_stiff_at_once(self):
         """A solid that is a hundred million times as stiff at once is answered, or said not to be, in a bounded time."""
         found = self.solve("&surface kind = 'paraboloid', radius = 1 /\n&solid modulus = 1, moduli = 1e8, relaxation_times = 0.5 /\n"
