@@ -230,7 +230,7 @@ contains
       type(contact_state_t), intent(in), optional :: turned(:)
       type(contact_state_t) :: blank
       real(dp), allocatable :: bound(:, :), widest(:, :)
-      logical :: has_contact, has_guess, is_sure
+      logical :: has_contact, has_guess
       integer :: k, n_before
 
       has_contact = .false.
@@ -253,15 +253,14 @@ contains
                state%mean_pressure = blank%mean_pressure
                call state%cohesion%set_share(state%gap)
             end if
-            is_sure = .not. (has_guess .and. k == size(states))
-            if (.not. is_sure) then
+            if (has_guess .and. k == size(states) .and. .not. grid%operator%is_symmetric) then
                call widen_share(state%cohesion%share, grid%operator%is_quarter, is_adhered, bound)
                bound(:, :) = merge(min(bound, widest), max(bound, widest), is_adhered)
             end if
             associate (grid_tolerance => merge(tolerance, coarse_tolerance, k == size(states)))
                if (grid%operator%is_symmetric) then
                   call solve_adhesive_contact(state, grid%operator, grid%gap_solver, grid_tolerance, is_adhered, bound, &
-                     & is_sure, has_guess, has_contact)
+                     & has_guess, has_contact)
                else
                   call solve_by_rounds(state, grid%operator, grid%gap_solver, grid_tolerance, bound, has_contact)
                   ! steps of time have no turn to come from, and know no penetration of a layer

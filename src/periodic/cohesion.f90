@@ -21,7 +21,7 @@ module adfric_periodic_cohesion
    use adfric_periodic_maps, only: sum_of
    implicit none (type, external)
    private
-   public :: cohesion_t, new_cohesion
+   public :: cohesion_t, new_cohesion, shares_in_square
 
    !> A square between the middles of four cells.
    type :: square_t
@@ -53,6 +53,7 @@ module adfric_periodic_cohesion
       type(square_t), allocatable :: squares(:)
    contains
       procedure :: set_share
+      procedure :: move_cell
       procedure :: follow
       procedure :: set_band
       procedure :: get_band_share
@@ -197,27 +198,84 @@ contains
       type(square_t), intent(in) :: square
       !> Receives the shares; shape of the cells.
       real(dp), intent(inout), contiguous :: share(:, :)
-      real(dp) :: corner(4), shares(4), found(3)
-      integer :: k
+      real(dp) :: corner(4)
 
       corner = corners_of(gap, square)
       if (min(corner(1), corner(2), corner(3), corner(4)) > range) return
-      shares = 0.25_dp
-      if (max(corner(1), corner(2), corner(3), corner(4)) > range) then
-         shares = 0
-         do k = 1, 4
-            found = shares_of(corner(triangles(:, k)), range)
-            shares(triangles(:, k)) = shares(triangles(:, k)) + weight_of_triangle*found
-         end do
-      end if
-      shares = square%weight*shares
-      associate (x => square%x, y => square%y)
-         share(x(1), y(1)) = share(x(1), y(1)) + shares(1)
-         share(x(2), y(1)) = share(x(2), y(1)) + shares(2)
-         share(x(2), y(2)) = share(x(2), y(2)) + shares(3)
-         share(x(1), y(2)) = share(x(1), y(2)) + shares(4)
-      end associate
+      call add_to_cells(square, shares_in_square(range, corner), share)
    end subroutine add_shares
+
+   !> Add to the four cells of a square.
+   pure subroutine add_to_cells(square, values, field)
+      type(square_t), intent(in) :: square
+      !> What is added, by the corners round the square, but for its weight.
+      real(dp), intent(in) :: values(4)
+      !> Receives it; shape of the cells.
+      real(dp), intent(inout), contiguous :: field(:, :)
+
+      associate (x => square%x, y => square%y, w => square%weight)
+         field(x(1), y(1)) = field(x(1), y(1)) + w*values(1)
+         field(x(2), y(1)) = field(x(2), y(1)) + w*values(2)
+         field(x(2), y(2)) = field(x(2), y(2)) + w*values(3)
+         field(x(1), y(2)) = field(x(1), y(2)) + w*values(4)
+      end associate
+   end subroutine add_to_cells
+
+   !> Shares of the corners of a square within the range, as the mean over both cuts; 1/4 each where all of it is.
+   pure function shares_in_square(range, corner) result(shares)
+      !> Range h0.
+      real(dp), intent(in) :: range
+      !> Gap at the corners, round the square.
+      real(dp), intent(in) :: corner(4)
+      real(dp) :: shares(4), found(3)
+      integer :: k
+
+      shares = 0
+      if (min(corner(1), corner(2), corner(3), corner(4)) > range) return
+      shares = 0.25_dp
+      if (max(corner(1), corner(2), corner(3), corner(4)) <= range) return
+      shares = 0
+      do k = 1, 4
+         found = shares_of(corner(triangles(:, k)), range)
+         shares(triangles(:, k)) = shares(triangles(:, k)) + weight_of_triangle*found
+      end do
+   end function shares_in_square
+
+   !> Change the gap in one cell, and with it the shares there and in the cells beside, and a tension that follows them.
+   pure subroutine move_cell(self, i, j, step, gap, tension)
+      !> The law, with the shares of the gap.
+      class(cohesion_t), intent(inout) :: self
+      !> The cell.
+      integer, intent(in) :: i, j
+      !> Change of its gap.
+      real(dp), intent(in) :: step
+      !> In: the gap in all cells. Out: with the change.
+      real(dp), intent(inout), contiguous :: gap(:, :)
+      !> A field that the change of the tension [E*] is added to; shape of the cells.
+      real(dp), intent(inout), contiguous :: tension(:, :)
+      type(square_t) :: square
+      real(dp) :: old(4), new(4), before
+      integer :: x(2), y(2), k, l, first
+
+      first = merge(0, 1, self%is_quarter)
+      x = [i - 1, i]
+      y = [j - 1, j]
+      if (x(1) < first) x(1) = size(gap, 1)
+      if (y(1) < first) y(1) = size(gap, 2)
+      before = gap(i, j)
+      do l = merge(2, 1, y(1) == y(2)), 2
+         do k = merge(2, 1, x(1) == x(2)), 2
+            square = square_at(x(k), y(l), shape(gap), self%is_quarter)
+            gap(i, j) = before
+            old = shares_in_square(self%range, corners_of(gap, square))
+            gap(i, j) = before + step
+            new = shares_in_square(self%range, corners_of(gap, square)) - old
+            if (.not. any(abs(new) > 0)) cycle
+            call add_to_cells(square, new, self%share)
+            call add_to_cells(square, self%stress*new, tension)
+         end do
+      end do
+   end subroutine move_cell
 
    !> Gap at the corners of a square, round it.
    pure function corners_of(gap, square) result(corner)
