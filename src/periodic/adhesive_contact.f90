@@ -17,7 +17,7 @@
 !> Where mean(p) = q + sigma0 mean(t) is not above 0 no contact carries the load: there is no state below these shares.
 module adfric_periodic_adhesive_contact
    use adfric_base_kinds, only: dp
-   use adfric_periodic_adhesive_proof, only: is_alone
+   use adfric_periodic_adhesive_proof, only: find_way, is_alone
    use adfric_periodic_adhesive_relaxation, only: relaxation_t, new_relaxation, relax
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact
    use adfric_periodic_gap_solver, only: gap_solver_t
@@ -35,6 +35,9 @@ module adfric_periodic_adhesive_contact
    !> contacts whose pressure is found anew.
    real(dp), parameter :: part_of_change = 0.02_dp, first_tolerance = 1.0e-3_dp, least_tolerance = 1.0e-9_dp
    real(dp), parameter :: passing_tolerance = 1.0e-5_dp
+   !> Change of a share over that of the round before from which on a cell is slow, and the least of these changes: so large, or that part
+   !> of the largest.
+   real(dp), parameter :: slow = 0.5_dp, slow_share = 0.02_dp, part_of_largest = 0.3_dp
    !> Cells by which the zones of a coarser grid may be too narrow or too wide on the finer one.
    integer, parameter :: cells_beside = 1
    !> Shares that stay on one side of a bound by less do so: contacts on the way are not exact.
@@ -64,7 +67,7 @@ contains
       logical, intent(out) :: has_contact
       type(contact_state_t) :: found
       type(relaxation_t) :: relaxation
-      real(dp), allocatable :: share(:, :)
+      real(dp), allocatable :: share(:, :), step(:, :), way(:, :)
       real(dp) :: change
       logical :: is_certain, has_found
       integer :: k, next_try, next_proof
@@ -78,6 +81,9 @@ contains
          if (has_found) has_found = is_bound(found%cohesion%share, is_adhered, bound)
       end if
       allocate (share, source=bound)
+      allocate (step, mold=bound)
+      ! no cell is slow in the first round
+      step(:, :) = huge(1.0_dp)
       call new_relaxation(relaxation, operator)
       next_try = 2
       next_proof = 1
@@ -90,17 +96,19 @@ contains
             exit
          end if
          if (has_found) has_found = is_bound(found%cohesion%share, is_adhered, share)
-         call go_on(state, relaxation, is_adhered, share, change)
+         call go_on(state, relaxation, is_adhered, share, step, change)
          if (has_found .and. k >= next_proof) then
             if (maxval(abs(found%cohesion%share - share)) <= near_share) then
                next_proof = k + proof_after
-               is_certain = is_alone(found, operator, gap_solver, is_adhered, state%gap, state%is_open)
+               if (.not. allocated(way)) call find_way(found, operator, gap_solver, way)
+               if (allocated(way)) is_certain = is_alone(found, way, operator, gap_solver, is_adhered, state%gap, state%is_open)
                if (is_certain) exit
             end if
          end if
          if (change <= resting_share .or. (k >= next_try .and. .not. has_found .and. change <= small_change)) then
             next_try = k + max(2, k/6)
             found = state
+            if (allocated(way)) deallocate (way)
             call find_state(found, operator, gap_solver, tolerance, has_found)
             is_certain = has_found .and. change <= resting_share
             if (is_certain) is_certain = is_bound(found%cohesion%share, is_adhered, share)
@@ -112,15 +120,18 @@ contains
    end subroutine solve_adhesive_contact
 
    !> Find the shares of a round's contact, and go on from it in single cells.
-   subroutine go_on(state, relaxation, is_adhered, share, change)
+   subroutine go_on(state, relaxation, is_adhered, share, step, change)
       !> In: the contact with given shares. Out: a gap that is nearer to the state, with its shares and open region.
       type(contact_state_t), intent(inout) :: state
       type(relaxation_t), intent(inout) :: relaxation
       logical, intent(in) :: is_adhered
       !> In: the given shares. Out: those of the new gap.
       real(dp), intent(inout), contiguous :: share(:, :)
-      !> Receives by how much the round has changed a share, at most.
+      !> In: by how much the round before changed the shares. Out: by how much this one did; shape of the cells.
+      real(dp), intent(inout), contiguous :: step(:, :)
+      !> Receives the largest of these changes.
       real(dp), intent(out) :: change
+      logical, allocatable :: is_slow(:, :)
       real(dp) :: margin
 
       margin = 0
@@ -128,9 +139,11 @@ contains
       margin = max(margin, -minval(state%pressure))
       call state%cohesion%set_share(state%gap)
       change = maxval(abs(state%cohesion%share - share))
+      allocate (is_slow, source=abs(state%cohesion%share - share) > max(slow*step, min(part_of_largest*change, slow_share)))
+      step(:, :) = abs(state%cohesion%share - share)
       if (change > resting_share) then
          state%pressure(:, :) = state%pressure + state%cohesion%stress*(state%cohesion%share - share)
-         call relax(relaxation, is_adhered, margin, state%cohesion, state%gap, state%pressure)
+         call relax(relaxation, is_adhered, margin, is_slow, state%cohesion, state%gap, state%pressure)
          if (is_adhered) then
             state%is_open(:, :) = state%is_open .or. state%gap > 0
          else

@@ -20,9 +20,9 @@ module adfric_periodic_adhesive_relaxation
    public :: relaxation_t, new_relaxation, relax
 
    !> Farthest cell of the table, and cells along a tile.
-   integer, parameter :: farthest = 16, cells_of_tile = 16
+   integer, parameter :: farthest = 10, cells_of_tile = 8, beside_tile = 6
    !> Sweeps over a tile, at most, and turns over all tiles.
-   integer, parameter :: most_sweeps = 200, n_turns = 2
+   integer, parameter :: most_sweeps = 200, n_turns = 1
    !> Pressure over the largest of the last sweep from which on a cell takes a step.
    real(dp), parameter :: worthwhile = 0.4_dp
    !> Pressure over that of the first sweep at which a tile is left, and at which one is begun, over the largest of all tiles.
@@ -74,12 +74,14 @@ contains
    end function beside
 
    !> Make steps.
-   subroutine relax(self, is_adhered, margin, law, gap, pressure)
+   subroutine relax(self, is_adhered, margin, is_slow, law, gap, pressure)
       type(relaxation_t), intent(inout) :: self
       !> Are gaps below the most adhered state? Else above the least adhered one.
       logical, intent(in) :: is_adhered
       !> Error of the pressure that steps begin from [E*].
       real(dp), intent(in) :: margin
+      !> Cells that steps are for; shape of the cells.
+      logical, intent(in), contiguous :: is_slow(:, :)
       !> The law with the shares of the gap; they follow the steps.
       type(cohesion_t), intent(inout) :: law
       !> In: a gap that has not passed the state. Out: one that is nearer to it; shape of the cells.
@@ -95,6 +97,7 @@ contains
             & begun*(maxval(-sign_of_step*pressure, mask=is_adhered .or. gap > 0) - margin))
          do j = 1, size(gap, 2), cells_of_tile
             do i = 1, size(gap, 1), cells_of_tile
+               if (.not. any(is_slow(i:min(i + cells_of_tile - 1, size(gap, 1)), j:min(j + cells_of_tile - 1, size(gap, 2))))) cycle
                call relax_tile(self, [i, j], min([i, j] + cells_of_tile - 1, shape(gap)), sign_of_step, margin, least, law, gap, &
                   & pressure)
             end do
@@ -121,7 +124,7 @@ contains
       integer :: sweep, i, j, ii, jj, around(2)
 
       if (.not. has_any()) return
-      around = min(self%reach, cells_of_tile/2)
+      around = min(self%reach, beside_tile)
       stiffness = self%influence(0, 0)
       threshold = least
       do sweep = 1, most_sweeps

@@ -134,7 +134,7 @@ contains
    end subroutine resist
 
    !> Solve as `solve_adhesive_load`, for the state on the finest grid.
-   subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, turned, state, solution, error)
+   subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, turned, state, solution, error, beside)
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
@@ -150,11 +150,49 @@ contains
       !> Receives pairs of transforms and how it ended.
       type(periodic_solution_t), intent(out) :: solution
       type(error_t), allocatable, intent(out) :: error
+      !> A state of the same branch on the finest grid that bounds the wanted one: under a load that is not smaller where the branch is
+      !> the adhered one, or not larger where it is that of approach. Nothing is asked of coarser grids then. Not given: none is known.
+      type(contact_state_t), intent(in), optional :: beside
       type(contact_state_t), allocatable :: states(:)
 
+      if (present(beside)) then
+         if (self%grids(size(self%grids))%operator%is_symmetric) then
+            call solve_beside(self, mean_pressure, adhesion, tolerance, beside, state, solution)
+            return
+         end if
+      end if
       call solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, turned, solution, error)
       if (.not. allocated(error)) state = states(size(states))
    end subroutine solve_adhesive_state
+
+   !> Solve on the finest grid from a state that bounds the wanted one.
+   subroutine solve_beside(self, mean_pressure, adhesion, tolerance, beside, state, solution)
+      type(periodic_solver_t), intent(inout) :: self
+      !> Mean pressure [E*].
+      real(dp), intent(in) :: mean_pressure
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      real(dp), intent(in) :: tolerance
+      !> The bound.
+      type(contact_state_t), intent(in) :: beside
+      type(contact_state_t), intent(out) :: state
+      !> Receives pairs of transforms and how it ended.
+      type(periodic_solution_t), intent(inout) :: solution
+      logical :: has_contact
+      integer :: n_before
+
+      state = beside
+      state%mean_pressure = mean_pressure
+      state%has_fixed_mean = .false.
+      associate (grid => self%grids(size(self%grids)))
+         n_before = grid%operator%n_applied
+         call solve_adhesive_contact(state, grid%operator, grid%gap_solver, tolerance, adhesion%is_adhered, &
+            & beside%cohesion%share, .true., has_contact)
+         solution%n_applied = grid%operator%n_applied - n_before
+      end associate
+      solution%n_pairs = solution%n_applied
+      solution%status = contact_out_of_range
+      if (has_contact) solution%status = merge(contact_solved, contact_not_converged, state%is_converged)
+   end subroutine solve_beside
 
    !> Solve on all grids; after a turn the state of the turn first.
    subroutine solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, turned, solution, error)
