@@ -82,8 +82,8 @@ contains
       end if
       allocate (share, source=bound)
       allocate (step, mold=bound)
-      ! no cell is slow in the first round
-      step(:, :) = huge(1.0_dp)
+      ! in the first round cells are slow whose share changes by more than half
+      step(:, :) = 1
       call new_relaxation(relaxation, operator)
       next_try = 2
       next_proof = 1

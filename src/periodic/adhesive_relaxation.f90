@@ -19,10 +19,10 @@ module adfric_periodic_adhesive_relaxation
    private
    public :: relaxation_t, new_relaxation, relax
 
-   !> Farthest cell of the table, and cells along a tile.
+   !> Farthest cell of the table, cells along a tile, and cells beside it that take part.
    integer, parameter :: farthest = 10, cells_of_tile = 8, beside_tile = 6
-   !> Sweeps over a tile, at most, and turns over all tiles.
-   integer, parameter :: most_sweeps = 200, n_turns = 1
+   !> Sweeps over a tile, at most.
+   integer, parameter :: most_sweeps = 200
    !> Pressure over the largest of the last sweep from which on a cell takes a step.
    real(dp), parameter :: worthwhile = 0.4_dp
    !> Pressure over that of the first sweep at which a tile is left, and at which one is begun, over the largest of all tiles.
@@ -89,18 +89,16 @@ contains
       !> In: F of the gap [E*]. Out: F of the new one, as far as the table goes.
       real(dp), intent(inout), contiguous :: pressure(:, :)
       real(dp) :: least
-      integer :: i, j, turn, sign_of_step
+      integer :: i, j, sign_of_step
 
       sign_of_step = merge(1, -1, is_adhered)
-      do turn = 1, n_turns
-         least = max(none*law%stress, margin/2, &
-            & begun*(maxval(-sign_of_step*pressure, mask=is_adhered .or. gap > 0) - margin))
-         do j = 1, size(gap, 2), cells_of_tile
-            do i = 1, size(gap, 1), cells_of_tile
-               if (.not. any(is_slow(i:min(i + cells_of_tile - 1, size(gap, 1)), j:min(j + cells_of_tile - 1, size(gap, 2))))) cycle
-               call relax_tile(self, [i, j], min([i, j] + cells_of_tile - 1, shape(gap)), sign_of_step, margin, least, law, gap, &
-                  & pressure)
-            end do
+      least = max(none*law%stress, margin/2, begun*(maxval(-sign_of_step*pressure, mask=is_adhered .or. gap > 0) - margin))
+      do j = 1, size(gap, 2), cells_of_tile
+         do i = 1, size(gap, 1), cells_of_tile
+            associate (last => min([i, j] + cells_of_tile - 1, shape(gap)))
+               if (.not. any(is_slow(i:last(1), j:last(2)))) cycle
+               call relax_tile(self, [i, j], last, sign_of_step, margin, least, law, gap, pressure)
+            end associate
          end do
       end do
    end subroutine relax
@@ -180,9 +178,7 @@ contains
       associate (r => self%reach)
          if (i > r(1) .and. i + r(1) <= size(pressure, 1)) then
             do l = -r(2), r(2)
-               associate (y => self%along_y(j + l))
-                  pressure(i - r(1):i + r(1), y) = pressure(i - r(1):i + r(1), y) + step*self%influence(:, l)
-               end associate
+               call add_row(step, self%influence(:, l), pressure(i - r(1):i + r(1), self%along_y(j + l)))
             end do
          else
             do l = -r(2), r(2)
@@ -194,5 +190,19 @@ contains
          end if
       end associate
    end subroutine spread
+
+   !> Add a multiple of a row of the table.
+   pure subroutine add_row(factor, row, values)
+      real(dp), intent(in) :: factor
+      real(dp), intent(in), contiguous :: row(:)
+      !> Receives the sum; as many as in the row.
+      real(dp), intent(inout), contiguous :: values(:)
+      integer :: k
+
+      !$omp simd
+      do k = 1, size(row)
+         values(k) = values(k) + factor*row(k)
+      end do
+   end subroutine add_row
 
 end module adfric_periodic_adhesive_relaxation
