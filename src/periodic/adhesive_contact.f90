@@ -6,13 +6,10 @@
 !> state fall to the most adhered state below them; from shares that are not above, they rise to the least adhered one. On lines that
 !> is proved, on maps it is not (docs/theory/periodic_adhesion.md, Proofs).
 !>
-!> - Newton's method is faster than rounds, but may pass a state. Its state g is taken only where none is passed from a gap g -+ x,
-!>   x >= 0, whose shares bound the wanted state: on each piece of that distance y = sigma0 A_OO^-1 m is below x, with the largest
-!>   slope m of the shares on the piece (the same page, Newton's method).
-!> - x is what a round has changed, or the change of g with the load, (A - sigma0 dt/dg)_OO^-1 1, so far that zones move by a cell.
-!>   A state under more load is more adhered, so that it bounds the wanted one.
-!> - Shares of a coarser grid, a cell wider or narrower, are a bound where one round changes them to no more than they are; else they
-!>   are joined with what the round made of them, until it is so.
+!> - Between rounds, cells that go slowly go on in steps of their own, which pass no state (`adfric_periodic_adhesive_relaxation`).
+!> - Newton's method is faster next to the state, but may pass one. Its state is taken only where none is passed from the gap of the
+!>   rounds (`adfric_periodic_adhesive_proof`), or where rounds have come to rest.
+!> - Contacts on the way are solved to a part of the change that led to them. Steps in single cells keep off by what they leave.
 !>
 !> Where mean(p) = q + sigma0 mean(t) is not above 0 no contact carries the load: there is no state below these shares.
 module adfric_periodic_adhesive_contact

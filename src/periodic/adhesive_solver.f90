@@ -2,11 +2,12 @@
 !> Adhesive contact of a periodic surface, at rest or sliding steadily, on nested grids: load to pressure, gap and area on either
 !> branch.
 !>
-!> Each grid has the state of the wanted branch, found from shares that are 1 or 0 everywhere (`adfric_periodic_adhesive_contact`).
-!> Where the body slides `adfric_periodic_sliding_rounds` finds it, and on the finest grid, if these do not settle,
-!> `adfric_periodic_sliding_steps`. A coarser grid says where Newton's method begins. On the finest grid alone the zones of the next
-!> coarser one, wider or narrower by a cell, are the bound, where that has contact. So the load of a jump is known as well as a grid of half the cells knows it: nearer to a jump
-!> the answer may be the state on its other side.
+!> Each grid has the state of the wanted branch, found from shares that are 1 or 0 everywhere (`adfric_periodic_adhesive_contact`). A
+!> coarser grid only says where Newton's method begins. A state under a load nearby that bounds the wanted one takes their part.
+!>
+!> Where the body slides `adfric_periodic_sliding_rounds` finds the state, and on the finest grid, if these do not settle,
+!> `adfric_periodic_sliding_steps`. On the finest grid the zones of the next coarser one, wider or narrower by a cell, are the bound then,
+!> where that has contact. So the load of a jump is known as well as a grid of half the cells knows it.
 module adfric_periodic_adhesive_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
