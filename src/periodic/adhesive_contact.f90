@@ -14,7 +14,7 @@
 !> Where mean(p) = q + sigma0 mean(t) is not above 0 no contact carries the load: there is no state below these shares.
 module adfric_periodic_adhesive_contact
    use adfric_base_kinds, only: dp
-   use adfric_periodic_adhesive_proof, only: find_way, is_alone
+   use adfric_periodic_adhesive_proof, only: find_path, is_alone
    use adfric_periodic_adhesive_relaxation, only: relaxation_t, new_relaxation, relax
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact
    use adfric_periodic_gap_solver, only: gap_solver_t
@@ -64,7 +64,7 @@ contains
       logical, intent(out) :: has_contact
       type(contact_state_t) :: found
       type(relaxation_t) :: relaxation
-      real(dp), allocatable :: share(:, :), step(:, :), way(:, :)
+      real(dp), allocatable :: share(:, :), step(:, :), path(:, :)
       real(dp) :: change
       logical :: is_certain, has_found
       integer :: k, next_try, next_proof
@@ -97,15 +97,15 @@ contains
          if (has_found .and. k >= next_proof) then
             if (maxval(abs(found%cohesion%share - share)) <= near_share) then
                next_proof = k + proof_after
-               if (.not. allocated(way)) call find_way(found, operator, gap_solver, way)
-               if (allocated(way)) is_certain = is_alone(found, way, operator, gap_solver, is_adhered, state%gap, state%is_open)
+               if (.not. allocated(path)) call find_path(found, operator, gap_solver, path)
+               if (allocated(path)) is_certain = is_alone(found, path, operator, gap_solver, is_adhered, state%gap, state%is_open)
                if (is_certain) exit
             end if
          end if
          if (change <= resting_share .or. (k >= next_try .and. .not. has_found .and. change <= small_change)) then
             next_try = k + max(2, k/6)
             found = state
-            if (allocated(way)) deallocate (way)
+            if (allocated(path)) deallocate (path)
             call find_state(found, operator, gap_solver, tolerance, has_found)
             is_certain = has_found .and. change <= resting_share
             if (is_certain) is_certain = is_bound(found%cohesion%share, is_adhered, share)

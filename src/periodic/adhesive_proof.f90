@@ -20,10 +20,10 @@ module adfric_periodic_adhesive_proof
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: find_way, is_alone
+   public :: find_path, is_alone
 
    !> Pressure that the system of the way leaves, over the tension, and steps of a system, at most.
-   real(dp), parameter :: way_tolerance = 0.05_dp
+   real(dp), parameter :: path_tolerance = 0.05_dp
    integer, parameter :: most_steps = 200
    !> Largest change of a share on a way that is tried.
    real(dp), parameter :: farthest_change = 0.5_dp
@@ -35,26 +35,26 @@ module adfric_periodic_adhesive_proof
 contains
 
    !> Find the way along which the solid gives way at a load.
-   subroutine find_way(state, operator, gap_solver, way)
+   subroutine find_path(state, operator, gap_solver, path)
       !> A state, with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Receives the change of the gap, >= 0; not allocated where there is none, since the solid gives way by itself.
-      real(dp), allocatable, intent(out) :: way(:, :)
+      real(dp), allocatable, intent(out) :: path(:, :)
       real(dp), allocatable :: load(:, :)
 
-      allocate (load, way, mold=state%gap)
+      allocate (load, path, mold=state%gap)
       load(:, :) = state%cohesion%stress
-      call solve_open(operator, gap_solver, state%is_open, load, way_tolerance*state%cohesion%stress, way, state%cohesion)
-      if (minval(way) < 0) deallocate (way)
-   end subroutine find_way
+      call solve_open(operator, gap_solver, state%is_open, load, path_tolerance*state%cohesion%stress, path, state%cohesion)
+      if (minval(path) < 0) deallocate (path)
+   end subroutine find_path
 
    !> Is there no other state between a bound and a state?
    logical function is_alone(state, direction, operator, gap_solver, is_adhered, bound, is_open_there)
       !> The state, with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
-      !> Its way, see `find_way`.
+      !> Its way, see `find_path`.
       real(dp), intent(in), contiguous :: direction(:, :)
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
@@ -66,26 +66,26 @@ contains
       logical, intent(in), contiguous :: is_open_there(:, :)
       type(cohesion_t) :: law
       type(cohesion_t), allocatable :: none
-      real(dp), allocatable, dimension(:, :) :: way, slope, load, rest
+      real(dp), allocatable, dimension(:, :) :: path, slope, load, rest
       logical, allocatable :: is_open(:, :)
-      real(dp) :: length, spared, sign_of_way
+      real(dp) :: length, spared, sign_of_path
 
       is_alone = .false.
-      sign_of_way = merge(-1, 1, is_adhered)
+      sign_of_path = merge(-1, 1, is_adhered)
       law = state%cohesion
-      allocate (way, slope, load, rest, mold=bound)
+      allocate (path, slope, load, rest, mold=bound)
       call set_slope(law, direction, slope)
-      way(:, :) = max(0.0_dp, sign_of_way*(bound - state%gap))
-      length = length_of(way, direction, slope > 0)
-      way(:, :) = max(way, length*direction)
-      call law%set_share(state%gap + sign_of_way*way)
+      path(:, :) = max(0.0_dp, sign_of_path*(bound - state%gap))
+      length = length_of(path, direction, slope > 0)
+      path(:, :) = max(path, length*direction)
+      call law%set_share(state%gap + sign_of_path*path)
       if (maxval(abs(law%share - state%cohesion%share)) > farthest_change) return
-      call set_largest_slope(state, sign_of_way, way, cost_of_secants*length, slope)
+      call set_largest_slope(state, sign_of_path, path, cost_of_secants*length, slope)
       is_alone = .not. maxval(slope) > 0
       if (is_alone) return
       allocate (is_open, source=state%is_open)
       if (.not. is_adhered) is_open(:, :) = is_open .or. is_open_there
-      call operator%apply_stiffness(way, load)
+      call operator%apply_stiffness(path, load)
       load(:, :) = load - law%stress*slope
       is_alone = minval(load, mask=is_open) > 0
       if (is_alone) return
@@ -96,13 +96,13 @@ contains
    end function is_alone
 
    !> The largest slopes of the shares on a way.
-   subroutine set_largest_slope(state, sign_of_way, way, cost, slope)
+   subroutine set_largest_slope(state, sign_of_path, path, cost, slope)
       !> The state with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
       !> -1 where the way leads to smaller gaps, else 1.
-      real(dp), intent(in) :: sign_of_way
+      real(dp), intent(in) :: sign_of_path
       !> The way, >= 0; shape of the cells.
-      real(dp), intent(in), contiguous :: way(:, :)
+      real(dp), intent(in), contiguous :: path(:, :)
       !> Slope beyond that at the state from which on secants are made closer.
       real(dp), intent(in) :: cost
       !> Receives the slopes, >= 0.
@@ -113,28 +113,28 @@ contains
       integer :: k
 
       law = state%cohesion
-      allocate (at_state, mold=way)
-      call set_slope(law, way, at_state)
+      allocate (at_state, mold=path)
+      call set_slope(law, path, at_state)
       slope(:, :) = at_state
-      allocate (is_wanted(size(way, 1), size(way, 2)), source=.true.)
+      allocate (is_wanted(size(path, 1), size(path, 2)), source=.true.)
       do k = 1, size(ratios)
-         call raise_slope(law, state%gap, sign_of_way*way, ratios(k), is_wanted, at_state, slope)
+         call raise_slope(law, state%gap, sign_of_path*path, ratios(k), is_wanted, at_state, slope)
          is_wanted(:, :) = slope > at_state + cost
       end do
    end subroutine set_largest_slope
 
    !> Slopes of the shares at a state along a way.
-   pure subroutine set_slope(law, way, slope)
+   pure subroutine set_slope(law, path, slope)
       !> The law with its slopes.
       type(cohesion_t), intent(in) :: law
       !> Change of the gap, of one sign; shape of the cells.
-      real(dp), intent(in), contiguous :: way(:, :)
+      real(dp), intent(in), contiguous :: path(:, :)
       !> Receives the slopes, >= 0.
       real(dp), intent(out), contiguous :: slope(:, :)
       real(dp) :: product
 
       slope(:, :) = 0
-      call law%subtract_slope(way, slope, product)
+      call law%subtract_slope(path, slope, product)
       slope(:, :) = abs(slope)/law%stress
    end subroutine set_slope
 
@@ -155,13 +155,13 @@ contains
    end function length_of
 
    !> The largest of slopes and of secants of the shares, from a state to all positions on a way but the nearest.
-   subroutine raise_slope(law, gap, way, ratio, is_wanted, at_state, slope)
+   subroutine raise_slope(law, gap, path, ratio, is_wanted, at_state, slope)
       !> The law; receives the squares on the way.
       type(cohesion_t), intent(inout) :: law
       !> Gap of the state; shape of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
       !> Change of the gap, of one sign.
-      real(dp), intent(in), contiguous :: way(:, :)
+      real(dp), intent(in), contiguous :: path(:, :)
       !> A part of the way over the next farther one.
       real(dp), intent(in) :: ratio
       !> Cells whose slopes are wanted.
@@ -176,7 +176,7 @@ contains
       integer :: i, j, k, n
 
       if (.not. any(is_wanted)) return
-      call law%set_band(min(gap, gap + way), max(gap, gap + way))
+      call law%set_band(min(gap, gap + path), max(gap, gap + path))
       allocate (number(size(gap, 1), size(gap, 2)), source=0)
       allocate (corners(4, law%n_squares), squares(law%n_squares))
       n = 0
@@ -198,7 +198,7 @@ contains
       associate (of => squares(:j), cells => corners(:, :j))
          allocate (start(n), direction(n), here(n), there(n), largest(n))
          call pick(gap, number, start)
-         call pick(way, number, direction)
+         call pick(path, number, direction)
          call pick(at_state, number, largest)
          call sum_shares(law, of, cells, start, here)
          part = 1
