@@ -65,8 +65,8 @@ contains
       type(contact_state_t) :: found
       type(relaxation_t) :: relaxation
       real(dp), allocatable :: share(:, :), step(:, :), path(:, :)
-      real(dp) :: change
-      logical :: is_certain, has_found
+      real(dp) :: change, change_before
+      logical :: is_certain, has_found, has_rested
       integer :: k, next_try, next_proof
 
       has_contact = .true.
@@ -86,6 +86,7 @@ contains
       next_proof = 1
       change = 0
       do k = 1, most_rounds
+         change_before = change
          call solve_with_share(state, operator, gap_solver, share, change, has_contact, .true.)
          if (.not. has_contact) return
          if (operator%is_stopped()) then
@@ -102,15 +103,17 @@ contains
                if (is_certain) exit
             end if
          end if
-         if (change <= resting_share .or. (k >= next_try .and. .not. has_found .and. change <= small_change)) then
+         ! a contact that was solved to no more than its change had to be may only seem to rest
+         has_rested = change <= resting_share .and. change_before <= small_change
+         if (has_rested .or. (k >= next_try .and. .not. has_found .and. change <= small_change)) then
             next_try = k + max(2, k/6)
             found = state
             if (allocated(path)) deallocate (path)
             call find_state(found, operator, gap_solver, tolerance, has_found)
-            is_certain = has_found .and. change <= resting_share
+            is_certain = has_found .and. has_rested
             if (is_certain) is_certain = is_bound(found%cohesion%share, is_adhered, share)
          end if
-         if (change <= resting_share) exit
+         if (has_rested) exit
       end do
       state = found
       state%is_converged = is_certain
