@@ -283,7 +283,8 @@ def page():
             commands += [f"build/release/adfric run inputs/{before}.nml" for name in entry.inputs for before in RUN_BEFORE.findall(text_of(name))]
             commands += [f"scripts/run inputs/{name}.nml" for name in entry.inputs]
             if len(entry.inputs) > 1 or entry.options:
-                commands.append(" ".join(["scripts/plot", *(output_of(name) for name in entry.inputs), entry.options]).strip())
+                command = " ".join(["scripts/plot", *(output_of(name) for name in entry.inputs), entry.options]).strip()
+                commands.append(command if len(command) <= LONGEST_LINE else command.replace(" --y", " \\\n  --y"))
             lines += ["```sh", *commands, "```", ""]
     return "\n".join(lines)
 

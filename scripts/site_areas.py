@@ -65,6 +65,7 @@ AREAS = {
     },
     "Reference": {
         "The language of scenes": "docs/reference/language.md",
+        "Examples of every choice": "docs/reference/examples.md",
         "Variables of scenes": "docs/reference/variables.md",
         "Results of scenes": "docs/reference/results.md",
         "Status, doubt and error": "docs/reference/status.md",

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> `adfric check`: read and validate an input, and say what it means.
 module adfric_command_check
+   use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words, get_word, pad
    use adfric_base_text, only: newline, show_count, show_number, show_text
@@ -155,6 +156,8 @@ contains
          line = pad('  '//variable%name, name_width)
          if (variable%kind == kind_dataset) then
             line = line//run%datasets(at)%describe()
+         else if (variable%zero_is_automatic .and. abs(run%plan%base(at)) < 0.5_dp) then
+            line = line//'chosen by the solver'
          else
             line = line//show_input_value(variable, run%plan%base(at))
          end if

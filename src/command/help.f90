@@ -12,6 +12,7 @@ module adfric_command_help
    use adfric_command_help_scenes, only: describe_scene_list, describe_scene_name, describe_scenes, &
       list_scene_names
    use adfric_command_help_pages, only: usage_page, input_page, tables_page, outputs_head
+   use adfric_command_help_phenomena, only: describe_phenomena, list_phenomena, show_phenomena
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows, list_fit_names
@@ -23,7 +24,7 @@ module adfric_command_help
    public :: give_help
 
    !> Topics that are pages.
-   character(*), parameter :: page_topics = 'scenes input tables outputs names'
+   character(*), parameter :: page_topics = 'scenes phenomena input tables outputs names'
    !> Head of what only inputs in the names of version 0.2 have.
    character(*), parameter :: of_old_inputs = 'In an input that names a model (&job model)'
 
@@ -93,6 +94,8 @@ contains
          text = outputs_head//newline//describe_common('')//newline//describe_every_model(models, topic)
       else if (topic == 'scenes') then
          text = describe_scenes(models)
+      else if (topic == 'phenomena') then
+         text = show_phenomena()
       else if (topic == 'input') then
          text = input_page
       else if (topic == 'tables') then
@@ -123,7 +126,7 @@ contains
       type(model_box_t), intent(in) :: models(:)
       !> A name in small letters, without the & of a group.
       character(*), intent(in) :: topic
-      character(:), allocatable :: text, of_models, of_fits, of_scenes
+      character(:), allocatable :: text, of_models, of_fits, of_scenes, of_phenomena
 
       text = ''
       if (has_word(known_commands, topic)) text = usage_page
@@ -139,6 +142,9 @@ contains
       if (len(text) > 0 .and. len(of_models) > 0) text = text//newline
       if (len(of_scenes) > 0 .and. len(of_models) > 0) text = text//of_old_inputs//newline
       text = text//of_models
+      of_phenomena = describe_phenomena(topic)
+      if (len(text) > 0 .and. len(of_phenomena) > 0) of_phenomena = of_phenomena//newline
+      text = of_phenomena//text
    end function explain
 
    !> What the groups of fits say of a topic; empty if they do not have the name.
@@ -207,7 +213,7 @@ contains
       do i = 1, size(models)
          names = names//' '//list_names(models(i)%model)
       end do
-      names = names//' '//list_scene_names(models)
+      names = names//' '//list_scene_names(models)//list_phenomena()
    end function every_name
 
 end module adfric_command_help

@@ -71,7 +71,7 @@ contains
    function whole_number(group, name, meaning, default, lower, upper, multiple_of) result(variable)
       !> Group of the variable, without `&`, its name, and what it is, for `adfric help`.
       character(*), intent(in) :: group, name, meaning
-      !> Value where the user gives none.
+      !> Value where the user gives none; 0: the solver chooses.
       integer, intent(in) :: default
       !> Least and largest value that is allowed.
       integer, intent(in) :: lower, upper
@@ -81,6 +81,7 @@ contains
 
       variable = row_of(kind_integer, group, name, '-', meaning)
       variable%default = default
+      variable%zero_is_automatic = default == 0
       variable%lower = lower
       variable%upper = upper
       if (present(multiple_of)) variable%multiple_of = multiple_of

@@ -36,6 +36,8 @@ module adfric_describe_table
       real(dp) :: lower = -unset, upper = unset
       !> Is the bound itself not allowed?
       logical :: lower_open = .false., upper_open = .false.
+      !> Does 0, its default, leave a number to the solver, such as that of strips?
+      logical :: zero_is_automatic = .false.
       !> What an integer has to be a multiple of.
       integer :: multiple_of = 1
       !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.

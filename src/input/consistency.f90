@@ -4,6 +4,7 @@ module adfric_input_consistency
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problem_t, problems_t
    use adfric_base_text, only: is_name_character
+   use adfric_base_words, only: has_word
    use adfric_input_case, only: case_t
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_reading, only: reading_t
@@ -11,6 +12,7 @@ module adfric_input_consistency
    use adfric_describe_model, only: model_t
    use adfric_describe_scene_messages, only: say_as_scene
    use adfric_describe_scene_rules, only: hidden
+   use adfric_describe_table, only: variable_t
    use adfric_run_plan, only: axis_t
    implicit none (type, external)
    private
@@ -88,11 +90,26 @@ contains
          if (.not. input%is_broken(i)) cycle
          if (item%variable == model%variables(i)%name .and. item%group == model%variables(i)%group) return
          if (mentions(item%text, model%variables(i)%name)) return
+         if (follows_from_dataset(item, model%variables(i))) return
          ! the solver has taken the scene for another one
          if (item%group == hidden .or. mentions(item%text, 'without &'//model%variables(i)%group)) return
       end do
       is_consequence = .false.
    end function is_consequence
+
+   !> Is a length missing that may stand in the attributes of a dataset, such as dx of heights?
+   pure logical function follows_from_dataset(item, variable)
+      type(problem_t), intent(in) :: item
+      !> A variable whose value could not be read.
+      type(variable_t), intent(in) :: variable
+      character(*), parameter :: lengths = 'length_x length_y'
+
+      follows_from_dataset = .false.
+      if (.not. allocated(variable%attributes)) return
+      if (.not. has_word(variable%attributes, 'dx')) return
+      follows_from_dataset = item%group == variable%group .and. has_word(lengths, item%variable) &
+         & .and. index(item%text, 'is missing') == 1
+   end function follows_from_dataset
 
    !> Does a name stand in a text as a word?
    pure logical function mentions(text, name)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The blocks of all other documents: commands name programs, subcommands, options and files that there are; inputs are read; Python runs.
+"""The blocks of all other documents: commands name programs, subcommands, options and files that there are; Python runs.
 
-README and the first pages are run by readme.py, the pages of the guide by guide.py, the tutorials by force_map.py and wheel.py.
+README and the first pages are run by readme.py, the pages of the guide by guide.py, the tutorials by force_map.py and wheel.py. Whole
+inputs of all pages are solved by documented_inputs.py.
 """
 
 import os
@@ -22,8 +23,6 @@ from document_prose import blocks_of  # noqa: E402
 # What belongs to a shell or to the system, and is not looked at.
 OF_THE_SYSTEM = {"export", "module", "tar", "cd", "seq", "parallel", "prefix", "cmake", "ctest", "gfortran", "cc", "mpirun", "python3", "pip",
                  "./configure", "make", "adfric-python/bin/pip"}
-# Inputs of pages that are whole, by their pages and first words.
-INPUTS = {"docs/reference/language.md": ["&job       title = 'A tip on mica'"], "docs/reference/doubts.md": ["&job       title = 'A soft roller'"]}
 # Pages whose Python runs, with what stands before the first block, and the inputs that leave what they open.
 PYTHON = {"docs/reference/file_format.md": ("", ["gm2011_fig5", "johnson1997_fig5"], {"pint_xarray"}),
           "docs/reference/python.md": ("import numpy as np\nimport adfric\nloads = np.linspace(0.0, 3e-7, 30)\n"
@@ -101,16 +100,6 @@ class Blocks(Runs):
                     self.look_up(words)
                     n_commands += 1
         self.assertGreater(n_commands, 50)
-
-    def test_inputs(self):
-        """Whole inputs are read, and solved by the program that says so."""
-        for page, heads in INPUTS.items():
-            found = [text for _, text in blocks("fortran", page) if text.startswith(tuple(heads))]
-            self.assertEqual(len(heads), len(found), page)
-            for text in found:
-                self.write(text, "page.nml")
-                self.run_program("run", "--quiet", "--force", "page.nml", status=None)
-                self.assertTrue((self.folder/"page.h5").exists(), page)
 
     def test_python(self):
         """Blocks of Python run one after the other, but for those that need what a user has."""

@@ -74,6 +74,9 @@ class Guide(InputRuns):
         self.assertIn(f"at most {digits(found['friction_coefficient'][1, largest[1]])}, at {speeds[1]} m/s and 25 °C", page)
         self.assertIn(f"{speeds[0]} m/s at 0 °C and {speeds[2]} m/s at 50 °C", page)
         printed = self.solve_printed("rubber_on_a_road")
+        checked, _ = self.run_program("check", "run.nml")
+        times = [digits(1e3*float(time)) for time in re.findall(r"retardation time (\S+) s", checked)]
+        self.assertIn(f"prints those: {times[0]} ms and {times[1]} ms", page)
         top = printed["friction_coefficient"].argmax()
         self.assertIn(f"| at most {digits(printed['friction_coefficient'][top])}, at {digits(printed['velocity'][top], 2)} m/s |", page)
         self.assertIn(f"| from {digits(printed['contact_fraction'][0], 1)} when slow to {digits(printed['contact_fraction'][-1], 1)} when fast |", page)
