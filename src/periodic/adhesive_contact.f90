@@ -6,20 +6,18 @@
 !> state fall to the most adhered state below them; from shares that are not above, they rise to the least adhered one. On lines that
 !> is proved, on maps it is not (docs/theory/periodic_adhesion.md, Proofs).
 !>
-!> - Newton's method is faster than rounds, but may pass a state. Its state g is taken only where none is passed from a gap g -+ x,
-!>   x >= 0, whose shares bound the wanted state: on each piece of that distance y = sigma0 A_OO^-1 m is below x, with the largest
-!>   slope m of the shares on the piece (the same page, Newton's method).
-!> - x is what a round has changed, or the change of g with the load, (A - sigma0 dt/dg)_OO^-1 1, so far that zones move by a cell.
-!>   A state under more load is more adhered, so that it bounds the wanted one.
-!> - Shares of a coarser grid, a cell wider or narrower, are a bound where one round changes them to no more than they are; else they
-!>   are joined with what the round made of them, until it is so.
+!> - Between rounds, cells that go slowly go on in steps of their own, which pass no state (`adfric_periodic_adhesive_relaxation`).
+!> - Newton's method is faster next to the state, but may pass one. Its state is taken only where none is passed from the gap of the
+!>   rounds (`adfric_periodic_adhesive_proof`), or where rounds have come to rest.
+!> - Contacts on the way are solved to a part of the change that led to them. Steps in single cells keep off by what they leave.
 !>
 !> Where mean(p) = q + sigma0 mean(t) is not above 0 no contact carries the load: there is no state below these shares.
 module adfric_periodic_adhesive_contact
    use adfric_base_kinds, only: dp
-   use adfric_periodic_cohesion, only: cohesion_t
+   use adfric_periodic_adhesive_proof, only: find_path, is_alone
+   use adfric_periodic_adhesive_relaxation, only: relaxation_t, new_relaxation, relax
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact
-   use adfric_periodic_gap_solver, only: gap_solver_t, extremes_t
+   use adfric_periodic_gap_solver, only: gap_solver_t
    use adfric_periodic_maps, only: sum_of
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
@@ -28,27 +26,27 @@ module adfric_periodic_adhesive_contact
 
    !> Rounds from the bound, at most.
    integer, parameter :: most_rounds = 2000
-   !> Largest change of a share that ends the rounds, and residual of the contacts on the way.
-   real(dp), parameter :: resting_share = 1.0e-7_dp, passing_tolerance = 1.0e-5_dp
+   !> Largest change of a share that ends the rounds, and one from which on Newton's method is tried.
+   real(dp), parameter :: resting_share = 1.0e-7_dp, small_change = 2.0e-3_dp
+   !> Residual of the contacts on the way: in units of the change of tension that led to it, the largest one, the least one, and that of
+   !> contacts whose pressure is found anew.
+   real(dp), parameter :: part_of_change = 0.02_dp, first_tolerance = 1.0e-3_dp, least_tolerance = 1.0e-9_dp
+   real(dp), parameter :: passing_tolerance = 1.0e-5_dp
+   !> Change of a share over that of the round before from which on a cell is slow, and the least of these changes: so large, or that part
+   !> of the largest.
+   real(dp), parameter :: slow = 0.5_dp, slow_share = 0.02_dp, part_of_largest = 0.3_dp
    !> Cells by which the zones of a coarser grid may be too narrow or too wide on the finer one.
    integer, parameter :: cells_beside = 1
    !> Shares that stay on one side of a bound by less do so: contacts on the way are not exact.
    real(dp), parameter :: like_share = 1.0e-3_dp
-   !> Residual of a contact on the way, in units of the change of tension that led to it.
-   real(dp), parameter :: part_of_change = 0.02_dp
-   !> Pieces of the way s on which slopes are found, and parts of each.
-   real(dp), parameter :: pieces(*) = [1.0_dp, 0.85_dp, 0.72_dp, 0.6_dp, 0.5_dp, 0.4_dp, 0.3_dp, 0.2_dp]
-   integer, parameter :: n_pieces = size(pieces), parts_of_piece = 20
-   !> Part of the last piece from which on slopes are those next to the state.
-   real(dp), parameter :: last_part = 0.5_dp
-   !> What a bound is compared with is smaller by that: linear systems are solved to a part of it.
-   real(dp), parameter :: safe_share = 0.99_dp, linear_tolerance = 2.0e-3_dp
-   integer, parameter :: most_steps = 200
+   !> Largest difference of a share from the state's at which a proof is tried, and rounds from one to the next.
+   real(dp), parameter :: near_share = 0.5_dp
+   integer, parameter :: proof_after = 2
 
 contains
 
    !> Solve under the load in `state`.
-   subroutine solve_adhesive_contact(state, operator, gap_solver, tolerance, is_adhered, bound, is_sure, has_guess, has_contact)
+   subroutine solve_adhesive_contact(state, operator, gap_solver, tolerance, is_adhered, bound, has_guess, has_contact)
       !> In: the shape, the load, the law of adhesion, and with `has_guess` gap, shares and open region near the state. Out: the state.
       type(contact_state_t), intent(inout) :: state
       !> Operator of this grid, which counts how often it is applied.
@@ -60,16 +58,15 @@ contains
       logical, intent(in) :: is_adhered
       !> Shares that are not smaller than those of the most adhered state that is wanted, or not larger than those of the least.
       real(dp), intent(in), contiguous :: bound(:, :)
-      !> Is that certain? Else it comes from a coarser grid, as gap and shares in `state` do.
-      logical, intent(in) :: is_sure
       !> Is there a gap near the state?
       logical, intent(in) :: has_guess
       !> Receives whether there is a state with contact; else `state` has no meaning.
       logical, intent(out) :: has_contact
       type(contact_state_t) :: found
-      real(dp), allocatable :: share(:, :)
-      real(dp) :: change
-      logical :: is_certain, has_found, is_widening
+      type(relaxation_t) :: relaxation
+      real(dp), allocatable :: share(:, :), step(:, :), path(:, :)
+      real(dp) :: change, change_before
+      logical :: is_certain, has_found, has_rested
       integer :: k, next_try, next_proof
 
       has_contact = .true.
@@ -79,65 +76,82 @@ contains
          found = state
          call find_state(found, operator, gap_solver, tolerance, has_found)
          if (has_found) has_found = is_bound(found%cohesion%share, is_adhered, bound)
-         if (has_found .and. .not. is_sure) &
-            & call prove_alone(found, operator, gap_solver, is_adhered, state%cohesion%share, is_certain)
-         if (is_certain) then
-            state = found
-            state%is_converged = .true.
-            return
-         end if
       end if
       allocate (share, source=bound)
+      allocate (step, mold=bound)
+      ! in the first round cells are slow whose share changes by more than half
+      step(:, :) = 1
+      call new_relaxation(relaxation, operator)
       next_try = 2
       next_proof = 1
       change = 0
-      is_widening = .not. is_sure
       do k = 1, most_rounds
-         call solve_with_share(state, operator, gap_solver, share, change, has_contact)
+         change_before = change
+         call solve_with_share(state, operator, gap_solver, share, change, has_contact, .true.)
          if (.not. has_contact) return
          if (operator%is_stopped()) then
             found = state
             exit
          end if
          if (has_found) has_found = is_bound(found%cohesion%share, is_adhered, share)
-         if (has_found .and. k >= next_proof .and. .not. is_widening) then
-            next_proof = k + 1 + k/3
-            is_certain = is_next_to(found, operator, gap_solver, merge(found%is_open, state%is_open, is_adhered), is_adhered, &
-               & state%gap)
-            if (is_certain) exit
+         call go_on(state, relaxation, is_adhered, share, step, change)
+         if (has_found .and. k >= next_proof) then
+            if (maxval(abs(found%cohesion%share - share)) <= near_share) then
+               next_proof = k + proof_after
+               if (.not. allocated(path)) call find_path(found, operator, gap_solver, path)
+               if (allocated(path)) is_certain = is_alone(found, path, operator, gap_solver, is_adhered, state%gap, state%is_open)
+               if (is_certain) exit
+            end if
          end if
-         call state%cohesion%set_share(state%gap)
-         if (is_widening) is_widening = .not. is_bound(state%cohesion%share, is_adhered, share)
-         if (is_widening) call join_share(state%cohesion%share, share, is_adhered)
-         change = maxval(abs(state%cohesion%share - share))
-         share(:, :) = state%cohesion%share
-         if (change <= resting_share .or. (k >= next_try .and. .not. has_found)) then
-            next_try = k + max(3, k/4)
+         ! a contact that was solved to no more than its change had to be may only seem to rest
+         has_rested = change <= resting_share .and. change_before <= small_change
+         if (has_rested .or. (k >= next_try .and. .not. has_found .and. change <= small_change)) then
+            next_try = k + max(2, k/6)
             found = state
+            if (allocated(path)) deallocate (path)
             call find_state(found, operator, gap_solver, tolerance, has_found)
-            is_certain = has_found .and. change <= resting_share .and. .not. is_widening
+            is_certain = has_found .and. has_rested
             if (is_certain) is_certain = is_bound(found%cohesion%share, is_adhered, share)
          end if
-         if (change <= resting_share) exit
+         if (has_rested) exit
       end do
       state = found
       state%is_converged = is_certain
    end subroutine solve_adhesive_contact
 
-   !> The larger of two shares in each cell, or the smaller.
-   pure subroutine join_share(share, other, is_adhered)
-      !> In: shares. Out: those that bound them and the others.
-      real(dp), intent(inout), contiguous :: share(:, :)
-      !> The others; shape of the cells.
-      real(dp), intent(in), contiguous :: other(:, :)
+   !> Find the shares of a round's contact, and go on from it in single cells.
+   subroutine go_on(state, relaxation, is_adhered, share, step, change)
+      !> In: the contact with given shares. Out: a gap that is nearer to the state, with its shares and open region.
+      type(contact_state_t), intent(inout) :: state
+      type(relaxation_t), intent(inout) :: relaxation
       logical, intent(in) :: is_adhered
+      !> In: the given shares. Out: those of the new gap.
+      real(dp), intent(inout), contiguous :: share(:, :)
+      !> In: by how much the round before changed the shares. Out: by how much this one did; shape of the cells.
+      real(dp), intent(inout), contiguous :: step(:, :)
+      !> Receives the largest of these changes.
+      real(dp), intent(out) :: change
+      logical, allocatable :: is_slow(:, :)
+      real(dp) :: margin
 
-      if (is_adhered) then
-         share(:, :) = max(share, other)
-      else
-         share(:, :) = min(share, other)
+      margin = 0
+      if (any(state%is_open)) margin = maxval(abs(state%pressure), mask=state%is_open)
+      margin = max(margin, -minval(state%pressure))
+      call state%cohesion%set_share(state%gap)
+      change = maxval(abs(state%cohesion%share - share))
+      allocate (is_slow, source=abs(state%cohesion%share - share) > max(slow*step, min(part_of_largest*change, slow_share)))
+      step(:, :) = abs(state%cohesion%share - share)
+      if (change > resting_share) then
+         state%pressure(:, :) = state%pressure + state%cohesion%stress*(state%cohesion%share - share)
+         call relax(relaxation, is_adhered, margin, is_slow, state%cohesion, state%gap, state%pressure)
+         if (is_adhered) then
+            state%is_open(:, :) = state%is_open .or. state%gap > 0
+         else
+            state%is_open(:, :) = state%is_open .and. state%gap > 0
+         end if
       end if
-   end subroutine join_share
+      share(:, :) = state%cohesion%share
+   end subroutine go_on
 
    !> Do shares stay on one side of a bound?
    pure logical function is_bound(share, is_adhered, bound)
@@ -151,7 +165,7 @@ contains
    end function is_bound
 
    !> Solve the contact with given shares.
-   subroutine solve_with_share(state, operator, gap_solver, share, change, has_contact)
+   subroutine solve_with_share(state, operator, gap_solver, share, change, has_contact, is_passing)
       !> In: gap and open region of the round before, if there was one. Out: the contact.
       type(contact_state_t), intent(inout) :: state
       type(periodic_operator_t), intent(inout) :: operator
@@ -162,6 +176,9 @@ contains
       real(dp), intent(in) :: change
       !> Receives whether the load can be carried; at the penetration of a layer there always is a state.
       logical, intent(out) :: has_contact
+      !> Is it one of many, whose pressure need not be found anew at its end? Its residual then falls with the change without end.
+      logical, intent(in) :: is_passing
+      real(dp) :: aim
 
       call state%cohesion%hold()
       state%cohesion%share = share
@@ -169,23 +186,25 @@ contains
       if (.not. has_contact) has_contact = state%mean_pressure + state%cohesion%stress*(sum_of(share)/size(share)) > 0
       if (.not. has_contact) return
       if (.not. allocated(state%gap)) call start_contact(state, operator)
-      call solve_again(state, operator, gap_solver, &
-         & max(passing_tolerance, min(part_of_change*change*state%cohesion%stress/state%pressure_scale, 1.0e-3_dp)))
+      aim = min(part_of_change*change*state%cohesion%stress/state%pressure_scale, first_tolerance)
+      call solve_again(state, operator, gap_solver, max(merge(least_tolerance, passing_tolerance, is_passing), aim), is_passing)
    end subroutine solve_with_share
 
    !> Solve from the gap and the open region of a state, with iterations of its own.
-   subroutine solve_again(state, operator, gap_solver, tolerance)
+   subroutine solve_again(state, operator, gap_solver, tolerance, is_passing)
       !> In: where to begin. Out: the contact; iterations are added to those of before.
       type(contact_state_t), intent(inout) :: state
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
       real(dp), intent(in) :: tolerance
+      !> Is it one on the way to another? Not given: no.
+      logical, intent(in), optional :: is_passing
       integer :: n_before
 
       n_before = state%n_iterations
       state%n_iterations = 0
       state%n_rounds = 0
-      call solve_contact(state, operator, gap_solver, tolerance)
+      call solve_contact(state, operator, gap_solver, tolerance, is_passing)
       state%n_iterations = state%n_iterations + n_before
    end subroutine solve_again
 
@@ -203,141 +222,6 @@ contains
       call solve_again(state, operator, gap_solver, tolerance)
       has_found = state%is_converged
    end subroutine find_state
-
-   !> Is a state alone among those that are more, or less, adhered by a few cells? The way there is that of a change of the load: a
-   !> state under more load is more adhered, so that it is no state under this one, nor are those on the way to it.
-   subroutine prove_alone(state, operator, gap_solver, is_adhered, guess, is_certain)
-      type(contact_state_t), intent(in) :: state
-      type(periodic_operator_t), intent(inout) :: operator
-      type(gap_solver_t), intent(inout) :: gap_solver
-      logical, intent(in) :: is_adhered
-      !> Shares that the way has to reach: those of the coarser grid.
-      real(dp), intent(in), contiguous :: guess(:, :)
-      !> Receives whether it is alone.
-      logical, intent(out) :: is_certain
-      type(contact_state_t) :: far
-      real(dp), allocatable, dimension(:, :) :: path, load
-      real(dp) :: lost
-      logical :: has_contact
-
-      associate (law => state%cohesion)
-         is_certain = law%n_triangles == 0 .and. .not. maxval(abs(guess - law%share)) > like_share
-         if (law%n_triangles == 0) return
-         allocate (path, load, mold=state%gap)
-         load(:, :) = law%stress
-         call solve_open(operator, gap_solver, state%is_open, load, path, state%cohesion)
-         if (minval(path) < 0) return
-         load(:, :) = 0
-         call law%subtract_slope(path, load, lost)
-         ! nothing that the edge passes moves
-         if (.not. sum(abs(load)) > 0) return
-         path(:, :) = merge(-1, 1, is_adhered)*path*(cells_beside*law%stress*law%n_squares/sum(abs(load)))
-      end associate
-      far = state
-      call far%cohesion%set_share(state%gap + path)
-      if (.not. is_bound(guess, is_adhered, far%cohesion%share)) return
-      if (is_adhered) then
-         is_certain = is_next_to(state, operator, gap_solver, state%is_open, is_adhered, state%gap + path)
-      else
-         load(:, :) = far%cohesion%share
-         call solve_with_share(far, operator, gap_solver, load, 0.0_dp, has_contact)
-         if (has_contact) is_certain = is_next_to(state, operator, gap_solver, far%is_open, is_adhered, state%gap + path)
-      end if
-   end subroutine prove_alone
-
-   !> Is there no other state on the way from the bound to a state?
-   logical function is_next_to(state, operator, gap_solver, is_open, is_adhered, far)
-      type(contact_state_t), intent(in) :: state
-      type(periodic_operator_t), intent(inout) :: operator
-      type(gap_solver_t), intent(inout) :: gap_solver
-      !> Open cells of the state, or of the contact with the shares of the bound, where that has more of them.
-      logical, intent(in), contiguous :: is_open(:, :)
-      logical, intent(in) :: is_adhered
-      !> Gap of the contact with the shares of the bound.
-      real(dp), intent(in), contiguous :: far(:, :)
-      type(cohesion_t) :: law
-      type(cohesion_t), allocatable :: none
-      real(dp), allocatable :: path(:, :), next(:, :), slope(:, :)
-      integer :: k
-
-      law = state%cohesion
-      allocate (path, next, slope, mold=far)
-      path(:, :) = abs(far - state%gap)
-      is_next_to = .not. maxval(path) > 0
-      if (is_next_to) return
-      call law%set_band(min(far, state%gap), max(far, state%gap))
-      do k = 1, n_pieces
-         call find_slope(law, state, merge(-1, 1, is_adhered)*path, k, slope)
-         call solve_open(operator, gap_solver, is_open, law%stress*slope, next, none)
-         is_next_to = all(next <= safe_share*path .or. .not. slope > 0)
-         if (.not. is_next_to) return
-      end do
-   end function is_next_to
-
-   !> The largest slopes of the shares from a state to positions of a piece of the path.
-   subroutine find_slope(law, state, path, piece, slope)
-      !> The law with its slopes at the state, and the squares on the way.
-      type(cohesion_t), intent(in) :: law
-      type(contact_state_t), intent(in) :: state
-      !> Change of the gap, of one sign.
-      real(dp), intent(in), contiguous :: path(:, :)
-      !> Number of the piece; the last one ends at the state.
-      integer, intent(in) :: piece
-      !> Receives the largest change of the share over the part of the way, >= 0.
-      real(dp), intent(out), contiguous :: slope(:, :)
-      real(dp) :: part, ratio, product
-      real(dp), allocatable, dimension(:, :) :: gap, here, there
-      integer :: k
-
-      allocate (gap, source=state%gap)
-      allocate (here, there, mold=gap)
-      call law%get_band_share(gap, here)
-      slope(:, :) = 0
-      ratio = last_part**(1.0_dp/parts_of_piece)
-      if (piece < n_pieces) ratio = (pieces(min(piece + 1, n_pieces))/pieces(piece))**(1.0_dp/parts_of_piece)
-      if (piece == n_pieces) call law%subtract_slope(path, slope, product)
-      slope(:, :) = abs(slope)/law%stress
-      ! shares change one way, so that between two parts of the way the change is not above that of the longer one
-      part = pieces(piece)
-      do k = 1, parts_of_piece
-         gap(:, :) = state%gap + part*path
-         call law%get_band_share(gap, there)
-         part = ratio*part
-         slope(:, :) = max(slope, abs(there - here)/part)
-      end do
-   end subroutine find_slope
-
-   !> Solve A_OO x = b over given open cells. Where the slopes of adhesion leave no positive A, x is below 0 somewhere.
-   subroutine solve_open(operator, gap_solver, is_open, load, x, cohesion)
-      type(periodic_operator_t), intent(inout) :: operator
-      type(gap_solver_t), intent(inout) :: gap_solver
-      !> The open cells.
-      logical, intent(in), contiguous :: is_open(:, :)
-      !> b [E*].
-      real(dp), intent(in), contiguous :: load(:, :)
-      !> Receives x, 0 in closed cells.
-      real(dp), intent(out), contiguous :: x(:, :)
-      !> Adhesion whose slopes are taken from A; not allocated: none.
-      type(cohesion_t), allocatable, intent(in) :: cohesion
-      type(extremes_t) :: extremes
-      real(dp), allocatable :: pressure(:, :)
-      real(dp) :: mean_pressure, largest
-      logical :: is_stuck
-      integer :: k
-
-      x(:, :) = 0
-      allocate (pressure, source=-load)
-      mean_pressure = 0
-      largest = maxval(load)
-      call gap_solver%forget()
-      call gap_solver%set_region(operator, is_open, .false., .false., .false.)
-      do k = 1, most_steps
-         if (operator%is_stopped()) exit
-         call gap_solver%improve(operator, is_open, 0.0_dp, x, pressure, mean_pressure, extremes, is_stuck, cohesion)
-         if (is_stuck .or. extremes%remaining <= linear_tolerance*largest) exit
-      end do
-      if (allocated(cohesion) .and. is_stuck .and. extremes%remaining > linear_tolerance*largest) x(:, :) = -1
-   end subroutine solve_open
 
    !> Bounds of shares that are known but for a few cells: 1 in cells that the zone may reach, 0 in others.
    pure subroutine widen_share(share, is_quarter, is_wider, bound)

@@ -66,6 +66,8 @@ module adfric_periodic_adhesive_penetration
       type(contact_state_t) :: state
       !> Has it been found?
       logical :: has_state = .false.
+      !> Is it one under `load`, so that it bounds those under loads that come after it on the branch?
+      logical :: is_of_load = .false.
       !> States of a turn on all grids, once they are known.
       type(contact_state_t), allocatable :: turned(:)
       !> Has the last load told something?
@@ -208,6 +210,7 @@ contains
          allocate (state%is_open(size(shape, 1), size(shape, 2)), source=.true.)
          call state%cohesion%set_share(state%gap)
          window%excess = penetration_of(state) - window%penetration
+         window%is_of_load = .false.
       end associate
    end subroutine start_apart
 
@@ -239,7 +242,11 @@ contains
       real(dp) :: excess
       logical :: has_contact
 
-      call solve_adhesive_state(self, shape, load, branch, tolerance, window%turned, state, found, error)
+      if (window%is_of_load .and. merge(load <= window%load, load >= window%load, window%is_adhered)) then
+         call solve_adhesive_state(self, shape, load, branch, tolerance, window%turned, state, found, error, window%state)
+      else
+         call solve_adhesive_state(self, shape, load, branch, tolerance, window%turned, state, found, error)
+      end if
       if (allocated(error)) return
       solution%n_pairs = solution%n_pairs + found%n_pairs
       has_contact = found%status == contact_solved
@@ -256,6 +263,7 @@ contains
          window%load = load
          window%excess = excess
          window%has_state = .true.
+         window%is_of_load = .true.
       else
          window%passed = load
          window%passed_excess = excess

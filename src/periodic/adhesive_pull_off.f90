@@ -65,7 +65,7 @@ contains
       type(periodic_adhesion_t) :: branch
       type(periodic_solution_t) :: solution
       type(contact_state_t) :: state
-      type(contact_state_t), allocatable :: turned(:)
+      type(contact_state_t), allocatable :: turned(:), last
       real(dp) :: load, without, reach
       integer :: k
 
@@ -77,13 +77,19 @@ contains
       reach = beyond
       do k = 1, most_loads
          if (solver%grids(size(solver%grids))%operator%is_stopped()) return
-         call solve_adhesive_state(solver, shape, load, branch, tolerance, turned, state, solution, error)
+         if (allocated(last)) then
+            call solve_adhesive_state(solver, shape, load, branch, tolerance, turned, state, solution, error, last)
+         else
+            call solve_adhesive_state(solver, shape, load, branch, tolerance, turned, state, solution, error)
+         end if
          if (allocated(error)) return
          pull_off%n_pairs = pull_off%n_pairs + solution%n_pairs
          if (solution%status == contact_out_of_range) then
             without = load
          else if (solution%status == contact_solved) then
             reach = beyond
+            ! it bounds the states of all loads below
+            last = state
             pull_off%mean_pressure = load
             pull_off%penetration = sum(shape - state%gap)/size(shape)
             if (any(state%is_open)) call go_down(solver, state, tolerance, pull_off)

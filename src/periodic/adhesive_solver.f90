@@ -2,11 +2,12 @@
 !> Adhesive contact of a periodic surface, at rest or sliding steadily, on nested grids: load to pressure, gap and area on either
 !> branch.
 !>
-!> Each grid has the state of the wanted branch, found from shares that are 1 or 0 everywhere (`adfric_periodic_adhesive_contact`).
-!> Where the body slides `adfric_periodic_sliding_rounds` finds it, and on the finest grid, if these do not settle,
-!> `adfric_periodic_sliding_steps`. A coarser grid says where Newton's method begins. On the finest grid alone the zones of the next
-!> coarser one, wider or narrower by a cell, are the bound, where that has contact. So the load of a jump is known as well as a grid of half the cells knows it: nearer to a jump
-!> the answer may be the state on its other side.
+!> Each grid has the state of the wanted branch, found from shares that are 1 or 0 everywhere (`adfric_periodic_adhesive_contact`). A
+!> coarser grid only says where Newton's method begins. A state under a load nearby that bounds the wanted one takes their part.
+!>
+!> Where the body slides `adfric_periodic_sliding_rounds` finds the state, and on the finest grid, if these do not settle,
+!> `adfric_periodic_sliding_steps`. On the finest grid the zones of the next coarser one, wider or narrower by a cell, are the bound then,
+!> where that has contact. So the load of a jump is known as well as a grid of half the cells knows it.
 module adfric_periodic_adhesive_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -134,7 +135,7 @@ contains
    end subroutine resist
 
    !> Solve as `solve_adhesive_load`, for the state on the finest grid.
-   subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, turned, state, solution, error)
+   subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, turned, state, solution, error, beside)
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
@@ -150,11 +151,49 @@ contains
       !> Receives pairs of transforms and how it ended.
       type(periodic_solution_t), intent(out) :: solution
       type(error_t), allocatable, intent(out) :: error
+      !> A state of the same branch on the finest grid that bounds the wanted one: under a load that is not smaller where the branch is
+      !> the adhered one, or not larger where it is that of approach. Nothing is asked of coarser grids then. Not given: none is known.
+      type(contact_state_t), intent(in), optional :: beside
       type(contact_state_t), allocatable :: states(:)
 
+      if (present(beside)) then
+         if (self%grids(size(self%grids))%operator%is_symmetric) then
+            call solve_beside(self, mean_pressure, adhesion, tolerance, beside, state, solution)
+            return
+         end if
+      end if
       call solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, turned, solution, error)
       if (.not. allocated(error)) state = states(size(states))
    end subroutine solve_adhesive_state
+
+   !> Solve on the finest grid from a state that bounds the wanted one.
+   subroutine solve_beside(self, mean_pressure, adhesion, tolerance, beside, state, solution)
+      type(periodic_solver_t), intent(inout) :: self
+      !> Mean pressure [E*].
+      real(dp), intent(in) :: mean_pressure
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      real(dp), intent(in) :: tolerance
+      !> The bound.
+      type(contact_state_t), intent(in) :: beside
+      type(contact_state_t), intent(out) :: state
+      !> Receives pairs of transforms and how it ended.
+      type(periodic_solution_t), intent(inout) :: solution
+      logical :: has_contact
+      integer :: n_before
+
+      state = beside
+      state%mean_pressure = mean_pressure
+      state%has_fixed_mean = .false.
+      associate (grid => self%grids(size(self%grids)))
+         n_before = grid%operator%n_applied
+         call solve_adhesive_contact(state, grid%operator, grid%gap_solver, tolerance, adhesion%is_adhered, &
+            & beside%cohesion%share, .true., has_contact)
+         solution%n_applied = grid%operator%n_applied - n_before
+      end associate
+      solution%n_pairs = solution%n_applied
+      solution%status = contact_out_of_range
+      if (has_contact) solution%status = merge(contact_solved, contact_not_converged, state%is_converged)
+   end subroutine solve_beside
 
    !> Solve on all grids; after a turn the state of the turn first.
    subroutine solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, turned, solution, error)
@@ -230,7 +269,7 @@ contains
       type(contact_state_t), intent(in), optional :: turned(:)
       type(contact_state_t) :: blank
       real(dp), allocatable :: bound(:, :), widest(:, :)
-      logical :: has_contact, has_guess, is_sure
+      logical :: has_contact, has_guess
       integer :: k, n_before
 
       has_contact = .false.
@@ -253,15 +292,14 @@ contains
                state%mean_pressure = blank%mean_pressure
                call state%cohesion%set_share(state%gap)
             end if
-            is_sure = .not. (has_guess .and. k == size(states))
-            if (.not. is_sure) then
+            if (has_guess .and. k == size(states) .and. .not. grid%operator%is_symmetric) then
                call widen_share(state%cohesion%share, grid%operator%is_quarter, is_adhered, bound)
                bound(:, :) = merge(min(bound, widest), max(bound, widest), is_adhered)
             end if
             associate (grid_tolerance => merge(tolerance, coarse_tolerance, k == size(states)))
                if (grid%operator%is_symmetric) then
                   call solve_adhesive_contact(state, grid%operator, grid%gap_solver, grid_tolerance, is_adhered, bound, &
-                     & is_sure, has_guess, has_contact)
+                     & has_guess, has_contact)
                else
                   call solve_by_rounds(state, grid%operator, grid%gap_solver, grid_tolerance, bound, has_contact)
                   ! steps of time have no turn to come from, and know no penetration of a layer

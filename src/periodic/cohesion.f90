@@ -21,7 +21,7 @@ module adfric_periodic_cohesion
    use adfric_periodic_maps, only: sum_of
    implicit none (type, external)
    private
-   public :: cohesion_t, new_cohesion
+   public :: cohesion_t, new_cohesion, shares_in_square
 
    !> A square between the middles of four cells.
    type :: square_t
@@ -53,6 +53,7 @@ module adfric_periodic_cohesion
       type(square_t), allocatable :: squares(:)
    contains
       procedure :: set_share
+      procedure :: move_cell
       procedure :: follow
       procedure :: set_band
       procedure :: get_band_share
@@ -197,27 +198,109 @@ contains
       type(square_t), intent(in) :: square
       !> Receives the shares; shape of the cells.
       real(dp), intent(inout), contiguous :: share(:, :)
-      real(dp) :: corner(4), shares(4), found(3)
-      integer :: k
+      real(dp) :: corner(4)
 
       corner = corners_of(gap, square)
       if (min(corner(1), corner(2), corner(3), corner(4)) > range) return
-      shares = 0.25_dp
-      if (max(corner(1), corner(2), corner(3), corner(4)) > range) then
-         shares = 0
-         do k = 1, 4
-            found = shares_of(corner(triangles(:, k)), range)
-            shares(triangles(:, k)) = shares(triangles(:, k)) + weight_of_triangle*found
-         end do
-      end if
-      shares = square%weight*shares
-      associate (x => square%x, y => square%y)
-         share(x(1), y(1)) = share(x(1), y(1)) + shares(1)
-         share(x(2), y(1)) = share(x(2), y(1)) + shares(2)
-         share(x(2), y(2)) = share(x(2), y(2)) + shares(3)
-         share(x(1), y(2)) = share(x(1), y(2)) + shares(4)
-      end associate
+      call add_to_cells(square, shares_in_square(range, corner), share)
    end subroutine add_shares
+
+   !> Add to the four cells of a square.
+   pure subroutine add_to_cells(square, values, field)
+      type(square_t), intent(in) :: square
+      !> What is added, by the corners round the square, but for its weight.
+      real(dp), intent(in) :: values(4)
+      !> Receives it; shape of the cells.
+      real(dp), intent(inout), contiguous :: field(:, :)
+
+      associate (x => square%x, y => square%y, w => square%weight)
+         field(x(1), y(1)) = field(x(1), y(1)) + w*values(1)
+         field(x(2), y(1)) = field(x(2), y(1)) + w*values(2)
+         field(x(2), y(2)) = field(x(2), y(2)) + w*values(3)
+         field(x(1), y(2)) = field(x(1), y(2)) + w*values(4)
+      end associate
+   end subroutine add_to_cells
+
+   !> Shares of the corners of a square within the range, as the mean over both cuts; 1/4 each where all of it is.
+   pure function shares_in_square(range, corner) result(shares)
+      !> Range h0.
+      real(dp), intent(in) :: range
+      !> Gap at the corners, round the square.
+      real(dp), intent(in) :: corner(4)
+      real(dp) :: shares(4)
+
+      shares = 0
+      if (min(corner(1), corner(2), corner(3), corner(4)) > range) return
+      shares = 0.25_dp
+      if (max(corner(1), corner(2), corner(3), corner(4)) <= range) return
+      shares = 0
+      ! as in `triangles`
+      call add_triangle(range, corner(1), corner(2), corner(3), shares(1), shares(2), shares(3))
+      call add_triangle(range, corner(1), corner(3), corner(4), shares(1), shares(3), shares(4))
+      call add_triangle(range, corner(1), corner(2), corner(4), shares(1), shares(2), shares(4))
+      call add_triangle(range, corner(2), corner(3), corner(4), shares(2), shares(3), shares(4))
+   end function shares_in_square
+
+   !> Change the gap in one cell, and with it the shares there and in the cells beside, and a tension that follows them.
+   pure subroutine move_cell(self, i, j, step, gap, tension)
+      !> The law, with the shares of the gap.
+      class(cohesion_t), intent(inout) :: self
+      !> The cell.
+      integer, intent(in) :: i, j
+      !> Change of its gap.
+      real(dp), intent(in) :: step
+      !> In: the gap in all cells. Out: with the change.
+      real(dp), intent(inout), contiguous :: gap(:, :)
+      !> A field that the change of the tension [E*] is added to; shape of the cells.
+      real(dp), intent(inout), contiguous :: tension(:, :)
+      type(square_t) :: square
+      real(dp) :: old(4), new(4), before
+      integer :: x(2), y(2), k, l, first
+
+      first = merge(0, 1, self%is_quarter)
+      x = [i - 1, i]
+      y = [j - 1, j]
+      if (x(1) < first) x(1) = size(gap, 1)
+      if (y(1) < first) y(1) = size(gap, 2)
+      before = gap(i, j)
+      if (is_plain()) then
+         gap(i, j) = before + step
+         return
+      end if
+      do l = merge(2, 1, y(1) == y(2)), 2
+         do k = merge(2, 1, x(1) == x(2)), 2
+            square = square_at(x(k), y(l), shape(gap), self%is_quarter)
+            gap(i, j) = before
+            old = shares_in_square(self%range, corners_of(gap, square))
+            gap(i, j) = before + step
+            new = shares_in_square(self%range, corners_of(gap, square)) - old
+            if (.not. any(abs(new) > 0)) cycle
+            call add_to_cells(square, new, self%share)
+            call add_to_cells(square, self%stress*new, tension)
+         end do
+      end do
+
+   contains
+
+      !> Are the cell and all beside it on one side of the range, before and after? Not asked at the sides of the grid.
+      pure logical function is_plain()
+         real(dp) :: low, high
+         integer :: m, n
+
+         is_plain = i > 1 .and. j > 1 .and. i < size(gap, 1) .and. j < size(gap, 2)
+         if (.not. is_plain) return
+         low = min(before, before + step)
+         high = max(before, before + step)
+         do n = j - 1, j + 1
+            do m = i - 1, i + 1
+               low = min(low, gap(m, n))
+               high = max(high, gap(m, n))
+            end do
+         end do
+         is_plain = low > self%range .or. high <= self%range
+      end function is_plain
+
+   end subroutine move_cell
 
    !> Gap at the corners of a square, round it.
    pure function corners_of(gap, square) result(corner)
@@ -230,31 +313,59 @@ contains
       end associate
    end function corners_of
 
-   !> Integrals of the hat functions over the part of a triangle within the range, in units of its area.
-   pure function shares_of(corner, range) result(shares)
-      !> Gap at the corners.
-      real(dp), intent(in) :: corner(3)
+   !> Add the integrals of the hat functions over the part of a triangle within the range, in units of the square's area.
+   pure subroutine add_triangle(range, first, second, third, share_1, share_2, share_3)
       real(dp), intent(in) :: range
-      real(dp) :: shares(3), part(2)
-      integer :: order(3)
+      !> Gap at the corners.
+      real(dp), intent(in) :: first, second, third
+      !> Receive the integrals of their hat functions.
+      real(dp), intent(inout) :: share_1, share_2, share_3
 
-      shares = 0
-      if (minval(corner) > range) return
-      shares = 1.0_dp/3
-      if (maxval(corner) <= range) return
-      order = order_of(corner)
-      associate (low => corner(order(1)), middle => corner(order(2)), high => corner(order(3)))
-         if (range < middle) then
-            part = (range - low)/[middle - low, high - low]
-            shares(order(1)) = product(part)*(1 - sum(part)/3)
-            shares(order(2:3)) = product(part)*part/3
+      if (min(first, second, third) > range) return
+      if (max(first, second, third) <= range) then
+         share_1 = share_1 + weight_of_triangle/3
+         share_2 = share_2 + weight_of_triangle/3
+         share_3 = share_3 + weight_of_triangle/3
+      else if (first <= second) then
+         if (second <= third) then
+            call add_cut(range, first, second, third, share_1, share_2, share_3)
+         else if (first <= third) then
+            call add_cut(range, first, third, second, share_1, share_3, share_2)
          else
-            part = (high - range)/[high - low, high - middle]
-            shares(order(3)) = 1.0_dp/3 - product(part)*(1 - sum(part)/3)
-            shares(order(1:2)) = 1.0_dp/3 - product(part)*part/3
+            call add_cut(range, third, first, second, share_3, share_1, share_2)
          end if
-      end associate
-   end function shares_of
+      else if (first <= third) then
+         call add_cut(range, second, first, third, share_2, share_1, share_3)
+      else if (second <= third) then
+         call add_cut(range, second, third, first, share_2, share_3, share_1)
+      else
+         call add_cut(range, third, second, first, share_3, share_2, share_1)
+      end if
+   end subroutine add_triangle
+
+   !> The same of a triangle that the edge of the zone cuts.
+   pure subroutine add_cut(range, low, middle, high, share_low, share_middle, share_high)
+      real(dp), intent(in) :: range
+      !> Gap at the corners, rising.
+      real(dp), intent(in) :: low, middle, high
+      !> Receive the integrals of their hat functions.
+      real(dp), intent(inout) :: share_low, share_middle, share_high
+      real(dp) :: a, b
+
+      if (range < middle) then
+         a = (range - low)/(middle - low)
+         b = (range - low)/(high - low)
+         share_low = share_low + weight_of_triangle*(a*b*(1 - (a + b)/3))
+         share_middle = share_middle + weight_of_triangle*(a*b*a/3)
+         share_high = share_high + weight_of_triangle*(a*b*b/3)
+      else
+         a = (high - range)/(high - low)
+         b = (high - range)/(high - middle)
+         share_high = share_high + weight_of_triangle*(1.0_dp/3 - a*b*(1 - (a + b)/3))
+         share_low = share_low + weight_of_triangle*(1.0_dp/3 - a*b*a/3)
+         share_middle = share_middle + weight_of_triangle*(1.0_dp/3 - a*b*b/3)
+      end if
+   end subroutine add_cut
 
    !> Corners from the lowest gap to the highest.
    pure function order_of(corner) result(order)

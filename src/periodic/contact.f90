@@ -104,7 +104,7 @@ contains
    end subroutine start_contact
 
    !> Solve from the gap and the open region in `state`.
-   subroutine solve_contact(state, operator, gap_solver, tolerance)
+   subroutine solve_contact(state, operator, gap_solver, tolerance, is_passing)
       !> In: gap and open region to begin from. Out: the solution; `is_converged` tells whether it was found.
       type(contact_state_t), intent(inout) :: state
       !> Operator of this grid, which counts how often it is applied.
@@ -112,6 +112,8 @@ contains
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Largest residual that is allowed [-], see `residual_of`.
       real(dp), intent(in) :: tolerance
+      !> Is the solution one on the way to another? Its pressure is not found anew at the end then. Not given: no.
+      logical, intent(in), optional :: is_passing
       type(region_search_t) :: search
       type(verdict_t) :: verdict
       type(extremes_t) :: extremes
@@ -121,6 +123,7 @@ contains
 
       call begin(state, operator, gap_solver, extremes)
       checks_at_most = most_checks
+      if (present(is_passing)) checks_at_most = merge(0, most_checks, is_passing)
       ! what is linear only near the gap is solved no further than it holds
       goal = tolerance
       residual_before = huge(1.0_dp)
@@ -142,7 +145,7 @@ contains
             call change_region(state, goal, search)
             call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, .true.)
          else if (has_ended) then
-            call update_pressure(state, operator)
+            if (checks_at_most > 0) call update_pressure(state, operator)
             residual = residual_of(state)
             state%is_converged = residual <= tolerance
             ! slow steps are none in vain

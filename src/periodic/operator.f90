@@ -53,6 +53,7 @@ module adfric_periodic_operator
       procedure :: resist_mean
       procedure :: apply_stiffness
       procedure :: apply_compliance
+      procedure :: get_influence
       procedure :: get_slope
       procedure :: get_loss
       procedure :: apply_anisotropy
@@ -219,6 +220,57 @@ contains
       end if
       self%n_applied = self%n_applied + 1
    end subroutine apply_stiffness
+
+   !> Pressures that a displacement of 1 in one cell makes in the cells around it, in a surface without mirrors. Waves of a symmetric
+   !> stiffness count as much along both directions of an axis.
+   pure subroutine get_influence(self, reach, influence)
+      class(periodic_operator_t), intent(in) :: self
+      !> How many cells away in each direction.
+      integer, intent(in) :: reach(2)
+      !> Receives the pressures [E* over the unit of displacement], by the position from the cell.
+      real(dp), intent(out), contiguous :: influence(-reach(1):, -reach(2):)
+      real(dp) :: rows(size(self%stiffness, 1), 0:reach(1)), row(0:reach(1)), weight, cosine
+      integer :: n(2), i, j, k
+
+      n = self%n_cells*merge(2, 1, self%is_quarter)
+      rows = 0
+      do i = 1, size(self%stiffness, 2)
+         weight = merge(1, 2, i == 1 .or. 2*(i - 1) == n(1))
+         do k = 0, reach(1)
+            cosine = weight*cos(two_pi*mod((i - 1)*k, n(1))/n(1))
+            rows(:, k) = rows(:, k) + cosine*self%stiffness(:, i)
+         end do
+      end do
+      if (self%is_quarter .and. size(self%stiffness, 2) > 1) then
+         ! the wave of two cells, which no mirror shows
+         do k = 0, reach(1)
+            rows(:, k) = rows(:, k) + (-1)**k*next_wave(self%stiffness(:, self%n_cells(1)), self%stiffness(:, self%n_cells(1) - 1))
+         end do
+      end if
+      influence(:, :) = 0
+      do k = 0, reach(2)
+         row = 0
+         do j = 1, size(rows, 1)
+            weight = merge(2, 1, self%is_quarter .and. j > 1)
+            row = row + weight*cos(two_pi*mod((j - 1)*k, n(2))/n(2))*rows(j, :)
+         end do
+         if (self%is_quarter .and. size(rows, 1) > 1) row = row + (-1)**k*next_wave(rows(n(2)/2, :), rows(n(2)/2 - 1, :))
+         row = row*(self%filter%gain/product(real(n, dp)))
+         do i = 0, reach(1)
+            influence([-i, i], k) = row(i)
+            influence([-i, i], -k) = row(i)
+         end do
+      end do
+
+   contains
+
+      !> Stiffness of the wave after two others, on a straight line.
+      elemental real(dp) function next_wave(last, before)
+         real(dp), intent(in) :: last, before
+         next_wave = 2*last - before
+      end function next_wave
+
+   end subroutine get_influence
 
    !> Displacements under given pressures; a positive multiple of the mean pressure in place of their mean, so that
    !> the operator is positive definite.

@@ -68,7 +68,7 @@ contains
       next_try = 2
       has_found = .false.
       do k = 1, most_rounds
-         call solve_with_share(state, operator, gap_solver, share, change, has_contact)
+         call solve_with_share(state, operator, gap_solver, share, change, has_contact, .false.)
          if (.not. has_contact) return
          if (operator%is_stopped()) exit
          call state%cohesion%set_share(state%gap)

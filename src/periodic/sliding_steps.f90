@@ -274,7 +274,7 @@ contains
             self%step%cohesion%share = share
             call solve_again(self%step, self%operator, self%gap_solver, passing_tolerance)
          else
-            call solve_with_share(self%step, self%operator, self%gap_solver, share, change, has_contact)
+            call solve_with_share(self%step, self%operator, self%gap_solver, share, change, has_contact, .false.)
             self%has_failed = .not. has_contact
             if (self%has_failed) return
          end if

@@ -1,0 +1,208 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Steps in single cells from one side towards an extremal state of an adhesive surface; they never pass it.
+!>
+!> A gap g has the pressure F = q + A (g - g0) + sigma0 t(g), and a state has g >= 0, F >= 0, g F = 0. F_i falls with every other gap, as far
+!> as A has no positive entries off its diagonal. Let g be below the most adhered state in all cells. Where F_i < 0 a step of -F_i/A_ii in
+!> that cell leaves it below: else the cell would have the state's gap somewhere on the step, and there F_i <= 0 would fall further in
+!> going to the state in the other cells, which has F_i >= 0. The same holds from above the least adhered state where F_i > 0, g_i > 0.
+!> So steps may come in any order and number (docs/theory/periodic_adhesion.md, Steps in single cells).
+!>
+!> - F follows each step, by a table of the influence of a cell on those around. Farther ones are left out: their F is too large from
+!>   below and too small from above, which only makes steps shorter.
+!> - What the contact left that the steps begin from is a margin that F has to exceed.
+!> - Steps are made tile by tile, in an order of their own, so that they do not depend on threads.
+module adfric_periodic_adhesive_relaxation
+   use adfric_base_kinds, only: dp
+   use adfric_periodic_cohesion, only: cohesion_t
+   use adfric_periodic_operator, only: periodic_operator_t
+   implicit none (type, external)
+   private
+   public :: relaxation_t, new_relaxation, relax
+
+   !> Farthest cell of the table, cells along a tile, and cells beside it that take part.
+   integer, parameter :: farthest = 10, cells_of_tile = 8, beside_tile = 6
+   !> Sweeps over a tile, at most.
+   integer, parameter :: most_sweeps = 200
+   !> Pressure over the largest of the last sweep from which on a cell takes a step.
+   real(dp), parameter :: worthwhile = 0.4_dp
+   !> Pressure over that of the first sweep at which a tile is left, and at which one is begun, over the largest of all tiles.
+   real(dp), parameter :: enough = 0.1_dp, begun = 0.05_dp
+   !> Pressure over sigma0 that is none.
+   real(dp), parameter :: none = 1.0e-9_dp
+
+   !> The table.
+   type :: relaxation_t
+      !> Cells in each direction that it reaches.
+      integer :: reach(2) = 0
+      !> Pressure of a gap of 1 in the cell 0, by the position [E*]; shape `(-reach(1):reach(1), -reach(2):reach(2))`.
+      real(dp), allocatable :: influence(:, :)
+      !> Cells of the grid that lie beside the first and the last ones: periodic or in a mirror; from -`reach` on.
+      integer, allocatable :: along_x(:), along_y(:)
+      !> Steps so far.
+      integer :: n_steps = 0
+   end type relaxation_t
+
+contains
+
+   !> Make the table of a grid.
+   pure subroutine new_relaxation(self, operator)
+      type(relaxation_t), intent(out) :: self
+      !> Operator of the grid.
+      type(periodic_operator_t), intent(in) :: operator
+      integer :: k
+
+      associate (n => operator%n_cells, r => self%reach)
+         r = min(farthest, (n - 1)/2)
+         allocate (self%influence(-r(1):r(1), -r(2):r(2)))
+         call operator%get_influence(r, self%influence)
+         allocate (self%along_x(1 - r(1):n(1) + r(1)), self%along_y(1 - r(2):n(2) + r(2)))
+         self%along_x(:) = [(beside(k, n(1), operator%is_quarter), k=1 - r(1), n(1) + r(1))]
+         self%along_y(:) = [(beside(k, n(2), operator%is_quarter), k=1 - r(2), n(2) + r(2))]
+      end associate
+   end subroutine new_relaxation
+
+   !> The cell at a position beyond the first or the last one.
+   pure integer function beside(position, n_cells, is_quarter)
+      integer, intent(in) :: position
+      !> Number of cells.
+      integer, intent(in) :: n_cells
+      !> Do mirrors bound the surface? Else it goes on with its period.
+      logical, intent(in) :: is_quarter
+
+      beside = modulo(position - 1, merge(2, 1, is_quarter)*n_cells) + 1
+      if (beside > n_cells) beside = 2*n_cells + 1 - beside
+   end function beside
+
+   !> Make steps.
+   subroutine relax(self, is_adhered, margin, is_slow, law, gap, pressure)
+      type(relaxation_t), intent(inout) :: self
+      !> Are gaps below the most adhered state? Else above the least adhered one.
+      logical, intent(in) :: is_adhered
+      !> Error of the pressure that steps begin from [E*].
+      real(dp), intent(in) :: margin
+      !> Cells that steps are for; shape of the cells.
+      logical, intent(in), contiguous :: is_slow(:, :)
+      !> The law with the shares of the gap; they follow the steps.
+      type(cohesion_t), intent(inout) :: law
+      !> In: a gap that has not passed the state. Out: one that is nearer to it; shape of the cells.
+      real(dp), intent(inout), contiguous :: gap(:, :)
+      !> In: F of the gap [E*]. Out: F of the new one, as far as the table goes.
+      real(dp), intent(inout), contiguous :: pressure(:, :)
+      real(dp) :: least
+      integer :: i, j, sign_of_step
+
+      sign_of_step = merge(1, -1, is_adhered)
+      least = max(none*law%stress, margin/2, begun*(maxval(-sign_of_step*pressure, mask=is_adhered .or. gap > 0) - margin))
+      do j = 1, size(gap, 2), cells_of_tile
+         do i = 1, size(gap, 1), cells_of_tile
+            associate (last => min([i, j] + cells_of_tile - 1, shape(gap)))
+               if (.not. any(is_slow(i:last(1), j:last(2)))) cycle
+               call relax_tile(self, [i, j], last, sign_of_step, margin, least, law, gap, pressure)
+            end associate
+         end do
+      end do
+   end subroutine relax
+
+   !> Make steps in a tile and the cells around it, if it has one that is worth it.
+   subroutine relax_tile(self, first, last, sign_of_step, margin, least, law, gap, pressure)
+      type(relaxation_t), intent(inout) :: self
+      !> First and last cell of the tile along both directions.
+      integer, intent(in) :: first(2), last(2)
+      !> 1 where gaps grow, -1 where they shrink.
+      integer, intent(in) :: sign_of_step
+      !> Error of the pressure [E*].
+      real(dp), intent(in) :: margin
+      !> Pressure beyond the margin that makes a tile worth it [E*].
+      real(dp), intent(in) :: least
+      type(cohesion_t), intent(inout) :: law
+      real(dp), intent(inout), contiguous :: gap(:, :)
+      !> F [E*].
+      real(dp), intent(inout), contiguous :: pressure(:, :)
+      real(dp) :: threshold, largest, first_largest, excess, step, stiffness
+      integer :: sweep, i, j, ii, jj, around(2)
+
+      if (.not. has_any()) return
+      around = min(self%reach, beside_tile)
+      stiffness = self%influence(0, 0)
+      threshold = least
+      do sweep = 1, most_sweeps
+         largest = 0
+         do jj = first(2) - around(2), last(2) + around(2)
+            j = self%along_y(jj)
+            do ii = first(1) - around(1), last(1) + around(1)
+               i = self%along_x(ii)
+               excess = -sign_of_step*pressure(i, j) - margin
+               if (excess <= threshold) cycle
+               step = sign_of_step*excess/stiffness
+               if (gap(i, j) + step < 0) step = -gap(i, j)
+               if (.not. abs(step) > 0) cycle
+               largest = max(largest, abs(step)*stiffness)
+               call spread(self, i, j, step, pressure)
+               call law%move_cell(i, j, step, gap, pressure)
+               self%n_steps = self%n_steps + 1
+            end do
+         end do
+         if (sweep == 1) first_largest = largest
+         if (largest <= max(least, enough*first_largest) .and. threshold <= least) exit
+         threshold = max(least, worthwhile*largest)
+         if (largest <= max(2.5_dp*least, enough*first_largest)) threshold = least
+      end do
+
+   contains
+
+      !> Is a cell of the tile worth it?
+      pure logical function has_any()
+         integer :: i, j
+
+         has_any = .false.
+         do j = first(2), last(2)
+            do i = first(1), last(1)
+               if (.not. -sign_of_step*pressure(i, j) - margin > least) cycle
+               has_any = sign_of_step > 0 .or. gap(i, j) > 0
+               if (has_any) return
+            end do
+         end do
+      end function has_any
+
+   end subroutine relax_tile
+
+   !> Add the pressure of a step in a cell to that of the cells around.
+   pure subroutine spread(self, i, j, step, pressure)
+      type(relaxation_t), intent(in) :: self
+      !> The cell.
+      integer, intent(in) :: i, j
+      real(dp), intent(in) :: step
+      real(dp), intent(inout), contiguous :: pressure(:, :)
+      integer :: k, l, x
+
+      associate (r => self%reach)
+         if (i > r(1) .and. i + r(1) <= size(pressure, 1)) then
+            do l = -r(2), r(2)
+               call add_row(step, self%influence(:, l), pressure(i - r(1):i + r(1), self%along_y(j + l)))
+            end do
+         else
+            do l = -r(2), r(2)
+               do k = -r(1), r(1)
+                  x = self%along_x(i + k)
+                  pressure(x, self%along_y(j + l)) = pressure(x, self%along_y(j + l)) + step*self%influence(k, l)
+               end do
+            end do
+         end if
+      end associate
+   end subroutine spread
+
+   !> Add a multiple of a row of the table.
+   pure subroutine add_row(factor, row, values)
+      real(dp), intent(in) :: factor
+      real(dp), intent(in), contiguous :: row(:)
+      !> Receives the sum; as many as in the row.
+      real(dp), intent(inout), contiguous :: values(:)
+      integer :: k
+
+      !$omp simd
+      do k = 1, size(row)
+         values(k) = values(k) + factor*row(k)
+      end do
+   end subroutine add_row
+
+end module adfric_periodic_adhesive_relaxation
