@@ -29,6 +29,9 @@ module adfric_periodic_adhesive_relaxation
    real(dp), parameter :: enough = 0.1_dp, begun = 0.05_dp
    !> Pressure over sigma0 that is none.
    real(dp), parameter :: none = 1.0e-9_dp
+   !> Steps over the number of cells of the surface, at most: as many take about the time of a round, and what they have not reached
+   !> is left to the next one.
+   real(dp), parameter :: most_steps_per_cell = 0.25_dp
 
    !> The table.
    type :: relaxation_t
@@ -89,22 +92,24 @@ contains
       !> In: F of the gap [E*]. Out: F of the new one, as far as the table goes.
       real(dp), intent(inout), contiguous :: pressure(:, :)
       real(dp) :: least
-      integer :: i, j, sign_of_step
+      integer :: i, j, sign_of_step, last_step
 
       sign_of_step = merge(1, -1, is_adhered)
+      last_step = self%n_steps + ceiling(most_steps_per_cell*size(gap))
       least = max(none*law%stress, margin/2, begun*(maxval(-sign_of_step*pressure, mask=is_adhered .or. gap > 0) - margin))
       do j = 1, size(gap, 2), cells_of_tile
          do i = 1, size(gap, 1), cells_of_tile
             associate (last => min([i, j] + cells_of_tile - 1, shape(gap)))
                if (.not. any(is_slow(i:last(1), j:last(2)))) cycle
-               call relax_tile(self, [i, j], last, sign_of_step, margin, least, law, gap, pressure)
+               if (self%n_steps >= last_step) return
+               call relax_tile(self, [i, j], last, sign_of_step, margin, least, last_step, law, gap, pressure)
             end associate
          end do
       end do
    end subroutine relax
 
    !> Make steps in a tile and the cells around it, if it has one that is worth it.
-   subroutine relax_tile(self, first, last, sign_of_step, margin, least, law, gap, pressure)
+   subroutine relax_tile(self, first, last, sign_of_step, margin, least, last_step, law, gap, pressure)
       type(relaxation_t), intent(inout) :: self
       !> First and last cell of the tile along both directions.
       integer, intent(in) :: first(2), last(2)
@@ -114,6 +119,8 @@ contains
       real(dp), intent(in) :: margin
       !> Pressure beyond the margin that makes a tile worth it [E*].
       real(dp), intent(in) :: least
+      !> Number of the step after which no sweep begins.
+      integer, intent(in) :: last_step
       type(cohesion_t), intent(inout) :: law
       real(dp), intent(inout), contiguous :: gap(:, :)
       !> F [E*].
@@ -126,6 +133,7 @@ contains
       stiffness = self%influence(0, 0)
       threshold = least
       do sweep = 1, most_sweeps
+         if (self%n_steps >= last_step) exit
          largest = 0
          do jj = first(2) - around(2), last(2) + around(2)
             j = self%along_y(jj)
