@@ -21,7 +21,9 @@ ABBREVIATIONS = (r"\b(?:[A-Z](?=\.\s[A-Z]\.)|(?<=\b[A-Z]\.\s)[A-Z]|Figs?|Eqs?|Re
 SENTENCE_END = re.compile(rf"(?<!\.\.)[.!?][\"')\]*_]*(?=\s|$)")
 FENCE = re.compile(r"\s*(```+|~~~+)(\w*)")
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
-LINK = re.compile(r"!?\[((?:[^\[\]]|\[[^\]]*\])*)\]\([^()\s]*(?:\([^()]*\))?[^()\s]*\)")
+LINK = re.compile(r"!?\[((?:[^\[\]]|\[[^\]]*\])*)\](?:\([^()\s]*(?:\([^()]*\))?[^()\s]*\)|\[[^\[\]]+\])")
+# Where the links of a label lead.
+LABEL = re.compile(r"\[[^\]]+\]:\s*\S+\s*$")
 # One link, or picture, that stands alone on its line, and so has nowhere to be broken.
 LONE_LINK = re.compile(rf"\s*(?:[-*+]\s+)?{LINK.pattern}[.,:;]?$")
 # The volume, year and page of a source belong to no sentence.
@@ -38,7 +40,8 @@ SHOWN_ELSEWHERE = re.compile(rf"{SHOWN.pattern}|`[^`\n]*src/[^`\n]*`")
 
 
 def blocks_of(text):
-    """The parts of a document: (kind, number of the first line, lines), of kind `code LANGUAGE`, `indented`, `table`, `math`, `heading` or `text`."""
+    """The parts of a document: (kind, number of the first line, lines), of kind `code LANGUAGE`, `indented`, `table`, `math`,
+    `heading`, `labels` or `text`."""
     blocks, fence, kind = [], "", ""
 
     def add(new, number, line, joined):
@@ -68,6 +71,9 @@ def blocks_of(text):
             continue
         elif re.match(r"\s*\|", line):
             kind = "table"
+            add(kind, number, line, before == kind)
+        elif LABEL.match(line):
+            kind = "labels"
             add(kind, number, line, before == kind)
         elif re.match(r"#{1,6}\s", line):
             blocks.append(("heading", number, [line]))

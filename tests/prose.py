@@ -79,6 +79,7 @@ class Prose(unittest.TestCase):
     def test_words_of_sentences(self):
         """Lines are joined; code, formulas, links, initials and sources are what a reader takes them for."""
         for text, count in (("a\nb c.", [3]), ("a `b c. d` e.", [3]), ("a $b + c.\\ d$ e.", [3]), ("[a b](c.md) d. E", [3, 1]),
+                            ("[a b][c d] e [-]. F\n\n[c d]: e.md\n", [3, 1]),
                             ("See Fig. 3 of J. C. Hay (J. C. Hay, J. Mater. Res. 14 (1999) 2296). Next.", [7, 1]),
                             ("It is 1.5 m - or 2.5. A b.", [6, 2]), ("**Ab.** C d.", [1, 2]), ("a load P. The next", [3, 2]), ("Ab?  C! \"De.\" F", [1, 1, 1, 1])):
             self.assertEqual(count, [len(words) for _, words in prose_of(text)], text)
