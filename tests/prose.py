@@ -29,9 +29,8 @@ WIDE_TABLES = (
     "docs/theory/johnson1997.md", "docs/theory/line_contacts.md", "docs/theory/periodic_adhesion.md",
     "docs/theory/periodic_contact.md", "docs/theory/periodic_sliding.md", "docs/theory/periodic_slip.md",
     "docs/theory/round_branches.md", "docs/theory/round_contact.md", "docs/theory/round_peeling.md", "docs/theory/slip.md",
-    "docs/theory/stick_slip.md", "docs/validation/accuracy.md", "docs/validation/hard_cases.md", "docs/validation/interface.md",
-    "docs/validation/misprints.md", "docs/validation/peers.md", "docs/validation/published.md",
-    "docs/validation/rough_surfaces.md", "docs/validation/scenes.md")
+    "docs/theory/stick_slip.md", "docs/validation/hard_cases.md", "docs/validation/interface.md",
+    "docs/validation/misprints.md", "docs/validation/scenes.md")
 # Shelves whose measured numbers have a source in the same section, beside the validation.
 NUMBERED = (("docs", "guide"), ("docs", "theory"), ("docs", "paper"))
 BANNED = {"way": ("path", ["half way", "in the same way"]), "room": ("workspace", ["room temperature"])}
