@@ -22,15 +22,14 @@ NOT_YET = ()
 # Pages with rows of tables that are longer than a line of text. A page leaves this list for good once it has none.
 WIDE_TABLES = (
     "CONTRIBUTING.md", "docs/paper/joss.md", "docs/paper/results.md", "docs/reference/doubts.md",
-    "docs/reference/file_format.md", "docs/reference/glossary.md", "docs/reference/library.md", "docs/reference/python.md",
-    "docs/theory/adhesive_sliding.md", "docs/theory/adhesive_wave.md",
+    "docs/reference/file_format.md", "docs/reference/glossary.md", "docs/reference/library.md",
+    "docs/reference/python.md", "docs/theory/adhesive_sliding.md", "docs/theory/adhesive_wave.md",
     "docs/theory/columns_adhesion.md", "docs/theory/columns_any_shape.md", "docs/theory/columns_material.md",
     "docs/theory/columns_strips.md", "docs/theory/fits.md", "docs/theory/hertz.md", "docs/theory/interface.md",
     "docs/theory/johnson1997.md", "docs/theory/line_contacts.md", "docs/theory/periodic_adhesion.md",
     "docs/theory/periodic_contact.md", "docs/theory/periodic_sliding.md", "docs/theory/periodic_slip.md",
-    "docs/theory/round_branches.md", "docs/theory/round_contact.md", "docs/theory/round_peeling.md", "docs/theory/slip.md",
-    "docs/theory/stick_slip.md", "docs/validation/hard_cases.md", "docs/validation/interface.md",
-    "docs/validation/misprints.md", "docs/validation/scenes.md")
+    "docs/theory/round_branches.md", "docs/theory/round_contact.md", "docs/theory/round_peeling.md",
+    "docs/theory/slip.md", "docs/theory/stick_slip.md")
 # Shelves whose measured numbers have a source in the same section, beside the validation.
 NUMBERED = (("docs", "guide"), ("docs", "theory"), ("docs", "paper"))
 BANNED = {"way": ("path", ["half way", "in the same way"]), "room": ("workspace", ["room temperature"])}
