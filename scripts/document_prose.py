@@ -164,12 +164,19 @@ def faults_of_formulas(text):
 
 
 def banned_words(glossary):
-    """The words of the ban list: each with what stands instead, and phrases in which the word has its other, usual meaning."""
+    """The words of the ban list: each with what stands instead, and phrases in which the word has its other, usual meaning.
+
+    A row without a word has further phrases of the word above."""
     rows = re.search(rf"^{BAN_LIST}\n.*?^\| not .*?\n\|[ -|]+\n(.*?)(?:\n\n|\Z)", glossary, re.MULTILINE | re.DOTALL)
     banned = {}
     for row in rows[1].splitlines() if rows else ():
         word, instead, usual = (cell.strip() for cell in row.strip().strip("|").split("|"))
-        banned[word.strip("*")] = (instead, [phrase.strip() for phrase in usual.split(",") if phrase.strip()])
+        phrases = [phrase.strip() for phrase in usual.split(",") if phrase.strip()]
+        if word:
+            last = word.strip("*")
+            banned[last] = (instead, phrases)
+        else:
+            banned[last][1].extend(phrases)
     return banned
 
 
