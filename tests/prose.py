@@ -22,11 +22,7 @@ NOT_YET = ()
 # Pages with rows of tables that are longer than a line of text. A page leaves this list for good once it has none.
 WIDE_TABLES = (
     "CONTRIBUTING.md", "docs/paper/joss.md", "docs/paper/results.md", "docs/reference/doubts.md",
-    "docs/reference/file_format.md", "docs/reference/library.md", "docs/reference/python.md",
-    "docs/theory/johnson1997.md", "docs/theory/line_contacts.md", "docs/theory/periodic_adhesion.md",
-    "docs/theory/periodic_contact.md", "docs/theory/periodic_sliding.md", "docs/theory/periodic_slip.md",
-    "docs/theory/round_branches.md", "docs/theory/round_contact.md", "docs/theory/round_peeling.md",
-    "docs/theory/slip.md", "docs/theory/stick_slip.md")
+    "docs/reference/file_format.md", "docs/reference/library.md", "docs/reference/python.md")
 # Shelves whose measured numbers have a source in the same section, beside the validation.
 NUMBERED = (("docs", "guide"), ("docs", "theory"), ("docs", "paper"))
 BANNED = {"way": ("path", ["half way", "in the same way"]), "room": ("workspace", ["room temperature"])}
