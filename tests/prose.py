@@ -21,8 +21,7 @@ from document_prose import (GLOSSARY, MEASURED_ELSEWHERE, SHOWN_ELSEWHERE, WRITT
 NOT_YET = ()
 # Pages with rows of tables that are longer than a line of text. A page leaves this list for good once it has none.
 WIDE_TABLES = (
-    "CONTRIBUTING.md", "docs/paper/joss.md", "docs/paper/results.md", "docs/reference/doubts.md",
-    "docs/reference/file_format.md", "docs/reference/library.md", "docs/reference/python.md")
+    "CONTRIBUTING.md", "docs/reference/library.md", "docs/reference/python.md")
 # Shelves whose measured numbers have a source in the same section, beside the validation.
 NUMBERED = (("docs", "guide"), ("docs", "theory"), ("docs", "paper"))
 BANNED = {"way": ("path", ["half way", "in the same way"]), "room": ("workspace", ["room temperature"])}
