@@ -134,11 +134,11 @@ def faults_of_sentences(text):
     return faults
 
 
-def faults_of_lines(text, leaves_out=("table",)):
-    """Lines that are too long, but for links alone on their line, what a program prints, and kinds of blocks that are left out."""
+def faults_of_lines(text):
+    """Lines and rows of tables that are too long, but for links alone on their line, and what a program prints."""
     faults = []
     for kind, number, lines in blocks_of(text):
-        if kind not in (*leaves_out, "code text"):
+        if kind != "code text":
             first = number + kind.startswith("code")
             faults += [f"{first + place}: a line of {len(line)} characters" for place, line in enumerate(lines)
                        if len(line) > LONGEST_LINE and not LONE_LINK.match(line)]
