@@ -8,6 +8,9 @@ from pathlib import Path
 DOCUMENTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "docs/*/*.md", "bench/README.md")
 INLINE = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\])*\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)")
 DEFINED = re.compile(r"^\[[^\]]+\]:\s*<?(\S+?)>?\s*$", re.MULTILINE)
+# `[words][label]`, where a line `[label]: target` of the page says where it leads; `[label]` alone is one, too, if there is such a line
+REFERRED = re.compile(r"!?\[((?:[^\[\]]|\[[^\]]*\])*)\](?:\[([^\[\]]*)\])?(?![(:])")
+LABEL = re.compile(r"^\[([^\]]+)\]:\s*\S+\s*$", re.MULTILINE)
 HTML = re.compile(r"<(?:a|img)\s[^>]*?\b(?:href|src)=\"([^\"]+)\"")
 # Files of the project that a text names.
 NAMED = re.compile(r"(?<![\w/.])(?:docs(?:/\w+)+\.md|(?:src|tests|scripts|bench|drivers)(?:/\w+)+\.(?:f90(?:\.in)?|pf|py|c|md|csv|nml))\b")
@@ -46,15 +49,36 @@ def paragraphs_of(path):
         yield paragraph
 
 
-def links_of(path):
-    """The links of a document with the numbers of the lines where they begin; what stands between backticks is no link."""
+def words_of_paragraphs(path):
+    """The paragraphs of a document, each with its text without what stands between backticks."""
     for paragraph in paragraphs_of(path):
         text = "\n".join(line for _, line in paragraph)
         # line breaks stay, so that lines can be counted
-        words = re.sub(r"(`+)(?!`).*?(?<!`)\1(?!`)", lambda span: "`" + "\n" * span[0].count("\n"), text, flags=re.DOTALL)
+        yield paragraph, re.sub(r"(`+)(?!`).*?(?<!`)\1(?!`)", lambda span: "`" + "\n" * span[0].count("\n"), text, flags=re.DOTALL)
+
+
+def links_of(path):
+    """The links of a document with the numbers of the lines where they begin; what stands between backticks is no link."""
+    for paragraph, words in words_of_paragraphs(path):
         for pattern in (INLINE, DEFINED, HTML):
             for match in pattern.finditer(words):
                 yield paragraph[words.count("\n", 0, match.start())][0], match[1]
+
+
+def faults_of_labels(path):
+    """Labels of links that no line defines, are defined twice or lead from nowhere, with the numbers of their lines."""
+    used, defined = [], []
+    for paragraph, words in words_of_paragraphs(path):
+        for pattern, found in ((REFERRED, used), (LABEL, defined)):
+            for match in pattern.finditer(words):
+                has_label = pattern is REFERRED and match[2] is not None
+                label = " ".join(match[2 if has_label else 1].lower().split())
+                found.append((paragraph[words.count("\n", 0, match.start())][0], label, has_label))
+    labels, names = [label for _, label, _ in defined], {label for _, label, _ in used}
+    faults = [(number, f"[{label}] is defined nowhere") for number, label, has_label in used if has_label and label not in labels]
+    faults += [(number, f"[{label}] leads from nowhere") for number, label, _ in defined if label not in names]
+    faults += [(number, f"[{label}] is defined twice") for place, (number, label, _) in enumerate(defined) if label in labels[:place]]
+    return sorted(faults)
 
 
 def is_inside(link):
@@ -103,6 +127,7 @@ def faults_of(root):
         place = path.relative_to(root).as_posix()
         faults += [f"{place}:{number}: {fault}" for number, link in links_of(path) if is_inside(link)
                    if (fault := fault_of_link(path, link, root))]
+        faults += [f"{place}:{number}: {fault}" for number, fault in faults_of_labels(path)]
         # versions that are gone may name what was there
         if path.name != "CHANGELOG.md":
             faults += [f"{place}:{number}: there is no {name}" for number, line in enumerate(path.read_text().splitlines(), 1)

@@ -21,7 +21,9 @@ ABBREVIATIONS = (r"\b(?:[A-Z](?=\.\s[A-Z]\.)|(?<=\b[A-Z]\.\s)[A-Z]|Figs?|Eqs?|Re
 SENTENCE_END = re.compile(rf"(?<!\.\.)[.!?][\"')\]*_]*(?=\s|$)")
 FENCE = re.compile(r"\s*(```+|~~~+)(\w*)")
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
-LINK = re.compile(r"!?\[((?:[^\[\]]|\[[^\]]*\])*)\]\([^()\s]*(?:\([^()]*\))?[^()\s]*\)")
+LINK = re.compile(r"!?\[((?:[^\[\]]|\[[^\]]*\])*)\](?:\([^()\s]*(?:\([^()]*\))?[^()\s]*\)|\[[^\[\]]+\])")
+# Where the links of a label lead.
+LABEL = re.compile(r"\[[^\]]+\]:\s*\S+\s*$")
 # One link, or picture, that stands alone on its line, and so has nowhere to be broken.
 LONE_LINK = re.compile(rf"\s*(?:[-*+]\s+)?{LINK.pattern}[.,:;]?$")
 # The volume, year and page of a source belong to no sentence.
@@ -38,7 +40,8 @@ SHOWN_ELSEWHERE = re.compile(rf"{SHOWN.pattern}|`[^`\n]*src/[^`\n]*`")
 
 
 def blocks_of(text):
-    """The parts of a document: (kind, number of the first line, lines), of kind `code LANGUAGE`, `indented`, `table`, `math`, `heading` or `text`."""
+    """The parts of a document: (kind, number of the first line, lines), of kind `code LANGUAGE`, `indented`, `table`, `math`,
+    `heading`, `labels` or `text`."""
     blocks, fence, kind = [], "", ""
 
     def add(new, number, line, joined):
@@ -68,6 +71,9 @@ def blocks_of(text):
             continue
         elif re.match(r"\s*\|", line):
             kind = "table"
+            add(kind, number, line, before == kind)
+        elif LABEL.match(line):
+            kind = "labels"
             add(kind, number, line, before == kind)
         elif re.match(r"#{1,6}\s", line):
             blocks.append(("heading", number, [line]))
@@ -128,11 +134,11 @@ def faults_of_sentences(text):
     return faults
 
 
-def faults_of_lines(text, leaves_out=("table",)):
-    """Lines that are too long, but for links alone on their line, what a program prints, and kinds of blocks that are left out."""
+def faults_of_lines(text):
+    """Lines and rows of tables that are too long, but for links alone on their line, and what a program prints."""
     faults = []
     for kind, number, lines in blocks_of(text):
-        if kind not in (*leaves_out, "code text"):
+        if kind != "code text":
             first = number + kind.startswith("code")
             faults += [f"{first + place}: a line of {len(line)} characters" for place, line in enumerate(lines)
                        if len(line) > LONGEST_LINE and not LONE_LINK.match(line)]
@@ -158,12 +164,19 @@ def faults_of_formulas(text):
 
 
 def banned_words(glossary):
-    """The words of the ban list: each with what stands instead, and phrases in which the word has its other, usual meaning."""
+    """The words of the ban list: each with what stands instead, and phrases in which the word has its other, usual meaning.
+
+    A row without a word has further phrases of the word above."""
     rows = re.search(rf"^{BAN_LIST}\n.*?^\| not .*?\n\|[ -|]+\n(.*?)(?:\n\n|\Z)", glossary, re.MULTILINE | re.DOTALL)
     banned = {}
     for row in rows[1].splitlines() if rows else ():
         word, instead, usual = (cell.strip() for cell in row.strip().strip("|").split("|"))
-        banned[word.strip("*")] = (instead, [phrase.strip() for phrase in usual.split(",") if phrase.strip()])
+        phrases = [phrase.strip() for phrase in usual.split(",") if phrase.strip()]
+        if word:
+            last = word.strip("*")
+            banned[last] = (instead, phrases)
+        else:
+            banned[last][1].extend(phrases)
     return banned
 
 

@@ -32,8 +32,8 @@ def show(number):
 
 
 def main():
-    head("Errors of small slopes", "contact over radius, or slope", "approach of a sphere", "its load", "cone, nu = 0", "cone, nu = 0.3",
-         "length of the surface")
+    head("Errors of small slopes", "contact over R, or slope", "approach of a sphere", "its load", "cone, nu = 0", "cone, nu = 0.3",
+         "length of surface")
     for size in SIZES:
         row(f"{size:g}", *map(show, (*sphere_errors(size), cone_error(size, 0.0), cone_error(size, 0.3), hypot(1, size) - 1)))
     head("Errors of columns", "thickness over wave", "stiffness")

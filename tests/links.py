@@ -52,6 +52,15 @@ class Links(unittest.TestCase):
         self.assertEqual(["README.md:3: docs/no.md: there is no docs/no.md", "README.md:6: docs/gone.md: there is no docs/gone.md",
                           "README.md:4: there is no docs/no.md", "README.md:6: there is no docs/gone.md"], faults_of(root))
 
+    def test_labels(self):
+        """Words with a label lead where its line says, in any case of letters and over a line break; labels are defined once, and used."""
+        root = self.write("# A\n\n| [a][other] | [b `c`][Two\nwords] | `[d][no]` | [other] | [e] |\n\n[other]: docs/other.md\n[two words]: #a\n")
+        self.assertEqual([], faults_of(root))
+        root = self.write("# A\n\n[a][gone] or\n[b][other]\n\n[other]: docs/no.md\n[unused]: docs/other.md\n[Other]: docs/other.md\n")
+        self.assertEqual(["README.md:6: docs/no.md: there is no docs/no.md", "README.md:3: [gone] is defined nowhere",
+                          "README.md:7: [unused] leads from nowhere", "README.md:8: [other] is defined twice",
+                          "README.md:6: there is no docs/no.md"], faults_of(root))
+
     def test_wrong(self):
         """A file, a heading, a picture and a document that are not there, and a place out of the project."""
         root = self.write("# A\n[a](docs/no.md) and [b](#b)\n[c](docs/other.md#no) ![d](docs/no.png)\n"

@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from runs import Runs, main  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"scripts"))
+from document_prose import LONGEST_LINE  # noqa: E402
 from reference_pages import pages_of, read_variables  # noqa: E402
 
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
@@ -113,14 +114,21 @@ class Scenes(Runs):
                         self.assertNotIn("-", file)
 
     def test_readme(self):
-        """README shows the same table; surfaces with the same cells share a row."""
-        lines = (SOURCE/"README.md").read_text().splitlines()
-        shown = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines
-                 if line.startswith("| `") and len(line.strip("|").split("|")) == 15]
+        """README shows the same cells in three tables; surfaces with the same cells share a row, as far as a line of the page allows."""
         words = {"exact": "e", "numerical": "n", "": "-"}
-        self.assertEqual([(name.strip("`"), column, words[cell]) for row in shown for name in row[0].split(", ")
-                          for column, cell in enumerate(row[1:], 1)], self.table())
-        self.assertEqual(len(shown), len({tuple(row[1:]) for row in shown}))
+        section = re.search(r"^## What can be solved\n(.*?)^## ", (SOURCE/"README.md").read_text(), re.MULTILINE | re.DOTALL)[1]
+        shown, first = [], 1
+        for head, body in re.findall(r"^(\| surface \|.*\|)\n\|[ |-]+\n((?:\|.*\n)+)", section, re.MULTILINE):
+            rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in body.splitlines()]
+            columns = len(head.strip("|").split("|")) - 1
+            self.assertEqual({1 + columns}, {len(row) for row in rows})
+            shown += [(name.strip("`"), column, words[cell]) for row in rows for name in row[0].split(", ")
+                      for column, cell in enumerate(row[1:], first) if cell]
+            alike = [f"{row[0]}, {line}" for row in rows for other, line in zip(rows, body.splitlines()) if other is not row and other[1:] == row[1:]]
+            self.assertEqual([], [line for line in alike if len(line) <= LONGEST_LINE])
+            first += columns
+        self.assertEqual(sorted(shown), sorted(cell for cell in self.table() if cell[2] != "-"))
+        self.assertEqual(first, 1 + len(KINDS))
 
     def test_reference_pages(self):
         """The written pages of docs/reference say what the program, the header, the docstrings and the comments say."""
