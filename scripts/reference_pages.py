@@ -8,10 +8,13 @@ import ast
 import re
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = "docs/reference"
+# characters of a line, at most
+WIDTH = 120
 # groups, names with their units, and their words
 GROUP = re.compile(r"&(\w+)$")
 VARIABLE = re.compile(r"  (\w+)(?: \[([^]]+)\])?(?: +(\S.*))?$")
@@ -32,8 +35,35 @@ def cell(text):
 
 
 def table(head, rows):
-    """The lines of a table; nothing without rows."""
-    return [f"| {' | '.join(head)} |", f"| {' | '.join(['---'] * len(head))} |", *(f"| {' | '.join(row)} |" for row in rows), ""] if rows else []
+    """The lines of a table, or of a list where a row is too long; nothing without rows."""
+    lines = [f"| {' | '.join(row)} |" for row in (head, ["---"] * len(head), *rows)]
+    if max(map(len, lines)) > WIDTH:
+        return items([(f"{head[0]} {row[0]}" if head[0] in ("returns", "raises") else row[0], *row[1:]) for row in rows])
+    return [*lines, ""] if rows else []
+
+
+def items(rows):
+    """The lines of a list: the last cell of a row behind the others."""
+    return [*(f"- {', '.join(filter(None, row[:-1]))}: {row[-1]}" for row in rows), ""]
+
+
+def with_units(variables):
+    """Variables as rows: a name with its unit, and what it means."""
+    return [(f"`{name}` [{unit}]" if unit else f"`{name}`", meaning_of(meaning)) for name, unit, meaning in variables]
+
+
+def in_lines(text):
+    """A page whose paragraphs and items are wrapped; blocks, tables and headings stay."""
+    lines, is_block = [], False
+    for line in text.splitlines():
+        is_fence = line.startswith("```")
+        is_block = is_block != is_fence
+        if is_block or is_fence or len(line) <= WIDTH or line.startswith(("|", "#")):
+            lines.append(line)
+        else:
+            lines += textwrap.wrap(line, WIDTH, subsequent_indent="  " if line.startswith("- ") else "", break_long_words=False,
+                                   break_on_hyphens=False)
+    return "\n".join(lines) + "\n"
 
 
 def block(kind, text):
@@ -70,8 +100,7 @@ def variables_page(help_of):
              "what is allowed, and what each solver takes where nothing is given. [Results](results.md) have a page of their own.", ""]
     for group, variables in read_variables(help_of("scenes")):
         if group != "Results":
-            lines += [f"## {group}", "", *table(("variable", "unit", "meaning"), [(f"`{name}`", unit, meaning_of(meaning))
-                                                                                 for name, unit, meaning in variables])]
+            lines += [f"## {group}", "", *items(with_units(variables))]
     return lines
 
 
@@ -82,7 +111,7 @@ def results_page(help_of):
             "Where two units stand, one is for a body, the other for one per length of it, or per area of the surface.",
             "In the file each result has its unit as an attribute. [The solvers](solvers.md) say which of them give it.", "",
             "Every run has `status`, `doubt` and `error_estimate` beside them: [what they mean](status.md).", "",
-            *table(("result", "unit", "meaning"), [(f"`{name}`", unit, meaning_of(meaning)) for name, unit, meaning in found])]
+            *items(with_units(found))]
 
 
 def states_of(text, name):
@@ -293,7 +322,7 @@ def pages_of(help_of):
     texts = {}
     for file, (title, lines_of) in zip(WRITTEN, PAGES.values()):
         text = "\n".join([f"# {title}", "", *lines_of(help_of)])
-        texts[file] = text.rstrip() + "\n\n`scripts/reference_pages.py` writes this page.\n"
+        texts[file] = in_lines(text.rstrip() + "\n\n`scripts/reference_pages.py` writes this page.\n")
     return texts
 
 

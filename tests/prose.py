@@ -16,6 +16,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from document_links import documents_of  # noqa: E402
 from document_prose import (GLOSSARY, MEASURED_ELSEWHERE, SHOWN_ELSEWHERE, WRITTEN, banned_words, faults_of_blocks, faults_of_formulas, faults_of_lines,  # noqa: E402
                             faults_of_numbers, faults_of_prose, faults_of_sentences, faults_of_words, prose_of)
+from reference_pages import WRITTEN as REFERENCE  # noqa: E402
 
 # Pages that are not yet written for readers. A page leaves this list for good once it has no fault.
 NOT_YET = ()
@@ -40,6 +41,13 @@ class Prose(unittest.TestCase):
         """A page that has become readable, or is gone, leaves the list."""
         banned = banned_words((ROOT / GLOSSARY).read_text())
         self.assertEqual([], [name for name in NOT_YET if not (ROOT / name).exists() or not faults_of_prose((ROOT / name).read_text(), banned)])
+
+    def test_lines_of_written_pages(self):
+        """What a program writes for the reference has no longer lines, but for the code that it repeats."""
+        for name in REFERENCE:
+            with self.subTest(name):
+                text = re.sub(r"(?ms)^```.*?^```$", "", (ROOT / name).read_text())
+                self.assertEqual([], faults_of_lines(text))
 
     def test_ban_list(self):
         """The glossary has the list, and every word has another in its place."""

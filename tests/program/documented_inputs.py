@@ -115,7 +115,7 @@ class DocumentedInputs(InputRuns):
         texts = re.sub(r"!.*", "", "".join(text for _, _, text, _ in whole_inputs()))
         shipped = re.sub(r"!.*", "", "".join(path.read_text() for path in (SOURCE/"inputs").glob("*.nml")))
         without = []
-        for name, choices in re.findall(r"(?m)^\| `(\w+)` \|[^|]*\|(.*)\|$", (SOURCE/"docs/reference/variables.md").read_text()):
+        for name, choices in re.findall(r"(?m)^- `(\w+)`[^:]*:(.*)$", (SOURCE/"docs/reference/variables.md").read_text().replace("\n  ", " ")):
             if not re.search(rf"\b{name}\b", texts + shipped):
                 without.append(name)
             for word in re.findall(r"`'(\w+)'`", choices):
