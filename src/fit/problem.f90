@@ -18,7 +18,7 @@ module adfric_fit_problem
    use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
-   public :: free_t, data_set_t, event_t, fit_t, get_nuisance_defaults
+   public :: free_t, data_set_t, event_t, fit_t
    public :: n_nuisances, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, &
       & nuisance_spring_stiffness, nuisance_tilt, nuisance_drift_rate, nuisance_names
    public :: loss_gauss, loss_huber, loss_soft_l1, loss_cauchy, loss_names
@@ -138,14 +138,5 @@ module adfric_fit_problem
       !> Are curves, bands, profiles and theories wanted beside the estimates? A stack leaves them out.
       logical :: wants_curves = .true.
    end type fit_t
-
-contains
-
-   !> Values of the nuisances where nothing else is said.
-   pure function get_nuisance_defaults() result(values)
-      real(dp) :: values(n_nuisances)
-
-      values = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset, 0.0_dp, 0.0_dp]
-   end function get_nuisance_defaults
 
 end module adfric_fit_problem

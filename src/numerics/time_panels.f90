@@ -14,7 +14,7 @@ module adfric_numerics_time_panels
    implicit none (type, external)
    private
    public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_all_faded, get_weights, get_tail, find_fall
-   public :: lost_part, lost_twice
+   public :: last_begun, lost_part, lost_twice
 
    !> Number of nodes of a panel.
    integer, parameter :: n_nodes = 12
@@ -305,5 +305,24 @@ contains
       end function value_at
 
    end function find_fall
+
+   !> The last of the panels that have begun at a time; 1 before all.
+   pure integer function last_begun(clocks, clock) result(panel)
+      !> Times at their begins, one at least, none below the one before.
+      real(dp), intent(in) :: clocks(:)
+      real(dp), intent(in) :: clock
+      integer :: high, middle
+
+      panel = 1
+      high = size(clocks)
+      do while (panel < high)
+         middle = (panel + high + 1)/2
+         if (clocks(middle) <= clock) then
+            panel = middle
+         else
+            high = middle - 1
+         end if
+      end do
+   end function last_begun
 
 end module adfric_numerics_time_panels

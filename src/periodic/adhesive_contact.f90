@@ -9,7 +9,7 @@
 !> - Between rounds, cells that go slowly go on in steps of their own, which pass no state (`adfric_periodic_adhesive_relaxation`).
 !> - Newton's method is faster next to the state, but may pass one. Its state is taken only where none is passed from the gap of the
 !>   rounds (`adfric_periodic_adhesive_proof`), or where rounds have come to rest.
-!> - Contacts on the way are solved to a part of the change that led to them. Steps in single cells keep off by what they leave.
+!> - Contacts in between are solved to a part of the change that led to them. Steps in single cells keep off by what they leave.
 !>
 !> Where mean(p) = q + sigma0 mean(t) is not above 0 no contact carries the load: there is no state below these shares.
 module adfric_periodic_adhesive_contact
@@ -28,7 +28,7 @@ module adfric_periodic_adhesive_contact
    integer, parameter :: most_rounds = 2000
    !> Largest change of a share that ends the rounds, and one from which on Newton's method is tried.
    real(dp), parameter :: resting_share = 1.0e-7_dp, small_change = 2.0e-3_dp
-   !> Residual of the contacts on the way: in units of the change of tension that led to it, the largest one, the least one, and that of
+   !> Residual of the contacts in between: in units of the change of tension that led to it, the largest one, the least one, and that of
    !> contacts whose pressure is found anew.
    real(dp), parameter :: part_of_change = 0.02_dp, first_tolerance = 1.0e-3_dp, least_tolerance = 1.0e-9_dp
    real(dp), parameter :: passing_tolerance = 1.0e-5_dp
@@ -37,7 +37,7 @@ module adfric_periodic_adhesive_contact
    real(dp), parameter :: slow = 0.5_dp, slow_share = 0.02_dp, part_of_largest = 0.3_dp
    !> Cells by which the zones of a coarser grid may be too narrow or too wide on the finer one.
    integer, parameter :: cells_beside = 1
-   !> Shares that stay on one side of a bound by less do so: contacts on the way are not exact.
+   !> Shares that stay on one side of a bound by less do so: contacts in between are not exact.
    real(dp), parameter :: like_share = 1.0e-3_dp
    !> Largest difference of a share from the state's at which a proof is tried, and rounds from one to the next.
    real(dp), parameter :: near_share = 0.5_dp
@@ -197,7 +197,7 @@ contains
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
       real(dp), intent(in) :: tolerance
-      !> Is it one on the way to another? Not given: no.
+      !> Is it one before another? Not given: no.
       logical, intent(in), optional :: is_passing
       integer :: n_before
 

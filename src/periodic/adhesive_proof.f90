@@ -1,17 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Proof that no state of an adhesive surface lies between a gap that bounds the wanted one and a state that was found.
 !>
-!> Let g be the state, and g -+ x a gap beyond the bound, x >= 0. Where no share changes by more than s m_i on the way from g to g -+ s x,
-!> 0 < s <= 1, a round from there ends within s y of g, y = sigma0 A_OO^-1 m, over the open cells O of both ends. With y < x wherever
-!> m > 0 that is nearer to g than it began, for every s: no state lies on the way, and rounds from its far end come to g.
+!> Let g be the state, and g -+ x a gap beyond the bound, x >= 0. Where no share changes by more than s m_i between g and g -+ s x,
+!> 0 < s <= 1, a round from there ends within s y of g, y = sigma0 A_OO^-1 m, over the open cells O of both ends. With y < x
+!> wherever m > 0 that is nearer to g than it began, for every s: no state lies between, and rounds from its far end come to g.
 !>
-!> - The way is w = (A - sigma0 dt/dg)_OO^-1 sigma0, along which the solid gives way at a load, so long that it passes the bound, and
-!>   the distance to the bound where that is more. Near the state A w - sigma0 m = sigma0: w has a margin everywhere.
-!> - m is the largest of secants. Shares change one way, so that between two parts of the way |t - t(g)|/s is not above the change at
-!>   the farther part over the nearer s. Parts are closer in cells where that costs too much of the margin.
+!> - The path is along w = (A - sigma0 dt/dg)_OO^-1 sigma0, which is how the solid yields to a load, so long that it passes the
+!>   bound, and the distance to the bound where that is more. Near the state A w - sigma0 m = sigma0: w has a margin everywhere.
+!> - m is the largest of secants. Shares change in one direction, so that between two parts of the path |t - t(g)|/s is not above the
+!>   change at the farther part over the nearer s. Parts are closer in cells where that costs too much of the margin.
 !> - On the last part, next to the state, slopes are those of the state itself.
-!> - x - y = v is what A_OO v = A x - sigma0 m says. It is above 0 where the right side is so in all cells. Else a little is taken from
-!>   that side, and v found to no more than that, so that it is not above the true one.
+!> - x - y = v is what A_OO v = A x - sigma0 m says. It is above 0 where the right side is so in all cells. Else a little is taken
+!>   from that side, and v found to no more than that, so that it is not above the true one.
 module adfric_periodic_adhesive_proof
    use adfric_base_kinds, only: dp
    use adfric_periodic_cohesion, only: cohesion_t, shares_in_square
@@ -22,25 +22,25 @@ module adfric_periodic_adhesive_proof
    private
    public :: find_path, is_alone
 
-   !> Pressure that the system of the way leaves, over the tension, and steps of a system, at most.
+   !> Pressure that the system of the path leaves, over the tension, and steps of a system, at most.
    real(dp), parameter :: path_tolerance = 0.05_dp
    integer, parameter :: most_steps = 200
-   !> Largest change of a share on a way that is tried.
+   !> Largest change of a share on a path that is tried.
    real(dp), parameter :: farthest_change = 0.5_dp
-   !> Nearest part of the way with a secant of its own, and a part over the next farther one, closer and closer.
+   !> Nearest part of the path with a secant of its own, and a part over the next farther one, closer and closer.
    real(dp), parameter :: nearest_part = 0.02_dp, ratios(*) = [0.85_dp, 0.97_dp, 0.995_dp]
    !> Part of the margin that secants may cost before they are closer, and part that is left to the system of the distance.
    real(dp), parameter :: cost_of_secants = 0.1_dp, part_of_margin = 0.1_dp
 
 contains
 
-   !> Find the way along which the solid gives way at a load.
+   !> Find the direction in which the solid yields to a load.
    subroutine find_path(state, operator, gap_solver, path)
       !> A state, with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
-      !> Receives the change of the gap, >= 0; not allocated where there is none, since the solid gives way by itself.
+      !> Receives the change of the gap, >= 0; not allocated where there is none, since the solid yields by itself.
       real(dp), allocatable, intent(out) :: path(:, :)
       real(dp), allocatable :: load(:, :)
 
@@ -54,7 +54,7 @@ contains
    logical function is_alone(state, direction, operator, gap_solver, is_adhered, bound, is_open_there)
       !> The state, with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
-      !> Its way, see `find_path`.
+      !> Its direction, see `find_path`.
       real(dp), intent(in), contiguous :: direction(:, :)
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
@@ -95,13 +95,13 @@ contains
       is_alone = all(rest > 0 .or. .not. (slope > 0 .and. is_open))
    end function is_alone
 
-   !> The largest slopes of the shares on a way.
+   !> The largest slopes of the shares on a path.
    subroutine set_largest_slope(state, sign_of_path, path, cost, slope)
       !> The state with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
-      !> -1 where the way leads to smaller gaps, else 1.
+      !> -1 where the path leads to smaller gaps, else 1.
       real(dp), intent(in) :: sign_of_path
-      !> The way, >= 0; shape of the cells.
+      !> The path, >= 0; shape of the cells.
       real(dp), intent(in), contiguous :: path(:, :)
       !> Slope beyond that at the state from which on secants are made closer.
       real(dp), intent(in) :: cost
@@ -123,7 +123,7 @@ contains
       end do
    end subroutine set_largest_slope
 
-   !> Slopes of the shares at a state along a way.
+   !> Slopes of the shares at a state along a path.
    pure subroutine set_slope(law, path, slope)
       !> The law with its slopes.
       type(cohesion_t), intent(in) :: law
@@ -154,15 +154,15 @@ contains
       end do
    end function length_of
 
-   !> The largest of slopes and of secants of the shares, from a state to all positions on a way but the nearest.
+   !> The largest of slopes and of secants of the shares, from a state to all positions on a path but the nearest.
    subroutine raise_slope(law, gap, path, ratio, is_wanted, at_state, slope)
-      !> The law; receives the squares on the way.
+      !> The law; receives the squares on the path.
       type(cohesion_t), intent(inout) :: law
       !> Gap of the state; shape of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
       !> Change of the gap, of one sign.
       real(dp), intent(in), contiguous :: path(:, :)
-      !> A part of the way over the next farther one.
+      !> A part of the path over the next farther one.
       real(dp), intent(in) :: ratio
       !> Cells whose slopes are wanted.
       logical, intent(in), contiguous :: is_wanted(:, :)
@@ -232,7 +232,7 @@ contains
       end do
    end subroutine pick
 
-   !> What the squares on the way add to the shares of their cells.
+   !> What the squares on the path add to the shares of their cells.
    pure subroutine sum_shares(law, squares, corners, gap, share)
       !> The law with the squares.
       type(cohesion_t), intent(in) :: law

@@ -112,7 +112,7 @@ contains
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Largest residual that is allowed [-], see `residual_of`.
       real(dp), intent(in) :: tolerance
-      !> Is the solution one on the way to another? Its pressure is not found anew at the end then. Not given: no.
+      !> Is the solution one before another? Its pressure is not found anew at the end then. Not given: no.
       logical, intent(in), optional :: is_passing
       type(region_search_t) :: search
       type(verdict_t) :: verdict

@@ -24,9 +24,10 @@ module adfric_round_timed_adhesion_model
    use adfric_round_timed_adhesion_setting, only: set_up, setting_t, values_of_indenter
    use adfric_round_timed_adhesion_trigger, only: find_adhesive_trigger
    use adfric_round_timed_history, only: path_sine, pressing_under, timed_input
-   use adfric_round_timed_model, only: before_history, indenter_time_t, n_timed_variables, set_timed_rows
+   use adfric_round_timed_model, only: indenter_time_t, set_timed_rows
    use adfric_round_timed_rows, only: n_timed_results, out => timed_output, p_approach, p_area, p_load, p_radius, p_stiffness, &
       & p_time
+   use adfric_round_timed_setting, only: before_history, n_timed_variables
    use adfric_round_variables, only: get_indenter_variables, in => indenter_input, kind_flat, n_indenter_variables
    implicit none (type, external)
    private

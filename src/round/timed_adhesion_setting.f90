@@ -14,8 +14,9 @@ module adfric_round_timed_adhesion_setting
    use adfric_round_timed_adhesion_path, only: close_path
    use adfric_round_timed_adhesion_rows, only: adhesion_input
    use adfric_round_timed_history, only: get_legs, largest_prescribed, path_triangle, steps_of_leg, timed_input
-   use adfric_round_timed_model, only: before_history, before_solid, indenter_time_t, n_timed_variables
+   use adfric_round_timed_model, only: indenter_time_t
    use adfric_round_timed_path, only: timed_control_t, timed_leg_t
+   use adfric_round_timed_setting, only: before_history, before_solid, n_timed_variables
    use adfric_round_variables, only: choose_maugis_dugdale, in => indenter_input, n_indenter_variables
    use adfric_solid_prony, only: new_prony, prony_t
    use adfric_solid_spectrum_rows, only: get_spectrum, shift_factor_of

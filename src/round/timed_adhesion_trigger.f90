@@ -7,7 +7,8 @@ module adfric_round_timed_adhesion_trigger
    use adfric_round_timed_adhesion_contact, only: adhesive_contact_t, advance_to, start_adhesive_contact
    use adfric_round_timed_adhesion_setting, only: set_up, setting_t
    use adfric_round_timed_history, only: pressing_alone, pressing_under, timed_input, top_row
-   use adfric_round_timed_model, only: before_history, indenter_time_t, n_timed_variables
+   use adfric_round_timed_model, only: indenter_time_t
+   use adfric_round_timed_setting, only: before_history, n_timed_variables
    implicit none (type, external)
    private
    public :: find_adhesive_trigger

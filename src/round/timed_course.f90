@@ -6,7 +6,7 @@ module adfric_round_timed_course
    use adfric_describe_model, only: model_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_status, only: status_not_converged, status_solved
-   use adfric_numerics_time_panels, only: get_weights, n_nodes
+   use adfric_numerics_time_panels, only: get_weights, last_begun, n_nodes
    use adfric_round_indenter_states, only: indenter_states_t
    use adfric_round_timed_contact, only: advance, error_of, timed_contact_t
    use adfric_round_timed_cycle, only: read_cycle, timed_cycle_t
@@ -134,7 +134,6 @@ contains
       logical, intent(out) :: is_there
       real(dp), parameter :: round_off = 16*epsilon(1.0_dp)
       real(dp) :: clock, weights(n_nodes), moment, s
-      integer :: low, high, middle
 
       clock = time - self%begin
       approach = 0
@@ -152,17 +151,7 @@ contains
             & clock <= last%clock + last%span + round_off*(abs(time) + abs(self%begin))
       end associate
       if (.not. is_there) return
-      low = 1
-      high = self%n
-      do while (low < high)
-         middle = (low + high + 1)/2
-         if (self%panels(middle)%clock <= clock) then
-            low = middle
-         else
-            high = middle - 1
-         end if
-      end do
-      associate (panel => self%panels(low), case => self%states%case)
+      associate (panel => self%panels(last_begun(self%panels(:self%n)%clock, clock)), case => self%states%case)
          s = 1
          if (panel%span > 0) s = min(1.0_dp, max(-1.0_dp, 2*(clock - panel%clock)/panel%span - 1))
          call get_weights(s, weights)

@@ -14,13 +14,13 @@
 module adfric_round_timed_cycle
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_contact_t
-   use adfric_numerics_time_panels, only: get_faded, get_tail, get_weights, lost_part, n_nodes, panel_nodes
+   use adfric_numerics_time_panels, only: get_faded, get_tail, get_weights, last_begun, lost_part, n_nodes, panel_nodes
    use adfric_round_timed_path, only: timed_control_t, timed_leg_t
    use adfric_round_timed_springs, only: get_spot
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
    private
-   public :: timed_cycle_t, new_cycle, read_cycle, find_origin, look_at, approach_at, drive_at
+   public :: timed_cycle_t, new_cycle, read_cycle, find_origin, get_memories, load_of, approach_at, drive_at
 
    !> A panel of the growing contact.
    type :: grown_panel_t
@@ -278,32 +278,69 @@ contains
       real(dp), intent(in) :: clock
       !> Receive delta, G(a) and the load.
       real(dp), intent(out) :: approach, depth, load
-      real(dp) :: weights(n_nodes), root, radius, moment
-      integer :: leg, k, i
+      real(dp) :: weights(n_nodes), memories(0:size(self%solid%times)), root
+      integer :: leg, k
       logical :: has_contact
 
       approach = approach_at(self%path(max(1, count(self%path%clock <= clock))), clock)
       load = 0
       call find_origin(self, clock, leg, root, depth, has_contact)
       if (.not. has_contact) return
-      if (depth < self%jump) then
-         call get_spot(contacts, depth, radius, moment)
-         load = 2*(self%solid%relaxed + sum(self%solid%moduli*exp(-(clock - root)/self%solid%times)))*(depth*radius - moment)
-         return
-      end if
-      call look_at(self, root, k, weights)
       if (leg <= self%turn) then
+         call look_at(self, root, k, weights)
          load = dot_product(weights, self%panels(k)%load)
+      else
+         call get_memories(self, contacts, root, depth, memories, k, weights)
+         load = load_of(self, memories, clock - root)
+      end if
+   end subroutine read_cycle
+
+   !> What the springs in contact remember up to the time t1: int a d delta, and Q_i.
+   pure subroutine get_memories(self, contacts, root, depth, memories, panel, weights)
+      !> The cycle.
+      type(timed_cycle_t), intent(in) :: self
+      !> Contacts of the indenter with an elastic half-space of modulus 1.
+      class(normal_contact_t), intent(in) :: contacts
+      !> t1 and G(a), as `find_origin` says.
+      real(dp), intent(in) :: root, depth
+      !> Receives int a d delta in column 0, and Q_i in column i; shape `(0:n_arms)`.
+      real(dp), intent(out) :: memories(0:)
+      !> Receives the number of the panel of t1, 0 in the jump.
+      integer, intent(out) :: panel
+      !> Receives the weights of its nodes.
+      real(dp), intent(out) :: weights(n_nodes)
+      real(dp) :: radius, moment
+      integer :: i
+
+      if (depth < self%jump) then
+         panel = 0
+         weights = 0
+         call get_spot(contacts, depth, radius, moment)
+         memories = depth*radius - moment
          return
       end if
-      associate (sums => self%panels(k)%sums, solid => self%solid)
-         load = solid%relaxed*dot_product(weights, sums(:, 0))
-         do i = 1, size(solid%times)
-            load = load + solid%moduli(i)*exp(-(clock - root)/solid%times(i))*dot_product(weights, sums(:, i))
-         end do
-      end associate
+      call look_at(self, root, panel, weights)
+      do i = 0, size(self%solid%times)
+         memories(i) = dot_product(weights, self%panels(panel)%sums(:, i))
+      end do
+   end subroutine get_memories
+
+   !> The load of what springs remember, some time later.
+   pure real(dp) function load_of(self, memories, lag) result(load)
+      !> The cycle.
+      type(timed_cycle_t), intent(in) :: self
+      !> See `get_memories`; shape `(0:n_arms)`.
+      real(dp), intent(in) :: memories(0:)
+      !> The time that has passed since t1.
+      real(dp), intent(in) :: lag
+      integer :: i
+
+      load = self%solid%relaxed*memories(0)
+      do i = 1, size(self%solid%times)
+         load = load + self%solid%moduli(i)*exp(-lag/self%solid%times(i))*memories(i)
+      end do
       load = max(0.0_dp, 2*load)
-   end subroutine read_cycle
+   end function load_of
 
    !> The time t1 at which the edge came to where it is: now while the contact grows, earlier while it shrinks.
    pure subroutine find_origin(self, clock, leg, root, depth, has_contact)
@@ -341,18 +378,8 @@ contains
       integer, intent(out) :: panel
       !> Receives the weights.
       real(dp), intent(out) :: weights(n_nodes)
-      integer :: high, middle
 
-      panel = 1
-      high = self%n
-      do while (panel < high)
-         middle = (panel + high + 1)/2
-         if (self%panels(middle)%clock <= clock) then
-            panel = middle
-         else
-            high = middle - 1
-         end if
-      end do
+      panel = last_begun(self%panels(:self%n)%clock, clock)
       associate (found => self%panels(panel))
          call get_weights(min(1.0_dp, max(-1.0_dp, 2*(clock - found%clock)/found%span - 1)), weights)
       end associate

@@ -16,7 +16,7 @@ module adfric_round_timed_cycle_slopes
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_contact_t
    use adfric_numerics_time_panels, only: get_all_faded, lost_part, lost_twice, n_nodes, panel_nodes
-   use adfric_round_timed_cycle, only: approach_at, drive_at, find_origin, look_at, timed_cycle_t
+   use adfric_round_timed_cycle, only: approach_at, drive_at, find_origin, get_memories, load_of, timed_cycle_t
    use adfric_round_timed_springs, only: get_spot
    implicit none (type, external)
    private
@@ -184,41 +184,35 @@ contains
       call get_spot(contacts, depth, radius, moment)
       lag = clock - root
       associate (solid => cycle%solid)
-         if (depth < cycle%jump) then
-            ! springs of the jump remember nothing else
-            memories = depth*radius - moment
-            sums = 0
-         else
-            call look_at(cycle, root, k, weights)
-            memories = matmul(weights, cycle%panels(k)%sums)
+         call get_memories(cycle, contacts, root, depth, memories, k, weights)
+         load = load_of(cycle, memories, lag)
+         if (leg <= cycle%turn) load = max(0.0_dp, dot_product(weights, cycle%panels(k)%load))
+         ! springs of the jump remember nothing else
+         sums = 0
+         if (k > 0) then
             do i = 1, size(solid%times)
                sums(:, i) = matmul(weights, self%sums(:, :, i, k))
             end do
          end if
          gradient%relaxed = memories(0)
-         load = solid%relaxed*memories(0)
          gradient%shift = solid%relaxed*radius
          gradient%drift = solid%relaxed*radius*root
          do i = 1, size(solid%times)
             associate (time => solid%times(i), modulus => solid%moduli(i))
                faded = exp(-lag/time)
                gradient%moduli(i) = faded*memories(i)
-               load = load + modulus*faded*memories(i)
                gradient%times(i) = modulus*faded*(sums(by_time, i) + memories(i)*(lag/time/time))
                gradient%shift = gradient%shift + modulus*faded*(radius - sums(of_radius, i)/time)
                gradient%drift = gradient%drift + modulus*faded*(radius*root - sums(of_radius_and_time, i)/time)
             end associate
          end do
          if (leg > cycle%turn) call add_root(self, cycle, clock, leg, root, depth, radius, gradient)
-         load = 2*load
-         if (leg <= cycle%turn) load = dot_product(weights, cycle%panels(k)%load)
          gradient%relaxed = 2*gradient%relaxed
          gradient%shift = 2*gradient%shift
          gradient%drift = 2*gradient%drift
          gradient%moduli = 2*gradient%moduli
          gradient%times = 2*gradient%times
       end associate
-      load = max(0.0_dp, load)
    end subroutine read_slopes
 
    !> What the condition of the edge adds while the contact shrinks: a times the derivatives of F. A motion of the approach by a

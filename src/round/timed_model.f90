@@ -1,65 +1,45 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `indenter_time`: an indenter of any axisymmetric shape on a viscoelastic half-space through a history in time, without
-!> adhesion and friction. What each step leaves is a profile along the axis `step`. The file is long by its answers to `model_t`
-!> and by the load that may end pressing.
+!> adhesion and friction. What each step leaves is a profile along the axis `step`. The file is long by its answers to `model_t`.
 module adfric_round_timed_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set, unset
+   use adfric_base_unset, only: is_set
    use adfric_describe_check, only: checks_t, new_checks, refuse_given
    use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
    use adfric_describe_stepwise, only: steps_t, stepwise_model_t
    use adfric_describe_table, only: variable_t
-   use adfric_interface_normal_contact, only: normal_state_t
-   use adfric_numerics_time_panels, only: find_fall, get_weights, n_nodes
+   use adfric_numerics_time_panels, only: get_weights, n_nodes
    use adfric_round_check, only: check_shape_alone
    use adfric_round_edge_slope, only: measure_edge
-   use adfric_round_indenter_states, only: find_indenter_states, indenter_states_t, plain_indenter
+   use adfric_round_indenter_states, only: indenter_states_t
    use adfric_round_timed_contact, only: advance, error_of, start_contact, timed_contact_t
-   use adfric_round_timed_course, only: find_course, join_legs, read_steps, timed_course_t
-   use adfric_round_timed_cycle, only: new_cycle, timed_cycle_t
-   use adfric_round_timed_cycle_slopes, only: cycle_change_t, get_loads, new_cycle_change
+   use adfric_round_timed_course, only: find_course, read_steps, timed_course_t
+   use adfric_round_timed_cycle, only: new_cycle
    use adfric_round_timed_energy, only: stored_free, stored_in_contact
-   use adfric_round_timed_history, only: adheres, check_history, doubt_noise, get_legs, has_power_law, largest_prescribed, &
-      & n_given_legs, n_timed_rows, pressing_alone, set_history_rows, steps_of_leg, timed_input, timed_lists_t, top_row
+   use adfric_round_timed_history, only: adheres, check_history, doubt_noise, has_power_law, n_given_legs, set_history_rows, &
+      & steps_of_leg, timed_input, timed_lists_t
    use adfric_round_timed_oscillation, only: add_oscillation, get_moduli, oscillation_t
    use adfric_round_timed_panel, only: timed_panel_t
-   use adfric_round_timed_path, only: timed_control_t, timed_leg_t
    use adfric_round_timed_rows, only: n_timed_profiles, n_timed_results, p_approach, p_area, p_load, p_radius, p_stiffness, &
       & p_time, set_timed_profiles, set_timed_results, out => timed_output
+   use adfric_round_timed_setting, only: before_history, before_solid, n_shape, n_timed_variables, new_timed_contact, &
+      & set_up_history, timed_setting_t
+   use adfric_round_timed_slopes, only: solve_cycle_with_slopes
    use adfric_round_timed_springs, only: get_spot
-   use adfric_round_variables, only: get_indenter_variables, indenter_unit_of, n_indenter_variables, &
-      & in => indenter_input
+   use adfric_round_timed_trigger, only: find_trigger
+   use adfric_round_variables, only: get_indenter_variables, indenter_unit_of, in => indenter_input
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_solid_power_law, only: get_power_law, power_law_error
-   use adfric_solid_prony, only: new_prony, prony_t
-   use adfric_solid_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, get_spectrum, &
-      & get_spectrum_slopes, n_spectrum_rows, set_spectrum_rows, shift_factor_of, take_spectrum, take_spectrum_attribute
+   use adfric_solid_power_law, only: power_law_error
+   use adfric_solid_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, n_spectrum_rows, &
+      & set_spectrum_rows, take_spectrum, take_spectrum_attribute
    implicit none (type, external)
    private
-   public :: indenter_time_t, new_indenter_time, set_timed_rows, before_history, before_solid, n_timed_variables
-
-   !> Numbers of the rows of the shape, and indices before those of the solid and of the history.
-   integer, parameter :: n_shape = in%coefficient_8, before_solid = n_shape, before_history = n_shape + n_spectrum_rows, &
-      & n_timed_variables = before_history + n_timed_rows
-
-   !> The solid and the path of a point.
-   type :: timed_setting_t
-      !> The solid, its relaxed modulus 1.
-      type(prony_t) :: solid
-      !> What is prescribed.
-      type(timed_control_t) :: control
-      !> Its legs; shape `(n_legs)`.
-      type(timed_leg_t), allocatable :: legs(:)
-      !> Legs before the first one that is written.
-      integer :: n_before = 0
-      !> Largest error of approach and load, over the largest ones.
-      real(dp) :: tolerance = 0
-   end type timed_setting_t
+   public :: indenter_time_t, new_indenter_time, set_timed_rows
 
    !> The model.
    type, extends(stepwise_model_t) :: indenter_time_t
@@ -189,8 +169,8 @@ contains
       own = values
       ! a zero or a drift that varies has no value yet
       where (is_swept(before_history + shifts)) own(before_history + shifts) = 0
-      call find_trigger(self, own, is_possible)
-      if (is_possible) call new_contact(self, own, contact, states, n_before, is_possible)
+      call find_trigger(self, self%given, self%lists, own, is_possible)
+      if (is_possible) call new_timed_contact(own, self%given, self%lists, contact, states, n_before, is_possible)
       if (.not. is_possible) call problems%add('surface', 'kind', &
          & 'leads to numbers above 1e308 or below 1e-308 with this history')
    end subroutine check_values
@@ -240,95 +220,6 @@ contains
       text = doubt_noise(values(before_history + 1:), self%lists)
    end function describe_doubts
 
-   !> The springs of a point, before the begin of its history.
-   pure subroutine new_contact(self, values, contact, states, n_before, is_possible)
-      class(indenter_time_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives the springs, in units of `states`.
-      type(timed_contact_t), intent(out) :: contact
-      !> Receives the indenter on an elastic half-space of modulus 1.
-      type(indenter_states_t), intent(out) :: states
-      !> Receives the number of legs before the first one that is written.
-      integer, intent(out) :: n_before
-      !> Are all numbers within bounds?
-      logical, intent(out) :: is_possible
-      type(timed_setting_t) :: setting
-
-      call set_up(self, values, setting, states, is_possible)
-      n_before = setting%n_before
-      if (is_possible) call start_contact(contact, setting%solid, states, setting%control, setting%legs, setting%tolerance, &
-         & is_possible)
-   end subroutine new_contact
-
-   !> The solid and the path of a point, in units of its contact.
-   pure subroutine set_up(self, values, setting, states, is_possible)
-      class(indenter_time_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives the solid and the path.
-      type(timed_setting_t), intent(out) :: setting
-      !> Receives the indenter on an elastic half-space of modulus 1, with the units.
-      type(indenter_states_t), intent(out) :: states
-      !> Are all numbers within bounds?
-      logical, intent(out) :: is_possible
-      !> Legs that are one straight line but for this part of the largest prescribed value are one leg, in a fit.
-      real(dp), parameter :: straight = 1.0e-8_dp
-      real(dp) :: indenter(n_indenter_variables), factor
-      type(prony_t) :: solid
-
-      associate (history => values(before_history + 1:), rows => values(before_solid + 1:before_history))
-         factor = 1
-         setting%tolerance = history(timed_input%relative_tolerance)
-         if (has_power_law(history)) then
-            ! digits beyond those of its arms would be sought in vain
-            setting%tolerance = max(setting%tolerance, power_law_error/2)
-            call get_power_law_of(history, self%lists, solid)
-         else
-            call get_spectrum(rows, self%given, solid)
-            factor = shift_factor_of(rows, self%given)
-         end if
-         call new_prony(setting%solid, 1.0_dp, solid%moduli/solid%relaxed, solid%times*factor)
-         indenter = plain_indenter(values(:n_shape))
-         indenter(in%contact_modulus) = solid%relaxed
-         if (is_set(history(timed_input%loads)) .or. is_set(history(timed_input%largest_load))) then
-            indenter(in%load) = largest_prescribed(history, self%lists)
-         else
-            indenter(in%approach) = largest_prescribed(history, self%lists)
-         end if
-         call find_indenter_states(indenter, states, is_possible)
-         if (.not. is_possible) return
-         call get_legs(history, self%lists, states%case%height_unit, states%case%force_unit(), 0.0_dp, setting%control, &
-            & setting%legs, setting%n_before)
-         associate (legs => setting%legs)
-            is_possible = all(abs(legs%end) < 1.0e100_dp) .and. all(abs(legs%begin) < 1.0e100_dp) .and. &
-               & setting%control%by_load < 1.0e100_dp
-         end associate
-         if (is_set(history(timed_input%smoothing))) then
-            call join_legs(setting%legs, history(timed_input%smoothing)/merge(states%case%height_unit, &
-               & states%case%force_unit(), setting%control%by_approach > 0))
-         else if (is_set(history(timed_input%time))) then
-            call join_legs(setting%legs, straight*maxval(abs(setting%legs%end)))
-         end if
-      end associate
-   end subroutine set_up
-
-   !> The arms that a power law has for a history: for its length in time, and for the steps that are written of it.
-   pure subroutine get_power_law_of(history, lists, solid)
-      !> Values of the rows of the history; shape `(n_timed_rows)`.
-      real(dp), intent(in) :: history(:)
-      type(timed_lists_t), intent(in) :: lists
-      !> Receives the arms [Pa, s].
-      type(prony_t), intent(out) :: solid
-      type(timed_control_t) :: control
-      type(timed_leg_t), allocatable :: legs(:)
-      integer :: n_before
-
-      call get_legs(history, lists, 1.0_dp, 1.0_dp, 0.0_dp, control, legs, n_before)
-      call get_power_law(history(timed_input%power_law_modulus), history(timed_input%power_law_exponent), sum(legs%span), &
-         & minval(legs%span, legs%span > 0)/steps_of_leg(history), solid)
-   end subroutine get_power_law_of
-
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       class(indenter_time_t), intent(in) :: self
@@ -353,105 +244,12 @@ contains
          own = values
          error_estimate = 0
          status = status_not_converged
-         call find_trigger(self, own, is_found)
+         call find_trigger(self, self%given, self%lists, own, is_found)
          if (is_found) call solve_steps(self, own, state, results, error_estimate, status)
       end if
       associate (unused => counts)
       end associate
    end subroutine solve_point
-
-   !> The approach at which pressing reaches the load that ends it, in place of this load. The contact is pressed at the same speed
-   !> up to a larger approach: where the load is reached is a root in a panel.
-   subroutine find_trigger(self, values, is_found)
-      class(indenter_time_t), intent(in) :: self
-      !> In: values of the variables; shape `(n_variables)`. Out: the same without the load, if there is one.
-      real(dp), intent(inout) :: values(:)
-      !> Was it found, or is there none?
-      logical, intent(out) :: is_found
-      integer, parameter :: most_tries = 80
-      ! how far beyond the root pressing may go, since errors count over the largest approach
-      real(dp), parameter :: far = 1.5_dp, next = 1.2_dp
-      type(timed_contact_t) :: contact
-      type(indenter_states_t) :: states
-      type(timed_panel_t) :: panel
-      real(dp) :: top, end, trigger
-      integer :: try, n_before
-      logical :: is_reached
-
-      associate (history => values(before_history + 1:before_history + n_timed_rows))
-         trigger = history(timed_input%trigger_load)
-         is_found = .not. is_set(trigger)
-         if (is_found) return
-         call guess_top(self, values, top, is_found)
-         if (.not. is_found) return
-         do try = 1, most_tries
-            is_found = .false.
-            call new_contact(self, [values(:before_history), pressing_alone(history, top)], contact, states, n_before, is_found)
-            if (.not. is_found) return
-            is_reached = .false.
-            do while (.not. (contact%is_done .or. is_reached))
-               is_found = .not. self%is_stopped()
-               if (is_found) call advance(contact, panel, is_found)
-               if (.not. is_found) return
-               is_reached = contact%load*states%case%force_unit() >= trigger
-            end do
-            if (.not. is_reached) then
-               top = 2*top
-               cycle
-            end if
-            end = top - history(timed_input%approach_rate)*(contact%legs(size(contact%legs))%span - (panel%clock + panel%span* &
-               & (find_rise(panel%load - trigger/states%case%force_unit()) + 1)/2 - contact%legs(size(contact%legs))%clock))
-            is_found = .not. end*far < top
-            top = end
-            if (is_found) exit
-            top = next*top
-         end do
-         history(top_row(history)) = top
-         history(timed_input%trigger_load) = unset
-      end associate
-   end subroutine find_trigger
-
-   !> Where a polynomial that ends at or above 0 comes there for the first time.
-   pure real(dp) function find_rise(values) result(root)
-      !> Values at the nodes of a panel.
-      real(dp), intent(in) :: values(n_nodes)
-
-      root = find_fall(-values, 0.0_dp)
-      if (root > 1) root = 1
-   end function find_rise
-
-   !> An approach from which the search for the end of pressing begins: that of an elastic solid.
-   subroutine guess_top(self, values, top, is_found)
-      class(indenter_time_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives the approach [m], before its zero is taken off.
-      real(dp), intent(out) :: top
-      logical, intent(out) :: is_found
-      real(dp) :: indenter(n_indenter_variables)
-      type(indenter_states_t) :: states
-      type(normal_state_t) :: state
-      type(prony_t) :: solid
-
-      top = 0
-      associate (history => values(before_history + 1:before_history + n_timed_rows))
-         indenter = plain_indenter(values(:n_shape))
-         indenter(in%load) = history(timed_input%trigger_load)
-         if (has_power_law(history)) then
-            indenter(in%contact_modulus) = history(timed_input%power_law_modulus)
-         else
-            call get_spectrum(values(before_solid + 1:before_history), self%given, solid)
-            indenter(in%contact_modulus) = solid%relaxed
-         end if
-         call find_indenter_states(indenter, states, is_found)
-         if (.not. is_found) return
-         call states%under_load(indenter(in%load)/states%case%force_unit(), state, is_found)
-         if (.not. is_found) return
-         top = state%approach*states%case%height_unit + max(0.0_dp, history(timed_input%contact_point))
-         if (is_set(history(timed_input%machine_stiffness))) top = top + &
-            & history(timed_input%trigger_load)/history(timed_input%machine_stiffness)
-      end associate
-   end subroutine guess_top
 
    !> The steps of a history.
    subroutine solve_steps(self, values, state, results, error_estimate, status)
@@ -472,7 +270,7 @@ contains
 
       error_estimate = 0
       status = status_no_equilibrium
-      call new_contact(self, values, contact, states, n_before, is_possible)
+      call new_timed_contact(values, self%given, self%lists, contact, states, n_before, is_possible)
       if (.not. is_possible) return
       allocate (found)
       allocate (found%steps(self%count_steps(values), n_timed_profiles))
@@ -546,7 +344,7 @@ contains
       course%values = values
       course%status = status_no_equilibrium
       if (allocated(self%lists%times)) course%begin = self%lists%times(1)
-      call set_up(self, values, setting, course%states, is_there)
+      call set_up_history(values, self%given, self%lists, setting, course%states, is_there)
       if (is_there) call new_cycle(course%cycle, setting%solid, course%states, setting%control, setting%legs, setting%tolerance)
       if (course%cycle%is_found) then
          course%error = course%cycle%error
@@ -558,7 +356,7 @@ contains
       call move_alloc(course, state)
    end subroutine start_course
 
-   !> See `model_t`: the load of one cycle, by moduli and times of the solid, and by zero and drift of the approach.
+   !> See `model_t`: the load of one cycle.
    subroutine solve_with_slopes(self, values, x, of, by, members, y, y_by, is_known, error_estimate, is_there)
       class(indenter_time_t), intent(in) :: self
       real(dp), intent(in) :: values(:), x(:)
@@ -567,18 +365,7 @@ contains
       logical, intent(out) :: is_known(:)
       real(dp), intent(out) :: error_estimate
       logical, intent(out) :: is_there
-      real(dp), parameter :: round_off = 16*epsilon(1.0_dp)
-      type(timed_setting_t) :: setting
-      type(indenter_states_t) :: states
-      type(timed_cycle_t) :: cycle
-      type(cycle_change_t) :: changes(size(by))
-      real(dp) :: own(size(values)), begin
-      integer :: k
 
-      y = 0
-      y_by = 0
-      is_known = .false.
-      error_estimate = 0
       is_there = of == out%load .and. size(x) > 0
       select type (self)
       type is (indenter_time_t)
@@ -586,84 +373,15 @@ contains
          ! another contact, such as one with adhesion
          is_there = .false.
       end select
-      if (.not. is_there) return
-      own = values
-      own(before_history + timed_input%time) = x(1)
-      call set_up(self, own, setting, states, is_there)
-      if (is_there) call new_cycle(cycle, setting%solid, states, setting%control, setting%legs, setting%tolerance)
-      begin = 0
-      if (allocated(self%lists%times)) begin = self%lists%times(1)
-      is_there = cycle%is_found
-      if (is_there) is_there = all(x - begin >= -round_off*abs(x)) .and. &
-         & all(x - begin <= cycle%end + round_off*(abs(x) + abs(begin)))
-      if (.not. is_there) return
-      error_estimate = cycle%error
-      do k = 1, size(by)
-         call get_change(self, own, setting, states, by(k), members(k), begin, changes(k), is_known(k))
-      end do
-      call get_loads(cycle, states, x - begin, changes, y, y_by)
-      y = y*states%case%force_unit()
-      y_by = y_by*states%case%force_unit()
+      if (is_there) then
+         call solve_cycle_with_slopes(values, self%given, self%lists, x, by, members, y, y_by, is_known, error_estimate, is_there)
+      else
+         y = 0
+         y_by = 0
+         is_known = .false.
+         error_estimate = 0
+      end if
    end subroutine solve_with_slopes
-
-   !> Derivatives of the numbers of a cycle, in its units, by a variable.
-   subroutine get_change(self, values, setting, states, by, member, begin, change, is_known)
-      class(indenter_time_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Solid and path of the cycle, and its units.
-      type(timed_setting_t), intent(in) :: setting
-      type(indenter_states_t), intent(in) :: states
-      !> Index of the variable, and number of the member of a list; 0: none.
-      integer, intent(in) :: by, member
-      !> Time at the begin of the history [s].
-      real(dp), intent(in) :: begin
-      !> Receives the derivatives; 0 where they are not known.
-      type(cycle_change_t), intent(out) :: change
-      !> Receives whether they are known.
-      logical, intent(out) :: is_known
-      !> Step of the exponent of a power law: its error is far below that of the arms.
-      real(dp), parameter :: step = 1.0e-5_dp
-      type(prony_t) :: solid, below
-      real(dp) :: history(n_timed_rows)
-
-      is_known = .true.
-      history = values(before_history + 1:)
-      call new_cycle_change(change, size(setting%solid%times))
-      associate (row => by - before_history, modulus => states%case%modulus)
-         if (row == timed_input%contact_point) then
-            change%shift = -1/states%case%height_unit
-         else if (row == timed_input%drift_rate) then
-            change%drift = 1/states%case%height_unit
-            change%shift = begin/states%case%height_unit
-         else if (.not. has_power_law(history)) then
-            is_known = by > before_solid .and. row <= 0
-            if (.not. is_known) return
-            associate (rows => values(before_solid + 1:before_history))
-               call get_spectrum(rows, self%given, solid)
-               is_known = size(solid%times) == size(setting%solid%times)
-               if (is_known) call get_spectrum_slopes(rows, self%given, solid, by - before_solid, member, change%relaxed, &
-                  & change%moduli, change%times, is_known)
-               change%relaxed = change%relaxed/modulus
-               change%moduli = change%moduli/modulus
-               change%times = change%times*shift_factor_of(rows, self%given)
-            end associate
-         else if (row == timed_input%power_law_modulus) then
-            change%relaxed = setting%solid%relaxed/history(row)
-            change%moduli = setting%solid%moduli/history(row)
-         else if (row == timed_input%power_law_exponent) then
-            history(row) = history(row) - step
-            call get_power_law_of(history, self%lists, below)
-            history(row) = history(row) + 2*step
-            call get_power_law_of(history, self%lists, solid)
-            change%relaxed = (solid%relaxed - below%relaxed)/(2*step*modulus)
-            change%moduli = (solid%moduli - below%moduli)/(2*step*modulus)
-            change%times = (solid%times - below%times)/(2*step)
-         else
-            is_known = .false.
-         end if
-      end associate
-   end subroutine get_change
 
    !> Go through the history.
    subroutine follow(self, contact, states, n_per_leg, n_before, is_smoothed, steps, results, status)

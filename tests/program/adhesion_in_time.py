@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from runs import Runs, main  # noqa: E402
+from runs import SolverRuns, main  # noqa: E402
 
 TABLES = Path(os.environ["ADFRIC_SOURCE"]) / "tests/reference"
 # moduli over E0 and times of the materials of the tables
@@ -75,21 +75,10 @@ def history_of(rows):
     return kinks, times, history + ("" if by_load else f"&operating machine_stiffness = {rows[0]['k']} /\n")
 
 
-class AdhesionInTime(Runs):
+class AdhesionInTime(SolverRuns):
     """Runs of scenes in time with adhesion."""
 
-    def solve(self, scene):
-        """Results of a scene that the solver in time answers."""
-        results, model = self.run_scene(scene)
-        self.assertEqual("adhesive_indenter_time", model)
-        return results
-
-    def refuse(self, text, words):
-        """An input is refused in one line with these words."""
-        self.write("&job output = 'run.h5' /\n" + text)
-        _, errors = self.run_program("run", "--quiet", "--force", "run.nml", status=2)
-        self.assertEqual(1, len(errors.strip().splitlines()), errors)
-        self.assertIn(words, errors)
+    solver = "adhesive_indenter_time"
 
     def follow(self, found, times, rows, names):
         """The steps of a run beside the rows of a table, each over the largest one."""

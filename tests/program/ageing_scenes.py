@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from runs import Runs, main  # noqa: E402
+from runs import SolverRuns, main  # noqa: E402
 
 MODULI, TIMES, RELAXED = np.array([3e8, 1e8]), np.array([1.0, 100.0]), 1e8
 SOLID = "&solid modulus = 1e8, moduli = 3e8, 1e8, relaxation_times = 1, 100 /\n"
@@ -84,21 +84,10 @@ def march(times, pressures, period, amplitude, n, n_steps):
     return np.array(shares), np.array(penetrations)
 
 
-class AgeingScenes(Runs):
+class AgeingScenes(SolverRuns):
     """Runs of surfaces at rest."""
 
-    def solve(self, scene):
-        """Results of a scene that is solved in time."""
-        results, model = self.run_scene(scene)
-        self.assertEqual("surface_time", model)
-        return results
-
-    def refuse(self, text, words):
-        """An input is refused in one line with these words."""
-        self.write("&job output = 'run.h5' /\n" + text)
-        _, errors = self.run_program("run", "--quiet", "--force", "run.nml", status=2)
-        self.assertEqual(1, len(errors.strip().splitlines()), errors)
-        self.assertIn(words, errors)
+    solver = "surface_time"
 
     def test_wave(self):
         """H. M. Westergaard, J. Appl. Mech. 6 (1939) 49: the share in contact is (2/pi) arcsin sqrt(p/p*), on 1024 cells here."""

@@ -93,6 +93,13 @@ class Runs(unittest.TestCase):
             return {name: item[()] for name, item in file.items()
                     if isinstance(item, h5py.Dataset) and item.dtype.kind == "f"}, file.attrs["model"]
 
+    def refuse_in_line(self, command, text, words):
+        """An input is refused in one line with these words."""
+        self.write(text)
+        _, errors = self.run_program(command, "--quiet", "--force", "run.nml", status=2)
+        self.assertEqual(1, len(errors.strip().splitlines()), errors)
+        self.assertIn(words, errors)
+
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
 
@@ -206,6 +213,23 @@ class Runs(unittest.TestCase):
                 if isinstance(item, h5py.Dataset) and item.shape[:done.ndim] == done.shape:
                     self.assertEqual(file[key][()][done].tobytes(), item[()][done].tobytes(), key)
             return int(done.sum())
+
+
+class SolverRuns(Runs):
+    """Scenes that one solver answers."""
+
+    #: Name of the solver.
+    solver = ""
+
+    def solve(self, scene):
+        """Results of a scene that the solver answers."""
+        results, solver = self.run_scene(scene)
+        self.assertEqual(self.solver, solver)
+        return results
+
+    def refuse(self, text, words):
+        """A scene is refused in one line with these words."""
+        self.refuse_in_line("run", "&job output = 'run.h5' /\n" + text, words)
 
 
 def time_of_children():

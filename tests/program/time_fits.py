@@ -48,10 +48,7 @@ class TimeFits(Runs):
 
     def refuse(self, text, words):
         """An input is refused in one line with these words."""
-        self.write(text)
-        _, errors = self.run_program("fit", "--quiet", "--force", "run.nml", status=2)
-        self.assertEqual(1, len(errors.strip().splitlines()), errors)
-        self.assertIn(words, errors)
+        self.refuse_in_line("fit", text, words)
 
     def test_reference(self):
         """The sets of an independent program, with and without drift."""

@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from runs import Runs, main  # noqa: E402
+from runs import SolverRuns, main  # noqa: E402
 
 SOLID = "&solid modulus = 1e3, moduli = 2e3, 1e3, relaxation_times = 0.1, 2.0 /\n"
 BALL = "&surface kind = 'paraboloid', radius = 5e-6 /\n"
@@ -30,21 +30,10 @@ def modulus_of(frequency):
     return 1e3 + np.sum(np.array([2e3, 1e3])*turn/(1 + turn))
 
 
-class TimeScenes(Runs):
+class TimeScenes(SolverRuns):
     """Runs of scenes in time."""
 
-    def solve(self, scene):
-        """Results of a scene that the solver in time answers."""
-        results, model = self.run_scene(scene)
-        self.assertEqual("indenter_time", model)
-        return results
-
-    def refuse(self, text, words):
-        """An input is refused in one line with these words."""
-        self.write("&job output = 'run.h5' /\n" + text)
-        _, errors = self.run_program("run", "--quiet", "--force", "run.nml", status=2)
-        self.assertEqual(1, len(errors.strip().splitlines()), errors)
-        self.assertIn(words, errors)
+    solver = "indenter_time"
 
     def test_oscillation(self):
         """The moduli of a flat punch are those of the solid, once the rest is over; those of a ball, but for the swing of its edge."""
