@@ -310,6 +310,7 @@ contains
    pure integer function last_begun(clocks, clock) result(panel)
       !> Times at their begins, one at least, none below the one before.
       real(dp), intent(in) :: clocks(:)
+      !> The time.
       real(dp), intent(in) :: clock
       integer :: high, middle
 
