@@ -70,7 +70,7 @@ module adfric_describe_model
       procedure :: measure
       procedure :: describe_doubts
       procedure :: velocity_of_heat
-      procedure :: nominal_size
+      procedure :: get_nominal_sizes
       procedure :: count_profiles
       procedure :: describe_profiles
       procedure :: profile_shape
@@ -123,7 +123,7 @@ module adfric_describe_model
          !> The model; all threads solve with the same one.
          class(model_t), intent(in) :: self
          !> Values of the variables for each point; shape `(n_variables, n_points)`.
-         real(dp), intent(in) :: values(:, :)
+         real(dp), intent(in), contiguous :: values(:, :)
          !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
          real(dp), intent(out) :: results(:, :)
          !> Relative error of the main result, estimated; shape `(n_points)`.
@@ -190,7 +190,7 @@ contains
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(model_t), intent(in) :: self
       !> Values of the variables for each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
       !> Relative error of the main result, estimated; shape `(n_points)`.
@@ -409,17 +409,19 @@ contains
       end associate
    end subroutine measure
 
-   !> Nominal size of what results are counted for, a period: its length or area [m, m^2]. Here there is none; a model of periods
+   !> Nominal sizes of what results are counted for, a period: its length or area [m, m^2]. Here there is none; a model of periods
    !> overrides it.
-   pure real(dp) function nominal_size(self, values)
+   pure subroutine get_nominal_sizes(self, values, sizes)
       class(model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
+      !> Values of points; shape `(n_variables, n_points)`.
+      real(dp), intent(in), contiguous :: values(:, :)
+      !> Receives the size of each point; shape `(n_points)`.
+      real(dp), intent(out) :: sizes(:)
 
-      nominal_size = 1
+      sizes = 1
       associate (unused => self, unused_too => values)
       end associate
-   end function nominal_size
+   end subroutine get_nominal_sizes
 
    !> Number of profiles of this case: all of the table. A model whose last profiles not every case has overrides it.
    pure integer function count_profiles(self, values)

@@ -72,7 +72,7 @@ contains
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(pointwise_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
@@ -83,7 +83,7 @@ contains
    !> See `model_t`: the profiles are those of the states that the results are taken from.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(pointwise_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :)
       !> Relative error of each point's main result [-], estimated; NaN if the point is not solved; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)

@@ -255,7 +255,7 @@ contains
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(stack_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :)
       !> Relative error of the first variable that the search leaves; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
@@ -270,7 +270,7 @@ contains
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(stack_model_t), intent(in) :: self
       !> Values of the variables for each curve; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       !> Receives the results of each curve; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
       !> Relative error of the first variable that the search leaves; shape `(n_points)`.

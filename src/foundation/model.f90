@@ -61,7 +61,7 @@ module adfric_foundation_model
       procedure :: describe_doubts
       procedure :: measure
       procedure :: unit_of
-      procedure :: nominal_size
+      procedure :: get_nominal_sizes
    end type wavy_model_t
 
 contains
@@ -131,12 +131,16 @@ contains
    end function unit_of
 
    !> See `model_t`.
-   pure real(dp) function nominal_size(self, values)
+   pure subroutine get_nominal_sizes(self, values, sizes)
       class(wavy_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
+      real(dp), intent(in), contiguous :: values(:, :)
+      real(dp), intent(out) :: sizes(:)
+      integer :: i
 
-      nominal_size = size_of_period(values, self%given)
-   end function nominal_size
+      do i = 1, size(values, 2)
+         sizes(i) = size_of_period(values(:, i), self%given)
+      end do
+   end subroutine get_nominal_sizes
 
    !> Has the surface a width of its own, so that forces are not per width?
    pure logical function has_width(values)
@@ -265,7 +269,7 @@ contains
       !> The model, whose pull-off loads are looked up, and completed, if it is prepared.
       class(wavy_model_t), intent(in) :: self
       !> Values of neighbouring points; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       !> Results in SI units, NaN where there is no value; shape `(n_results, n_points)`.
       real(dp), intent(out) :: results(:, :)
       !> Relative error of load and friction [-], NaN where the point is not solved; shape `(n_points)`.

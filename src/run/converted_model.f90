@@ -115,10 +115,11 @@ contains
       class(converted_model_t), intent(in) :: self
       !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      real(dp) :: converted(size(values))
+      real(dp) :: converted(size(values)), point(size(values), 1)
 
-      converted = values
-      call self%scene_values%convert(converted)
+      point(:, 1) = values
+      call self%scene_values%convert(point)
+      converted = point(:, 1)
    end function inner_values
 
    !> See `model_t`.
@@ -135,7 +136,7 @@ contains
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(converted_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
@@ -151,35 +152,30 @@ contains
    pure subroutine convert_block(self, values, converted)
       class(converted_model_t), intent(in) :: self
       !> Values of the scene for each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       !> Receives those of the solver; shape of `values`.
-      real(dp), intent(out) :: converted(:, :)
-      integer :: i
+      real(dp), intent(out), contiguous :: converted(:, :)
 
-      converted = values
-      do i = 1, size(values, 2)
-         call self%scene_values%convert(converted(:, i))
-      end do
+      converted(:, :) = values
+      call self%scene_values%convert(converted)
    end subroutine convert_block
 
    !> Have results of a period count over its nominal area, and vectors have the sign of the velocity.
    pure subroutine convert_results(self, values, inner, results)
       class(converted_model_t), intent(in) :: self
       !> Values of the scene and of the solver for each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :), inner(:, :)
+      real(dp), intent(in), contiguous :: values(:, :), inner(:, :)
       !> In: the results of the solver. Out: those of the scene; shape `(n_results, n_points)`.
       real(dp), intent(inout) :: results(:, :)
-      real(dp) :: nominal_size
+      real(dp) :: nominal_sizes(size(values, 2))
       integer :: i, k
 
-      do i = 1, size(values, 2)
-         call self%scene_values%reversal%turn_results(values(:, i), results(:, i))
-      end do
+      call self%scene_values%reversal%turn_results(values, results)
       if (size(self%of_period) == 0) return
+      call self%inner%get_nominal_sizes(inner, nominal_sizes)
       do i = 1, size(values, 2)
-         nominal_size = self%inner%nominal_size(inner(:, i))
          do k = 1, size(self%of_period)
-            results(self%of_period(k), i) = results(self%of_period(k), i)/nominal_size
+            results(self%of_period(k), i) = results(self%of_period(k), i)/nominal_sizes(i)
          end do
       end do
    end subroutine convert_results
@@ -187,7 +183,7 @@ contains
    !> See `model_t`.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(converted_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
@@ -229,13 +225,14 @@ contains
       real(dp), intent(in) :: values(:)
       !> Results of the scene; shape `(n_results)` or longer.
       real(dp), intent(in) :: results(:)
-      real(dp) :: inner(size(self%inner%results))
+      real(dp) :: inner(size(self%inner%results)), point(size(self%inner%results), 1), nominal_sizes(1)
 
-      inner = results(:size(inner))
-      call self%scene_values%reversal%turn_results(values, inner)
-      if (size(self%of_period) > 0) then
-         inner(self%of_period) = inner(self%of_period)*self%inner%nominal_size(self%inner_values(values))
-      end if
+      point(:, 1) = results(:size(inner))
+      call self%scene_values%reversal%turn_results(reshape(values, [size(values), 1]), point)
+      inner = point(:, 1)
+      if (size(self%of_period) == 0) return
+      call self%inner%get_nominal_sizes(reshape(self%inner_values(values), [size(values), 1]), nominal_sizes)
+      inner(self%of_period) = inner(self%of_period)*nominal_sizes(1)
    end function inner_results
 
    !> See `model_t`.

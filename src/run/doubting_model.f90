@@ -21,7 +21,7 @@ module adfric_run_doubting_model
       procedure :: solve_block
       procedure :: solve_block_and_profiles
       procedure :: describe_results
-      procedure :: nominal_size
+      procedure :: get_nominal_sizes
    end type doubting_model_t
 
 contains
@@ -65,7 +65,7 @@ contains
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(doubting_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
@@ -77,7 +77,7 @@ contains
    !> See `model_t`.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       class(doubting_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
@@ -113,12 +113,13 @@ contains
    end subroutine add_doubts
 
    !> See `model_t`: values are those of the inner model, and need no copy.
-   pure real(dp) function nominal_size(self, values)
+   pure subroutine get_nominal_sizes(self, values, sizes)
       class(doubting_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
+      real(dp), intent(in), contiguous :: values(:, :)
+      real(dp), intent(out) :: sizes(:)
 
-      nominal_size = self%inner%nominal_size(values)
-   end function nominal_size
+      call self%inner%get_nominal_sizes(values, sizes)
+   end subroutine get_nominal_sizes
 
    !> See `model_t`.
    function describe_results(self, values) result(results)

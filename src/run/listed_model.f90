@@ -182,7 +182,7 @@ contains
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(listed_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)

@@ -98,7 +98,7 @@ contains
       !> Number of the first point, from 1.
       integer(i8), intent(in) :: first
       !> Values of all variables at n points; shape `(n_variables, n)`.
-      real(dp), intent(out) :: values(:, :)
+      real(dp), intent(out), contiguous :: values(:, :)
       integer(i8) :: indices(size(self%axes)), rest
       integer :: i, j, k
 

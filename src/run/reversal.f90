@@ -29,6 +29,7 @@ module adfric_run_reversal
       procedure :: is_backward
       procedure :: is_against_x
       procedure :: angle_of
+      procedure :: turn_values
       procedure :: turn_results
       procedure :: turn_profiles
    end type reversal_t
@@ -90,15 +91,35 @@ contains
       if (self%is_backward(values)) angle = angle + pi
    end function angle_of
 
+   !> Velocities below 0 become speeds, with the direction turned by pi.
+   pure subroutine turn_values(self, values)
+      class(reversal_t), intent(in) :: self
+      !> Values of points; shape `(n_variables, n_points)`.
+      real(dp), intent(inout), contiguous :: values(:, :)
+      integer :: i
+
+      if (self%velocity == 0) return
+      do i = 1, size(values, 2)
+         if (.not. values(self%velocity, i) < 0) cycle
+         values(self%direction, i) = self%angle_of(values(:, i))
+         values(self%velocity, i) = -values(self%velocity, i)
+      end do
+   end subroutine turn_values
+
    !> Results of the solver become those of the scene, or the reverse.
    pure subroutine turn_results(self, values, results)
       class(reversal_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      !> Results of the point; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
+      !> Values of the scene for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in), contiguous :: values(:, :)
+      !> Results of the points; shape `(n_results, n_points)`.
+      real(dp), intent(inout) :: results(:, :)
+      integer :: i
 
-      if (.not. self%is_backward(values)) return
-      where (self%has_sign) results = -results
+      if (self%velocity == 0) return
+      do i = 1, size(values, 2)
+         if (.not. values(self%velocity, i) < 0) cycle
+         where (self%has_sign) results(:, i) = -results(:, i)
+      end do
    end subroutine turn_results
 
    !> Profiles of the solver become those of the scene.

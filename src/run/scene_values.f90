@@ -92,41 +92,34 @@ contains
    !> Values of a scene become those of the solver.
    pure subroutine convert(self, values)
       class(scene_values_t), intent(in) :: self
-      !> Values of a point; shape `(n_variables)`.
-      real(dp), intent(inout) :: values(:)
-      real(dp) :: angle
-      logical :: is_backward
-      integer :: i, k
+      !> Values of points; shape `(n_variables, n_points)`.
+      real(dp), intent(inout), contiguous :: values(:, :)
+      integer :: i, j, k
 
-      is_backward = self%reversal%is_backward(values)
-      angle = 0
-      if (is_backward) angle = self%reversal%angle_of(values)
+      call self%reversal%turn_values(values)
       do k = 1, size(self%changed)
          i = self%changed(k)
-         ! without a word a solver takes its first axis
-         if (self%how(i) == to_axis .and. abs(values(i)) <= direction_tolerance) values(i) = unset
-         if (is_set(values(i))) values(i) = to_solver(self%how(i), values(i), [self%n_x, self%n_y])
+         do j = 1, size(values, 2)
+            ! without a word a solver takes its first axis
+            if (self%how(i) == to_axis .and. abs(values(i, j)) <= direction_tolerance) values(i, j) = unset
+            if (is_set(values(i, j))) values(i, j) = to_solver(self%how(i), values(i, j), [self%n_x, self%n_y])
+         end do
       end do
       do k = 1, 2
-         if (.not. self%follows_from_spacing(k)) cycle
-         if (k == 2 .and. self%n_y == 1 .or. is_set(values(self%lengths(k)))) cycle
-         values(self%lengths(k)) = self%spacing(k)*merge(self%n_x, self%n_y, k == 1)
+         if (.not. self%follows_from_spacing(k) .or. k == 2 .and. self%n_y == 1) cycle
+         associate (length => values(self%lengths(k), :))
+            where (.not. is_set(length)) length = self%spacing(k)*merge(self%n_x, self%n_y, k == 1)
+         end associate
       end do
-      associate (direction => self%reversal%direction)
-         if (is_backward) then
-            values(self%reversal%velocity) = -values(self%reversal%velocity)
-            values(direction) = to_solver(self%how(direction), angle, [self%n_x, self%n_y])
-         end if
-         ! a wave is the same in both directions
-         if (self%is_wave) values(direction) = unset
-      end associate
+      ! a wave is the same in both directions
+      if (self%is_wave) values(self%reversal%direction, :) = unset
       select case (self%follows)
       case (follows_work)
-         values(self%work) = values(self%stress)*values(self%range)
-         values(self%range) = unset
+         values(self%work, :) = values(self%stress, :)*values(self%range, :)
+         values(self%range, :) = unset
       case (follows_stress)
-         values(self%stress) = values(self%work)/values(self%range)
-         values(self%range) = unset
+         values(self%stress, :) = values(self%work, :)/values(self%range, :)
+         values(self%range, :) = unset
       end select
    end subroutine convert
 

@@ -33,7 +33,7 @@ module adfric_run_wrapped_model
       procedure :: describe_doubts
       procedure :: velocity_of_heat
       procedure :: measure
-      procedure :: nominal_size
+      procedure :: get_nominal_sizes
       procedure :: count_profiles
       procedure :: describe_profiles
       procedure :: unit_of
@@ -211,12 +211,18 @@ contains
    end subroutine measure
 
    !> See `model_t`.
-   pure real(dp) function nominal_size(self, values)
+   pure subroutine get_nominal_sizes(self, values, sizes)
       class(wrapped_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
+      real(dp), intent(in), contiguous :: values(:, :)
+      real(dp), intent(out) :: sizes(:)
+      real(dp) :: inner(size(values, 1), size(values, 2))
+      integer :: i
 
-      nominal_size = self%inner%nominal_size(self%inner_values(values))
-   end function nominal_size
+      do i = 1, size(values, 2)
+         inner(:, i) = self%inner_values(values(:, i))
+      end do
+      call self%inner%get_nominal_sizes(inner, sizes)
+   end subroutine get_nominal_sizes
 
    !> See `model_t`.
    pure integer function count_profiles(self, values)
