@@ -31,7 +31,7 @@ contains
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      has_contact_heat = has_heat(values(in%heat))
+      has_contact_heat = has_heat(values(in%heat(1):in%heat(size(in%heat))))
    end function has_contact_heat
 
    !> Add to `problems` what heat needs, and what does not go with it.

@@ -163,18 +163,21 @@ contains
       integer, intent(out) :: status
       !> This model counts nothing; size 0.
       real(dp), intent(inout) :: counts(:)
-      real(dp) :: constant(n_indenter_variables), slope, temperature
+      real(dp) :: constant(n_indenter_variables), slope
       logical :: is_valid
 
-      error_estimate = 0
-      status = status_not_converged
-      temperature = values(in%temperature)
-      call take_strength(values, self%given_law, temperature, constant, slope, is_valid)
-      if (.not. is_valid) return
-      call solve_contact(constant, state, results, error_estimate, status)
       associate (unused => counts)
       end associate
-      if (status /= status_solved .or. .not. is_in_motion(values)) return
+      if (.not. is_in_motion(values)) then
+         call solve_contact(values, state, results, error_estimate, status)
+         return
+      end if
+      error_estimate = 0
+      status = status_not_converged
+      call take_strength(values, self%given_law, values(in%temperature), constant, slope, is_valid)
+      if (.not. is_valid) return
+      call solve_contact(constant, state, results, error_estimate, status)
+      if (status /= status_solved) return
       if (has_contact_heat(values)) call add_heat(self, values, state, results, error_estimate, status)
       if (status /= status_solved) return
       associate (force => results(out%friction_force))

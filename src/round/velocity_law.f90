@@ -8,7 +8,7 @@ module adfric_round_velocity_law
    use adfric_base_unset, only: is_set, unset
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_check, only: check_interface
-   use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_law_of_speed, i_law, i_pressure_volume, &
+   use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, i_law, i_pressure_volume, &
       & n_interface_rows, n_law_rows, needs_temperature, set_law_rows
    use adfric_round_contact_heat, only: check_contact_heat, has_contact_heat
    use adfric_round_variables, only: law_peeling, law_shear_strength, state_sliding, in => indenter_input
@@ -38,8 +38,8 @@ contains
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      has_velocity_law = nint(values(in%law)) /= law_peeling
-      if (has_velocity_law) has_velocity_law = has_law_of_speed(interface_of(values))
+      ! the words behind that of peeling
+      has_velocity_law = nint(values(in%law)) > law_peeling
    end function has_velocity_law
 
    !> Does the body slide at a velocity, by a law or for its heat?
@@ -112,7 +112,7 @@ contains
       call get_friction_law(interface_of(values), given, none, law)
    end subroutine law_of_contact
 
-   !> The values of a body that slides against the shear strength of the law at a temperature; at rest those that are given.
+   !> The values of a body in motion, against the shear strength of the law at a temperature; at rest those that are given.
    pure subroutine take_strength(values, given, temperature, constant, slope, is_valid)
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
