@@ -90,7 +90,7 @@ contains
 
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(curve_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(in), contiguous :: values(:, :)
       real(dp), intent(out) :: results(:, :)
       real(dp), intent(out) :: error_estimate(:)
       integer, intent(out) :: status(:)
