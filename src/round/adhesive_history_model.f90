@@ -98,7 +98,7 @@ contains
       self%profiles(p_approach) = profile_t(name='approach', unit='m', long_name='approach of distant points')
       self%profiles(p_contact) = profile_t(name='contact_radius', unit='m', long_name='radius a of contact')
       self%profiles(p_adhesion) = profile_t(name='adhesion_radius', unit='m', long_name='radius c up to which adhesion acts')
-      self%profiles(p_taken) = profile_t(name='dissipated_energy', unit='J', long_name='energy that jumps and opening have '// &
+      self%profiles(p_taken) = profile_t(name='adhesion_loss', unit='J', long_name='energy that jumps and opening have '// &
          & 'taken so far')
       self%profile_axes = 'step'
       allocate (self%counts(0))
