@@ -11,8 +11,7 @@ module adfric_command_help_scenes
    use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of, long_name_of, meaning_of, &
       & rename_words, renamed_to
    use adfric_describe_scene_shapes, only: list_shapes
-   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, &
-      known_tractions, word_length
+   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, known_tractions, word_length
    implicit none (type, external)
    private
    public :: describe_scenes, describe_scene_list, describe_scene_name, list_scene_names

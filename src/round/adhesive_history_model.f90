@@ -30,20 +30,20 @@ module adfric_round_adhesive_history_model
    public :: adhesive_indenter_history_t, new_adhesive_indenter_history
 
    !> Variables behind those of the model `indenter` up to `lambda`; a component is the index of its row.
-   type :: path_input_t
+   type :: adhesive_path_input_t
       !> Indices of the rows.
       integer :: opening_work_of_adhesion = 0, machine_stiffness = 0, loads = 0, approaches = 0, base_approaches = 0
-   end type path_input_t
-   type(path_input_t), parameter :: path_input = transfer(in%lambda + counting, path_input_t())
+   end type adhesive_path_input_t
+   type(adhesive_path_input_t), parameter :: path_input = transfer(in%lambda + counting, adhesive_path_input_t())
    integer, parameter :: n_variables = path_input%base_approaches
 
    !> Results in the order of their rows; a component is the index of its row.
-   type :: path_output_t
+   type :: adhesive_path_output_t
       !> Indices of the rows.
       integer :: pull_off_load = 0, pull_off_approach = 0, pull_off_base_approach = 0, least_load = 0, least_load_approach = 0, &
          & jump_in_base_approach = 0, jump_in_load = 0, jumps = 0, dissipated_energy = 0, largest_contact_radius = 0
-   end type path_output_t
-   type(path_output_t), parameter :: out = transfer(counting, path_output_t())
+   end type adhesive_path_output_t
+   type(adhesive_path_output_t), parameter :: out = transfer(counting, adhesive_path_output_t())
    integer, parameter :: n_results = out%largest_contact_radius
 
    !> Profiles.

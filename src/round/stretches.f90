@@ -23,7 +23,7 @@ module adfric_round_stretches
    real(dp), parameter :: close_by = 1.0e-6_dp
 
    !> A piece of the curve whose states are stable.
-   type :: stretch_t
+   type :: stable_stretch_t
       !> Is it of discs without touch?
       logical :: is_disc = .false.
       !> The discs.
@@ -32,7 +32,7 @@ module adfric_round_stretches
       type(curve_interval_t) :: interval
       !> Is the next stretch, or the one before, its continuation? Of the largest one there is none needed.
       logical :: goes_on = .false., goes_back = .false.
-   end type stretch_t
+   end type stable_stretch_t
 
    !> The stable stretches of a curve.
    type :: stretches_t
@@ -41,7 +41,7 @@ module adfric_round_stretches
       !> Number of stretches.
       integer :: n = 0
       !> The stretches, from the smallest contacts to the largest.
-      type(stretch_t) :: list(most_intervals + most_disc_ranges)
+      type(stable_stretch_t) :: list(most_intervals + most_disc_ranges)
    end type stretches_t
 
    !> A part of a stretch that a contact has gone through.
