@@ -11,7 +11,8 @@ module adfric_command_help_scenes
    use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of, long_name_of, meaning_of, &
       & rename_words, renamed_to
    use adfric_describe_scene_shapes, only: list_shapes
-   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, known_tractions, word_length
+   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, &
+      known_tractions, word_length
    implicit none (type, external)
    private
    public :: describe_scenes, describe_scene_list, describe_scene_name, list_scene_names
@@ -21,8 +22,7 @@ module adfric_command_help_scenes
    character(*), parameter :: columns(3, n_columns) = reshape([character(word_length) :: &
       & 'half_space', 'none', 'press', 'half_space', 'adhesion', 'press', 'half_space', 'shear', 'slide', &
       & 'half_space', 'adhesion+shear', 'slide', 'half_space', 'coulomb', 'tangential', 'half_space', 'coulomb', 'path', &
-      & 'half_space', 'adhesion', 'path', &
-      & 'relaxing', 'none', 'path', 'relaxing', 'adhesion', 'path', &
+      & 'half_space', 'adhesion', 'path', 'relaxing', 'none', 'path', 'relaxing', 'adhesion', 'path', &
       & 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', &
       & 'layer', 'none', 'slide', 'layer', 'adhesion', 'slide', &
       & 'foundation', 'none', 'slide', 'foundation', 'adhesion', 'slide'], &
