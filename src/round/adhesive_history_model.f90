@@ -20,10 +20,11 @@ module adfric_round_adhesive_history_model
    use adfric_round_check, only: check_adhesion, check_shape_alone
    use adfric_round_contact_state, only: terms_of
    use adfric_round_curve, only: control_approach, control_load, control_spring
+   use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_edge_slope, only: measure_edge
    use adfric_round_indenter_states, only: plain_indenter
    use adfric_round_variables, only: choose_auto, get_indenter_variables, in => indenter_input, indenter_unit_of, kind_flat, &
-      & n_indenter_variables
+      & kind_sphere, n_indenter_variables, theory_maugis_dugdale
    use adfric_solid_contact_modulus, only: check_contact_modulus, derive_contact_modulus
    implicit none (type, external)
    private
@@ -154,6 +155,7 @@ contains
       type(problems_t), intent(inout) :: problems
       type(variable_t), allocatable :: rows(:)
       type(indenter_case_t) :: case
+      type(adhesive_path_t) :: path
       type(checks_t) :: c
       real(dp) :: indenter(n_indenter_variables)
       integer, parameter :: lists(3) = [path_input%loads, path_input%approaches, path_input%base_approaches]
@@ -188,8 +190,30 @@ contains
       if (problems%count() > before .or. .not. allocated(self%list)) return
       call resolve_case(indenter, case)
       given = lists(findloc(is_set(values(lists)), .true., 1))
-      if (.not. is_possible(indenter, case)) call refuse_size(self%variables(given), maxval(abs(self%list)), problems)
+      if (.not. is_possible(indenter, case)) then
+         if (c%is_choice(in%kind, kind_sphere) .and. case%theory == theory_maugis_dugdale) then
+            call c%add(in%radius, 'is so small that adhesion would reach beyond the sphere')
+         else
+            call refuse_size(self%variables(given), maxval(abs(self%list)), problems)
+         end if
+         return
+      end if
+      call begin_path(case%curve, case%control, opening_ratio(values), path)
+      select type (opening => path%opening)
+      type is (dugdale_curve_t)
+         call c%add(in%radius, 'is so small that adhesion would reach beyond the sphere', .not. opening%has_space(0.0_dp, .true.))
+      end select
    end subroutine check_values
+
+   !> Work of opening over that of closing.
+   pure real(dp) function opening_ratio(values) result(ratio)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      ratio = 1
+      if (is_set(values(path_input%opening_work_of_adhesion))) ratio = values(path_input%opening_work_of_adhesion) &
+         & /values(in%work_of_adhesion)
+   end function opening_ratio
 
    !> The values that the model `indenter` would have where most is prescribed.
    pure function indenter_values(self, values) result(indenter)
@@ -242,7 +266,7 @@ contains
       type(indenter_case_t) :: case
       type(adhesive_path_t) :: path
       type(steps_t), allocatable :: found
-      real(dp) :: indenter(n_indenter_variables), ratio
+      real(dp) :: indenter(n_indenter_variables)
 
       associate (unused => counts)
       end associate
@@ -251,10 +275,7 @@ contains
       indenter = indenter_values(self, values)
       call resolve_case(indenter, case)
       if (.not. is_possible(indenter, case)) return
-      ratio = 1
-      if (is_set(values(path_input%opening_work_of_adhesion))) ratio = values(path_input%opening_work_of_adhesion) &
-         & /values(in%work_of_adhesion)
-      call begin_path(case%curve, case%control, ratio, path)
+      call begin_path(case%curve, case%control, opening_ratio(values), path)
       allocate (found)
       allocate (found%steps(size(self%list), n_profiles))
       call follow_list(self%list, case, path, found%steps, error_estimate)
