@@ -66,7 +66,7 @@ def one(*inputs, options=""):
 AREAS = {
     "Friction and pull-off of a tip": (
         one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("hertz_jkr"), one("pulloff_map_load"), one("pulloff_map_approach"),
-        one("sphere_pressure"), one("indenter_spring"),
+        one("sphere_pressure"), one("indenter_spring"), one("indenter_opening"),
         one("sphere_pressure_factor", options="--y tangential_force stick_radius edge_slip"),
         one("stick_slip", options="--y tangential_force contact_radius edge_slip"), one("sphere_pull_off_edge"),
         one("sphere_sample"), one("sphere_uncertain")),

@@ -38,6 +38,7 @@ AREAS = {
         "Round contacts": "docs/theory/round_contact.md",
         "Round contacts that adhere": "docs/theory/round_adhesion.md",
         "Branches and pull-off": "docs/theory/round_branches.md",
+        "Adhesion along a path": "docs/theory/round_paths.md",
         "Round contacts in time": "docs/theory/round_time.md",
         "Round contacts in time with adhesion": "docs/theory/round_time_adhesion.md",
         "Ageing of rough contacts": "docs/theory/ageing.md",

@@ -10,6 +10,7 @@ module adfric
    use adfric_plane_punch_model, only: punch_model_t, new_punch_model
    use adfric_plane_strip_load_model, only: strip_load_model_t, new_strip_load_model
    use adfric_plane_wave_model, only: wave_model_t, new_wave_model
+   use adfric_round_adhesive_history_model, only: adhesive_indenter_history_t, new_adhesive_indenter_history
    use adfric_round_history_model, only: indenter_history_t, new_indenter_history
    use adfric_round_model, only: indenter_model_t, new_indenter_model
    use adfric_round_timed_adhesion_model, only: adhesive_indenter_time_t, new_adhesive_indenter_time
@@ -28,7 +29,7 @@ module adfric
    !> Names of the models, separated by a blank.
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
       & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder '// &
-      & 'indenter_time adhesive_indenter_time surface_time'
+      & 'indenter_time adhesive_indenter_time surface_time adhesive_indenter_history'
 
 contains
 
@@ -55,6 +56,7 @@ contains
       type(indenter_time_t), allocatable :: indenter_time
       type(surface_time_t), allocatable :: surface_time
       type(adhesive_indenter_time_t), allocatable :: adhesive_indenter_time
+      type(adhesive_indenter_history_t), allocatable :: adhesive_indenter_history
       type(line_load_model_t), allocatable :: line_load
       type(strip_load_model_t), allocatable :: strip_load
       type(point_load_model_t), allocatable :: point_load
@@ -84,6 +86,10 @@ contains
          allocate (adhesive_indenter_time)
          call new_adhesive_indenter_time(adhesive_indenter_time)
          call move_alloc(adhesive_indenter_time, model)
+      case ('adhesive_indenter_history')
+         allocate (adhesive_indenter_history)
+         call new_adhesive_indenter_history(adhesive_indenter_history)
+         call move_alloc(adhesive_indenter_history, model)
       case ('hertz')
          allocate (hertz)
          call new_hertz_model(hertz)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of `indenter_history`, `hertz_history`, `indenter_time` and `surface_time`."""
+"""Figures of histories: with friction, with adhesion, in time, and of periodic surfaces."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from .style import COLOURS, make_panels, plt
 
 # what is drawn, against what
 PANELS = (("time", "contact_fraction"), ("time", "penetration"), ("time", "load"), ("time", "contact_radius"), ("tangential_displacement", "tangential_force"), ("approach", "load"), ("time", "approach"), ("step", "stick_radius"), ("step", "stick_major_half_width"),
-          ("step", "stick_half_width"), ("step", "friction_loss"))
+          ("step", "stick_half_width"), ("step", "friction_loss"), ("step", "contact_radius"), ("step", "adhesion_loss"))
 
 
 def draw_history(results):
@@ -26,8 +26,8 @@ def draw_history(results):
         y_factor, y_unit = scale_of(y.values, y.unit)
         for index, colour in zip(points, colours):
             values = x.values if abscissa == "step" else x.values[index]
-            # every path begins without force and contact
-            start = [] if abscissa in ("step", "time") or "time" in fields else [0.0]
+            # a path without adhesion begins without force and contact
+            start = [] if abscissa in ("step", "time") or "time" in fields or "adhesion_radius" in fields else [0.0]
             panel.plot(np.append(start, values) * x_factor, np.append(start, y.values[index]) * y_factor, color=colour,
                        label=point_label(results.describe(index), results.model) or "_")
         panel.set_xlabel(axis_label(abscissa, x_unit))
@@ -37,7 +37,11 @@ def draw_history(results):
         elif abscissa != "step":
             panel.axhline(0, color="0.7", linewidth=0.6, zorder=0)
             panel.axvline(0, color="0.7", linewidth=0.6, zorder=0)
-    if panels[0].get_legend_handles_labels()[1]:
+    known_curves = panels[0].get_legend_handles_labels()
+    if known_curves[1] and "adhesion_loss" in fields:
+        # where force goes both ways curves take all of its panel
+        figure.legend(*known_curves, loc="outside lower center", ncols=3)
+    elif known_curves[1]:
         panels[0].legend()
     return figure
 

@@ -232,7 +232,7 @@ module adfric_describe_scene_rules
       & 'surface_sliding,surface_time surface%kind heights=profile profile', &
       & 'hertz,hertz_history contact%kind line=cylinder circular=paraboloid elliptical=ellipsoid', &
       & 'rigid_punch punch%kind flat=line_punch polynomial=line_polynomial', &
-      & 'indenter,indenter_history,indenter_time,adhesive_indenter_time shape%kind flat=flat_punch', &
+      & 'indenter,indenter_history,indenter_time,adhesive_indenter_time,adhesive_indenter_history shape%kind flat=flat_punch', &
       & 'indenter model%theory none=hertz', &
       & 'indenter results%theory_used none=hertz', &
       & '* adhesion%branch approach=loading']

@@ -29,6 +29,8 @@ module adfric_describe_scene_solvers
       & round//' half_space shear,adhesion+shear press,slide,tangential indenter exact', &
       & round//' half_space coulomb press,tangential indenter exact', &
       & round//' half_space coulomb path indenter_history exact', &
+      & 'sphere,paraboloid,cone,power,flat_cone,flat_paraboloid,rounded_punch,rounded_cone,polynomial half_space adhesion '// &
+      & 'path adhesive_indenter_history exact', &
       & round//' relaxing none path indenter_time exact', &
       & 'sphere,paraboloid,cone,power,flat_cone,flat_paraboloid,rounded_punch,rounded_cone,polynomial relaxing adhesion '// &
       & 'path adhesive_indenter_time numerical', &

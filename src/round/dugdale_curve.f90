@@ -26,7 +26,7 @@ module adfric_round_dugdale_curve
    use adfric_round_shape, only: spot_t, within_edge
    implicit none (type, external)
    private
-   public :: dugdale_curve_t
+   public :: dugdale_curve_t, get_range
 
    !> A curve of Maugis's theory.
    type, extends(curve_t) :: dugdale_curve_t

@@ -138,7 +138,7 @@ contains
       character(*), intent(in) :: solver, facts
 
       follows = follows_nothing
-      if (has_word('sphere indenter adhesive_indenter_time', solver)) then
+      if (has_word('sphere indenter adhesive_indenter_time adhesive_indenter_history', solver)) then
          if (has_word(facts, 'stress_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'work_given')) &
             follows = follows_work
       else if (has_word(facts, 'work_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'stress_given')) then
