@@ -182,25 +182,25 @@ contains
       type(band_t), intent(in) :: band
       !> Receives the bounds; shape of the cells of the band.
       real(dp), intent(out), contiguous :: bound(:)
-      real(dp) :: slopes(6), lost(3)
-      integer :: k, l
+      real(dp) :: start(3), change(3), slopes(6), lost(3)
+      integer :: cells(3), k, l
 
       bound(:) = 0
       do k = 1, size(band%weight)
          do l = 1, size(triangles, 2)
-            associate (cells => band%corners(triangles(:, l), k))
-               associate (start => band%start(cells) - band%range, change => band%direction(cells))
-                  slopes = largest_slopes(min(start, start + change), max(start, start + change))
-                  if (slopes(1) >= huge(slopes)) then
-                     bound(cells) = huge(bound)
-                  else
-                     lost = abs(slopes(1:3)*change + slopes(4:6)*change([2, 3, 1]) + slopes([6, 4, 5])*change([3, 1, 2]))
-                     bound(cells(1)) = bound(cells(1)) + band%weight(k)*weight_of_triangle*lost(1)
-                     bound(cells(2)) = bound(cells(2)) + band%weight(k)*weight_of_triangle*lost(2)
-                     bound(cells(3)) = bound(cells(3)) + band%weight(k)*weight_of_triangle*lost(3)
-                  end if
-               end associate
-            end associate
+            cells = band%corners(triangles(:, l), k)
+            start = band%start(cells) - band%range
+            change = band%direction(cells)
+            slopes = largest_slopes(min(start, start + change), max(start, start + change))
+            if (slopes(1) >= huge(slopes)) then
+               bound(cells) = huge(bound)
+            else
+               lost = abs(slopes(1:3)*change + slopes(4:6)*change([2, 3, 1]) + slopes([6, 4, 5])*change([3, 1, 2]))
+               lost = band%weight(k)*weight_of_triangle*lost
+               bound(cells(1)) = bound(cells(1)) + lost(1)
+               bound(cells(2)) = bound(cells(2)) + lost(2)
+               bound(cells(3)) = bound(cells(3)) + lost(3)
+            end if
          end do
       end do
    end subroutine get_bound
