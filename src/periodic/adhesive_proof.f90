@@ -34,9 +34,11 @@ module adfric_periodic_adhesive_proof
 contains
 
    !> Find the direction in which the solid yields to a load.
-   subroutine find_path(state, operator, gap_solver, path)
+   subroutine find_path(state, is_open, operator, gap_solver, path)
       !> A state, with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
+      !> Open cells of the state and of a bound, or more.
+      logical, intent(in), contiguous :: is_open(:, :)
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Receives the change of the gap, >= 0; not allocated where there is none, since the solid yields by itself.
@@ -45,28 +47,27 @@ contains
 
       allocate (load, path, mold=state%gap)
       load(:, :) = state%cohesion%stress
-      call solve_open(operator, gap_solver, state%is_open, load, path_tolerance*state%cohesion%stress, path, state%cohesion)
+      call solve_open(operator, gap_solver, is_open, load, path_tolerance*state%cohesion%stress, path, state%cohesion)
       if (minval(path) < 0) deallocate (path)
    end subroutine find_path
 
    !> Is there no other state between a bound and a state?
-   logical function is_alone(state, direction, operator, gap_solver, is_adhered, bound, is_open_there)
+   logical function is_alone(state, direction, is_open, operator, gap_solver, is_adhered, bound)
       !> The state, with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
       !> Its direction, see `find_path`.
       real(dp), intent(in), contiguous :: direction(:, :)
+      !> Open cells of the direction: those of the state and of the bound, or more.
+      logical, intent(in), contiguous :: is_open(:, :)
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Does the bound lie below the state? Else above.
       logical, intent(in) :: is_adhered
       !> Gap of the bound; shape of the cells.
       real(dp), intent(in), contiguous :: bound(:, :)
-      !> Open cells of the bound.
-      logical, intent(in), contiguous :: is_open_there(:, :)
       type(cohesion_t) :: law
       type(cohesion_t), allocatable :: none
       real(dp), allocatable, dimension(:, :) :: path, slope, load, rest
-      logical, allocatable :: is_open(:, :)
       real(dp) :: length, spared, sign_of_path
 
       is_alone = .false.
@@ -82,8 +83,6 @@ contains
       call set_largest_slope(state, sign_of_path, path, cost_of_secants*length, slope)
       is_alone = .not. maxval(slope) > 0
       if (is_alone) return
-      allocate (is_open, source=state%is_open)
-      if (.not. is_adhered) is_open(:, :) = is_open .or. is_open_there
       call operator%apply_stiffness(path, load)
       load(:, :) = load - law%stress*slope
       is_alone = minval(load, mask=is_open) > 0
