@@ -23,8 +23,8 @@ module adfric_periodic_adhesive_relaxation
 
    !> Farthest cell of the table, cells along a tile, and cells beside it that take part.
    integer, parameter :: farthest = 10, cells_of_tile = 8, beside_tile = 6
-   !> Tiles of one colour are so many apart: steps reach `beside_tile + farthest` cells beyond a tile.
-   integer, parameter :: apart = (2*(beside_tile + farthest) - 1)/cells_of_tile + 2
+   !> Tiles of one colour are so many apart, since steps reach `beside_tile` and `farthest` cells beyond a tile, on both sides.
+   integer, parameter :: apart = 5
    !> Sweeps over a tile, at most.
    integer, parameter :: most_sweeps = 200
    !> Pressure over the largest of the last sweep from which on a cell takes a step.
@@ -104,8 +104,8 @@ contains
       do j = 1, n_colours(2)
          do i = 1, n_colours(1)
             if (n_steps >= most_steps) return
-            call relax_colour(self, tiles_of(i, size(gap, 1)), tiles_of(j, size(gap, 2)), sign_of_step, margin, least, is_slow, law, &
-               & gap, pressure, n_steps)
+            call relax_colour(self, tiles_of(i, size(gap, 1)), tiles_of(j, size(gap, 2)), sign_of_step, margin, least, is_slow, &
+               & law, gap, pressure, n_steps)
          end do
       end do
    end subroutine relax
@@ -169,8 +169,8 @@ contains
          i = first_x(modulo(k - 1, size(first_x)) + 1)
          j = first_y((k - 1)/size(first_x) + 1)
          associate (last => min([i, j] + cells_of_tile - 1, shape(gap)))
-            if (any(is_slow(i:last(1), j:last(2)))) call relax_tile(self, [i, j], last, sign_of_step, margin, least, law, gap, pressure, &
-               & n_steps)
+            if (any(is_slow(i:last(1), j:last(2)))) call relax_tile(self, [i, j], last, sign_of_step, margin, least, law, gap, &
+               & pressure, n_steps)
          end associate
       end do
       !$omp end parallel do
