@@ -66,6 +66,7 @@ contains
       type(relaxation_t) :: relaxation
       real(dp), allocatable :: share(:, :), step(:, :), path(:, :)
       real(dp) :: change, change_before
+      logical, allocatable :: is_open(:, :)
       logical :: is_certain, has_found, has_rested
       integer :: k, next_try, next_proof
 
@@ -98,8 +99,12 @@ contains
          if (has_found .and. k >= next_proof) then
             if (maxval(abs(found%cohesion%share - share)) <= near_share) then
                next_proof = k + proof_after
-               if (.not. allocated(path)) call find_path(found, operator, gap_solver, path)
-               if (allocated(path)) is_certain = is_alone(found, path, operator, gap_solver, is_adhered, state%gap, state%is_open)
+               if (.not. allocated(path)) then
+                  ! what is open now covers what later rounds have open
+                  is_open = found%is_open .or. (state%is_open .and. .not. is_adhered)
+                  call find_path(found, is_open, operator, gap_solver, path)
+               end if
+               if (allocated(path)) is_certain = is_alone(found, path, is_open, operator, gap_solver, is_adhered, state%gap)
                if (is_certain) exit
             end if
          end if
@@ -123,7 +128,7 @@ contains
    subroutine go_on(state, relaxation, is_adhered, share, step, change)
       !> In: the contact with given shares. Out: a gap that is nearer to the state, with its shares and open region.
       type(contact_state_t), intent(inout) :: state
-      type(relaxation_t), intent(inout) :: relaxation
+      type(relaxation_t), intent(in) :: relaxation
       logical, intent(in) :: is_adhered
       !> In: the given shares. Out: those of the new gap.
       real(dp), intent(inout), contiguous :: share(:, :)
@@ -134,9 +139,13 @@ contains
       logical, allocatable :: is_slow(:, :)
       real(dp) :: margin
 
-      margin = 0
-      if (any(state%is_open)) margin = maxval(abs(state%pressure), mask=state%is_open)
-      margin = max(margin, -minval(state%pressure))
+      ! a pressure below 0 makes gaps too small, one above 0 too large: on one side that is safe
+      if (is_adhered) then
+         margin = 0
+         if (any(state%is_open)) margin = max(margin, maxval(state%pressure, mask=state%is_open))
+      else
+         margin = max(0.0_dp, -minval(state%pressure))
+      end if
       call state%cohesion%set_share(state%gap)
       change = maxval(abs(state%cohesion%share - share))
       allocate (is_slow, source=abs(state%cohesion%share - share) > max(slow*step, min(part_of_largest*change, slow_share)))

@@ -14,7 +14,8 @@
 !>   from that side, and v found to no more than that, so that it is not above the true one.
 module adfric_periodic_adhesive_proof
    use adfric_base_kinds, only: dp
-   use adfric_periodic_cohesion, only: cohesion_t, shares_in_square
+   use adfric_periodic_adhesive_secants, only: set_largest_slope, set_slope
+   use adfric_periodic_cohesion, only: cohesion_t
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_gap_solver, only: gap_solver_t, extremes_t
    use adfric_periodic_operator, only: periodic_operator_t
@@ -27,17 +28,17 @@ module adfric_periodic_adhesive_proof
    integer, parameter :: most_steps = 200
    !> Largest change of a share on a path that is tried.
    real(dp), parameter :: farthest_change = 0.5_dp
-   !> Nearest part of the path with a secant of its own, and a part over the next farther one, closer and closer.
-   real(dp), parameter :: nearest_part = 0.02_dp, ratios(*) = [0.85_dp, 0.97_dp, 0.995_dp]
-   !> Part of the margin that secants may cost before they are closer, and part that is left to the system of the distance.
-   real(dp), parameter :: cost_of_secants = 0.1_dp, part_of_margin = 0.1_dp
+   !> Part of the margin that slopes may cost before they are found closer, and part that is left to the system of the distance.
+   real(dp), parameter :: cost_of_secants = 0.5_dp, part_of_margin = 0.1_dp
 
 contains
 
    !> Find the direction in which the solid yields to a load.
-   subroutine find_path(state, operator, gap_solver, path)
+   subroutine find_path(state, is_open, operator, gap_solver, path)
       !> A state, with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
+      !> Open cells of the state and of a bound, or more.
+      logical, intent(in), contiguous :: is_open(:, :)
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Receives the change of the gap, >= 0; not allocated where there is none, since the solid yields by itself.
@@ -46,28 +47,27 @@ contains
 
       allocate (load, path, mold=state%gap)
       load(:, :) = state%cohesion%stress
-      call solve_open(operator, gap_solver, state%is_open, load, path_tolerance*state%cohesion%stress, path, state%cohesion)
+      call solve_open(operator, gap_solver, is_open, load, path_tolerance*state%cohesion%stress, path, state%cohesion)
       if (minval(path) < 0) deallocate (path)
    end subroutine find_path
 
    !> Is there no other state between a bound and a state?
-   logical function is_alone(state, direction, operator, gap_solver, is_adhered, bound, is_open_there)
+   logical function is_alone(state, direction, is_open, operator, gap_solver, is_adhered, bound)
       !> The state, with the slopes of its shares.
       type(contact_state_t), intent(in) :: state
       !> Its direction, see `find_path`.
       real(dp), intent(in), contiguous :: direction(:, :)
+      !> Open cells of the direction: those of the state and of the bound, or more.
+      logical, intent(in), contiguous :: is_open(:, :)
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Does the bound lie below the state? Else above.
       logical, intent(in) :: is_adhered
       !> Gap of the bound; shape of the cells.
       real(dp), intent(in), contiguous :: bound(:, :)
-      !> Open cells of the bound.
-      logical, intent(in), contiguous :: is_open_there(:, :)
       type(cohesion_t) :: law
       type(cohesion_t), allocatable :: none
       real(dp), allocatable, dimension(:, :) :: path, slope, load, rest
-      logical, allocatable :: is_open(:, :)
       real(dp) :: length, spared, sign_of_path
 
       is_alone = .false.
@@ -83,8 +83,6 @@ contains
       call set_largest_slope(state, sign_of_path, path, cost_of_secants*length, slope)
       is_alone = .not. maxval(slope) > 0
       if (is_alone) return
-      allocate (is_open, source=state%is_open)
-      if (.not. is_adhered) is_open(:, :) = is_open .or. is_open_there
       call operator%apply_stiffness(path, load)
       load(:, :) = load - law%stress*slope
       is_alone = minval(load, mask=is_open) > 0
@@ -94,49 +92,6 @@ contains
       call solve_open(operator, gap_solver, is_open, load, spared, rest, none)
       is_alone = all(rest > 0 .or. .not. (slope > 0 .and. is_open))
    end function is_alone
-
-   !> The largest slopes of the shares on a path.
-   subroutine set_largest_slope(state, sign_of_path, path, cost, slope)
-      !> The state with the slopes of its shares.
-      type(contact_state_t), intent(in) :: state
-      !> -1 where the path leads to smaller gaps, else 1.
-      real(dp), intent(in) :: sign_of_path
-      !> The path, >= 0; shape of the cells.
-      real(dp), intent(in), contiguous :: path(:, :)
-      !> Slope beyond that at the state from which on secants are made closer.
-      real(dp), intent(in) :: cost
-      !> Receives the slopes, >= 0.
-      real(dp), intent(out), contiguous :: slope(:, :)
-      type(cohesion_t) :: law
-      real(dp), allocatable :: at_state(:, :)
-      logical, allocatable :: is_wanted(:, :)
-      integer :: k
-
-      law = state%cohesion
-      allocate (at_state, mold=path)
-      call set_slope(law, path, at_state)
-      slope(:, :) = at_state
-      allocate (is_wanted(size(path, 1), size(path, 2)), source=.true.)
-      do k = 1, size(ratios)
-         call raise_slope(law, state%gap, sign_of_path*path, ratios(k), is_wanted, at_state, slope)
-         is_wanted(:, :) = slope > at_state + cost
-      end do
-   end subroutine set_largest_slope
-
-   !> Slopes of the shares at a state along a path.
-   pure subroutine set_slope(law, path, slope)
-      !> The law with its slopes.
-      type(cohesion_t), intent(in) :: law
-      !> Change of the gap, of one sign; shape of the cells.
-      real(dp), intent(in), contiguous :: path(:, :)
-      !> Receives the slopes, >= 0.
-      real(dp), intent(out), contiguous :: slope(:, :)
-      real(dp) :: product
-
-      slope(:, :) = 0
-      call law%subtract_slope(path, slope, product)
-      slope(:, :) = abs(slope)/law%stress
-   end subroutine set_slope
 
    !> How often a direction goes into a distance, in cells whose shares change.
    pure real(dp) function length_of(distance, direction, is_changing) result(length)
@@ -153,108 +108,6 @@ contains
          end do
       end do
    end function length_of
-
-   !> The largest of slopes and of secants of the shares, from a state to all positions on a path but the nearest.
-   subroutine raise_slope(law, gap, path, ratio, is_wanted, at_state, slope)
-      !> The law; receives the squares on the path.
-      type(cohesion_t), intent(inout) :: law
-      !> Gap of the state; shape of the cells.
-      real(dp), intent(in), contiguous :: gap(:, :)
-      !> Change of the gap, of one sign.
-      real(dp), intent(in), contiguous :: path(:, :)
-      !> A part of the path over the next farther one.
-      real(dp), intent(in) :: ratio
-      !> Cells whose slopes are wanted.
-      logical, intent(in), contiguous :: is_wanted(:, :)
-      !> Slopes at the state.
-      real(dp), intent(in), contiguous :: at_state(:, :)
-      !> Receives the slopes of the cells that are wanted.
-      real(dp), intent(inout), contiguous :: slope(:, :)
-      integer, allocatable :: corners(:, :), squares(:), number(:, :)
-      real(dp), allocatable, dimension(:) :: start, direction, here, there, largest
-      real(dp) :: part
-      integer :: i, j, k, n
-
-      if (.not. any(is_wanted)) return
-      call law%set_band(min(gap, gap + path), max(gap, gap + path))
-      allocate (number(size(gap, 1), size(gap, 2)), source=0)
-      allocate (corners(4, law%n_squares), squares(law%n_squares))
-      n = 0
-      j = 0
-      do k = 1, law%n_squares
-         associate (x => law%squares(k)%x([1, 2, 2, 1]), y => law%squares(k)%y([1, 1, 2, 2]))
-            if (.not. any([(is_wanted(x(i), y(i)), i=1, 4)])) cycle
-            j = j + 1
-            squares(j) = k
-            do i = 1, 4
-               if (number(x(i), y(i)) == 0) then
-                  n = n + 1
-                  number(x(i), y(i)) = n
-               end if
-               corners(i, j) = number(x(i), y(i))
-            end do
-         end associate
-      end do
-      associate (of => squares(:j), cells => corners(:, :j))
-         allocate (start(n), direction(n), here(n), there(n), largest(n))
-         call pick(gap, number, start)
-         call pick(path, number, direction)
-         call pick(at_state, number, largest)
-         call sum_shares(law, of, cells, start, here)
-         part = 1
-         do while (part > nearest_part)
-            call sum_shares(law, of, cells, start + part*direction, there)
-            part = ratio*part
-            largest(:) = max(largest, abs(there - here)/part)
-         end do
-      end associate
-      do j = 1, size(gap, 2)
-         do i = 1, size(gap, 1)
-            if (number(i, j) == 0) cycle
-            if (is_wanted(i, j)) slope(i, j) = largest(number(i, j))
-         end do
-      end do
-   end subroutine raise_slope
-
-   !> The values of numbered cells in their order.
-   pure subroutine pick(field, number, values)
-      real(dp), intent(in), contiguous :: field(:, :)
-      !> Number of each cell; 0: none.
-      integer, intent(in), contiguous :: number(:, :)
-      !> Receives the values.
-      real(dp), intent(out), contiguous :: values(:)
-      integer :: i, j
-
-      do j = 1, size(field, 2)
-         do i = 1, size(field, 1)
-            if (number(i, j) > 0) values(number(i, j)) = field(i, j)
-         end do
-      end do
-   end subroutine pick
-
-   !> What the squares on the path add to the shares of their cells.
-   pure subroutine sum_shares(law, squares, corners, gap, share)
-      !> The law with the squares.
-      type(cohesion_t), intent(in) :: law
-      !> Numbers of the squares that are summed; shape `(n)`.
-      integer, intent(in), contiguous :: squares(:)
-      !> Cells of each of them, round it; shape `(4, n)`.
-      integer, intent(in), contiguous :: corners(:, :)
-      !> Gap of the cells.
-      real(dp), intent(in), contiguous :: gap(:)
-      !> Receives the shares of the cells.
-      real(dp), intent(out), contiguous :: share(:)
-      real(dp) :: shares(4)
-      integer :: i, k
-
-      share(:) = 0
-      do k = 1, size(corners, 2)
-         shares = law%squares(squares(k))%weight*shares_in_square(law%range, gap(corners(:, k)))
-         do i = 1, 4
-            share(corners(i, k)) = share(corners(i, k)) + shares(i)
-         end do
-      end do
-   end subroutine sum_shares
 
    !> Solve A_OO x = b over given open cells. Where the slopes of adhesion leave no positive A, x is below 0 somewhere.
    subroutine solve_open(operator, gap_solver, is_open, load, tolerance, x, cohesion)

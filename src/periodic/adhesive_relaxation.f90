@@ -10,10 +10,12 @@
 !> - F follows each step, by a table of the influence of a cell on those around. Farther ones are left out: their F is too large from
 !>   below and too small from above, which only makes steps shorter.
 !> - What the contact left that the steps begin from is a margin that F has to exceed.
-!> - Steps are made tile by tile, in an order of their own, so that they do not depend on threads.
+!> - Steps are made tile by tile. Tiles of one colour are so far apart that none sees what another does, and threads share them; colours
+!>   come one after the other. So steps do not depend on threads.
 module adfric_periodic_adhesive_relaxation
    use adfric_base_kinds, only: dp
    use adfric_periodic_cohesion, only: cohesion_t
+   use adfric_periodic_maps, only: is_shared
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
@@ -21,6 +23,8 @@ module adfric_periodic_adhesive_relaxation
 
    !> Farthest cell of the table, cells along a tile, and cells beside it that take part.
    integer, parameter :: farthest = 10, cells_of_tile = 8, beside_tile = 6
+   !> Tiles of one colour are so many apart, since steps reach `beside_tile` and `farthest` cells beyond a tile, on both sides.
+   integer, parameter :: apart = 5
    !> Sweeps over a tile, at most.
    integer, parameter :: most_sweeps = 200
    !> Pressure over the largest of the last sweep from which on a cell takes a step.
@@ -31,7 +35,7 @@ module adfric_periodic_adhesive_relaxation
    real(dp), parameter :: none = 1.0e-9_dp
    !> Steps over the number of cells of the surface, at most: as many take about the time of a round, and what they have not reached
    !> is left to the next one.
-   real(dp), parameter :: most_steps_per_cell = 0.25_dp
+   real(dp), parameter :: most_steps_per_cell = 1.0_dp
 
    !> The table.
    type :: relaxation_t
@@ -41,8 +45,6 @@ module adfric_periodic_adhesive_relaxation
       real(dp), allocatable :: influence(:, :)
       !> Cells of the grid that lie beside the first and the last ones: periodic or in a mirror; from -`reach` on.
       integer, allocatable :: along_x(:), along_y(:)
-      !> Steps so far.
-      integer :: n_steps = 0
    end type relaxation_t
 
 contains
@@ -78,7 +80,7 @@ contains
 
    !> Make steps.
    subroutine relax(self, is_adhered, margin, is_slow, law, gap, pressure)
-      type(relaxation_t), intent(inout) :: self
+      type(relaxation_t), intent(in) :: self
       !> Are gaps below the most adhered state? Else above the least adhered one.
       logical, intent(in) :: is_adhered
       !> Error of the pressure that steps begin from [E*].
@@ -92,25 +94,91 @@ contains
       !> In: F of the gap [E*]. Out: F of the new one, as far as the table goes.
       real(dp), intent(inout), contiguous :: pressure(:, :)
       real(dp) :: least
-      integer :: i, j, sign_of_step, last_step
+      integer :: n_colours(2), i, j, sign_of_step, n_steps, most_steps
 
       sign_of_step = merge(1, -1, is_adhered)
-      last_step = self%n_steps + ceiling(most_steps_per_cell*size(gap))
+      most_steps = ceiling(most_steps_per_cell*size(gap))
       least = max(none*law%stress, margin/2, begun*(maxval(-sign_of_step*pressure, mask=is_adhered .or. gap > 0) - margin))
-      do j = 1, size(gap, 2), cells_of_tile
-         do i = 1, size(gap, 1), cells_of_tile
-            associate (last => min([i, j] + cells_of_tile - 1, shape(gap)))
-               if (.not. any(is_slow(i:last(1), j:last(2)))) cycle
-               if (self%n_steps >= last_step) return
-               call relax_tile(self, [i, j], last, sign_of_step, margin, least, last_step, law, gap, pressure)
-            end associate
+      n_colours = [colours_of(size(gap, 1)), colours_of(size(gap, 2))]
+      n_steps = 0
+      do j = 1, n_colours(2)
+         do i = 1, n_colours(1)
+            if (n_steps >= most_steps) return
+            call relax_colour(self, tiles_of(i, size(gap, 1)), tiles_of(j, size(gap, 2)), sign_of_step, margin, least, is_slow, &
+               & law, gap, pressure, n_steps)
          end do
       end do
    end subroutine relax
 
+   !> Number of colours of tiles along one direction.
+   pure integer function colours_of(n_cells)
+      !> Number of cells.
+      integer, intent(in) :: n_cells
+      integer :: n_tiles
+
+      n_tiles = (n_cells - 1)/cells_of_tile + 1
+      colours_of = n_tiles
+      ! those that remain of the last group of colours are near the first tiles
+      if (n_tiles >= 2*apart) colours_of = apart + modulo(n_tiles, apart)
+   end function colours_of
+
+   !> The first cells of the tiles of a colour along one direction.
+   pure function tiles_of(colour, n_cells) result(first)
+      integer, intent(in) :: colour
+      !> Number of cells.
+      integer, intent(in) :: n_cells
+      integer, allocatable :: first(:)
+      integer :: n_colours, n_tiles, last, k
+
+      n_tiles = (n_cells - 1)/cells_of_tile + 1
+      n_colours = colours_of(n_cells)
+      last = n_tiles - (n_colours - apart)
+      if (n_colours == n_tiles) then
+         first = [cells_of_tile*(colour - 1) + 1]
+      else if (colour > apart) then
+         first = [cells_of_tile*(last + colour - apart - 1) + 1]
+      else
+         first = [(cells_of_tile*(k - 1) + 1, k=colour, last, apart)]
+      end if
+   end function tiles_of
+
+   !> Make steps in the tiles of a colour.
+   subroutine relax_colour(self, first_x, first_y, sign_of_step, margin, least, is_slow, law, gap, pressure, n_steps)
+      type(relaxation_t), intent(in) :: self
+      !> First cells of the tiles along both directions.
+      integer, intent(in), contiguous :: first_x(:), first_y(:)
+      !> 1 where gaps grow, -1 where they shrink.
+      integer, intent(in) :: sign_of_step
+      !> Error of the pressure [E*].
+      real(dp), intent(in) :: margin
+      !> Pressure beyond the margin that makes a tile worth it [E*].
+      real(dp), intent(in) :: least
+      !> Cells that steps are for; shape of the cells.
+      logical, intent(in), contiguous :: is_slow(:, :)
+      type(cohesion_t), intent(inout) :: law
+      real(dp), intent(inout), contiguous :: gap(:, :)
+      !> F [E*].
+      real(dp), intent(inout), contiguous :: pressure(:, :)
+      !> Receives the steps, which are added to those of before.
+      integer, intent(inout) :: n_steps
+      integer :: i, j, k
+
+      !$omp parallel do if(is_shared(size(gap))) schedule(dynamic) default(none) private(i, j, k) reduction(+:n_steps) &
+      !$omp& shared(self, first_x, first_y, sign_of_step, margin, least, is_slow, law, gap, pressure)
+      do k = 1, size(first_x)*size(first_y)
+         i = first_x(modulo(k - 1, size(first_x)) + 1)
+         j = first_y((k - 1)/size(first_x) + 1)
+         associate (last => min([i, j] + cells_of_tile - 1, shape(gap)))
+            if (any(is_slow(i:last(1), j:last(2)))) call relax_tile(self, [i, j], last, sign_of_step, margin, least, law, gap, &
+               & pressure, n_steps)
+         end associate
+      end do
+      !$omp end parallel do
+   end subroutine relax_colour
+
    !> Make steps in a tile and the cells around it, if it has one that is worth it.
-   subroutine relax_tile(self, first, last, sign_of_step, margin, least, last_step, law, gap, pressure)
-      type(relaxation_t), intent(inout) :: self
+   subroutine relax_tile(self, first, last, sign_of_step, margin, least, law, gap, pressure, n_steps)
+      type(relaxation_t), intent(in) :: self
       !> First and last cell of the tile along both directions.
       integer, intent(in) :: first(2), last(2)
       !> 1 where gaps grow, -1 where they shrink.
@@ -119,12 +187,12 @@ contains
       real(dp), intent(in) :: margin
       !> Pressure beyond the margin that makes a tile worth it [E*].
       real(dp), intent(in) :: least
-      !> Number of the step after which no sweep begins.
-      integer, intent(in) :: last_step
       type(cohesion_t), intent(inout) :: law
       real(dp), intent(inout), contiguous :: gap(:, :)
       !> F [E*].
       real(dp), intent(inout), contiguous :: pressure(:, :)
+      !> Receives the steps, which are added to those of before.
+      integer, intent(inout) :: n_steps
       real(dp) :: threshold, largest, first_largest, excess, step, stiffness
       integer :: sweep, i, j, ii, jj, around(2)
 
@@ -133,7 +201,6 @@ contains
       stiffness = self%influence(0, 0)
       threshold = least
       do sweep = 1, most_sweeps
-         if (self%n_steps >= last_step) exit
          largest = 0
          do jj = first(2) - around(2), last(2) + around(2)
             j = self%along_y(jj)
@@ -147,7 +214,7 @@ contains
                largest = max(largest, abs(step)*stiffness)
                call spread(self, i, j, step, pressure)
                call law%move_cell(i, j, step, gap, pressure)
-               self%n_steps = self%n_steps + 1
+               n_steps = n_steps + 1
             end do
          end do
          if (sweep == 1) first_largest = largest

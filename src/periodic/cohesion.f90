@@ -21,7 +21,7 @@ module adfric_periodic_cohesion
    use adfric_periodic_maps, only: sum_of
    implicit none (type, external)
    private
-   public :: cohesion_t, new_cohesion, shares_in_square
+   public :: cohesion_t, new_cohesion, line_integrals, shares_in_square, triangles, weight_of_triangle
 
    !> A square between the middles of four cells.
    type :: square_t
@@ -415,15 +415,14 @@ contains
    end subroutine make_space
 
    !> Integrals of products of hat functions along the line, over the gradient of the gap, in units of the triangle's area; pairs
-   !> 11, 22, 33, 12, 23, 31. They are quadratic along the line, so that Simpson's rule is exact.
+   !> as in `line_integrals`.
    pure function slopes_of(corner, range) result(slopes)
       !> Gap at the corners, not all on one side of the range.
       real(dp), intent(in) :: corner(3)
       real(dp), intent(in) :: range
       real(dp) :: slopes(6), part(2), rate
-      real(dp) :: ends(3, 3)
-      integer :: order(3), k
-      integer, parameter :: pairs(2, 6) = reshape([1, 1, 2, 2, 3, 3, 1, 2, 2, 3, 3, 1], [2, 6])
+      real(dp) :: ends(3, 2)
+      integer :: order(3)
 
       order = order_of(corner)
       ends = 0
@@ -432,24 +431,31 @@ contains
          if (range < middle) then
             part = (range - low)/[middle - low, high - low]
             rate = 2*part(1)/(high - low)
-            ends(order(1), 1:3:2) = 1 - part
+            ends(order(1), :) = 1 - part
             ends(order(2), 1) = part(1)
-            ends(order(3), 3) = part(2)
+            ends(order(3), 2) = part(2)
          else
             part = (high - range)/[high - low, high - middle]
             rate = 2*part(2)/(high - low)
-            ends(order(3), 1:3:2) = 1 - part
+            ends(order(3), :) = 1 - part
             ends(order(1), 1) = part(1)
-            ends(order(2), 3) = part(2)
+            ends(order(2), 2) = part(2)
          end if
       end associate
-      ends(:, 2) = (ends(:, 1) + ends(:, 3))/2
-      do k = 1, 6
-         associate (products => ends(pairs(1, k), :)*ends(pairs(2, k), :))
-            slopes(k) = rate*(products(1) + 4*products(2) + products(3))/6
-         end associate
-      end do
+      slopes = rate*line_integrals(ends(:, 1), ends(:, 2))
    end function slopes_of
+
+   !> Means of products of two of three functions that are linear along a line; pairs 11, 22, 33, 12, 23, 31. The products are quadratic,
+   !> so that Simpson's rule is exact.
+   pure function line_integrals(first, last) result(integrals)
+      !> The functions at both ends of the line.
+      real(dp), intent(in) :: first(3), last(3)
+      real(dp) :: integrals(6), middle(3)
+      integer, parameter :: one(6) = [1, 2, 3, 1, 2, 3], other(6) = [1, 2, 3, 2, 3, 1]
+
+      middle = (first + last)/2
+      integrals = (first(one)*first(other) + 4*middle(one)*middle(other) + last(one)*last(other))/6
+   end function line_integrals
 
    !> Subtract what the tension loses along a direction from its pressure, where shares follow the gap.
    pure subroutine subtract_slope(self, direction, pressure, product)
