@@ -14,7 +14,7 @@ module adfric_round_timed_adhesion_zone
    use adfric_base_constants, only: half_pi, pi
    use adfric_round_annulus, only: get_annulus
    use adfric_round_shape, only: shape_t, spot_t, within_edge
-   use adfric_round_timed_adhesion_sums, only: move_sum, zone_sum_t
+   use adfric_round_timed_adhesion_sums, only: far_cells_t, move_sum, zone_sum_t
    implicit none (type, external)
    private
    public :: zone_problem_t, zone_state_t, solve_zone, shift_state, zone_energy
@@ -33,6 +33,8 @@ module adfric_round_timed_adhesion_zone
       integer :: anchor = 0
       !> The integral of the memory from the axis up to it.
       real(dp) :: anchor_sum = 0
+      !> Cells of the zone far from its edge, where they are summed up for all radii of a step.
+      type(far_cells_t) :: far
    contains
       procedure :: depth_at
    end type zone_problem_t
@@ -202,7 +204,7 @@ contains
       call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
       call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
       cell = min(int(a/self%cell), total%high)
-      call move_sum(self%memory, self%cell, c, cell + 1, total)
+      call move_sum(self%memory, self%cell, self%far, c, cell + 1, total)
       memory_slope = (self%memory(cell + 1) - self%memory(cell))/self%cell
       opening = opening + total%total + memory_slope*(total%angle_sum - (a*t - s))
       gap%by_c = 2/(pi*c)*(intensity + total%turn + memory_slope*(s - total%side))
