@@ -15,8 +15,7 @@ module adfric_round_timed_adhesion_contact
    use adfric_round_timed_adhesion_memory, only: prepare_step, reserve_nodes, spring_memory_t, start_memory, stored_energy, &
       & take_step
    use adfric_round_timed_adhesion_search, only: find_jump, find_near, near
-   use adfric_round_timed_adhesion_sums, only: expand_far_cells
-   use adfric_round_timed_adhesion_zone, only: zone_energy, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: sum_up, zone_energy, zone_problem_t, zone_state_t
    use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
@@ -209,8 +208,7 @@ contains
          span = self%legs(self%leg)%span*(end - self%phase)
          prescribed = prescribed_at(self%legs(self%leg), end)
          call prepare_step(self%memory, span, self%problem)
-         call expand_far_cells(self%problem%memory, self%problem%cell, self%state%c + self%moved/2, &
-            & int(self%state%a/self%problem%cell) + 2, self%problem%far)
+         call sum_up(self%problem, self%state%c, self%state%a, self%moved/(2*self%problem%cell), .true.)
          call find_near(self%problem, self%control, self%state, prescribed, reach, state, verdict)
          moved = abs(state%c - self%state%c)
          if (max(state%a, self%state%a) > 2*reach) moved = max(moved, abs(state%a - self%state%a))

@@ -210,7 +210,8 @@ contains
    !> Grids, each with cells half as wide as the one before, until they agree. Two grids may be alike and both be wrong, where a zone
    !> has few cells: the error is what a third one changes of the answer of two. The last grid is as fine as it has to be. There the
    !> ratio q of cells is below 2. Let a number be V + a h^2 + b h^m. Two grids with cells h and q h say together V + r b h^m with
-   !> r = 1 - (q^m - 1)/(q^2 - 1), which a smaller q makes smaller: what a third grid changes is still above the error.
+   !> r = 1 - (q^m - 1)/(q^2 - 1), which a smaller q makes smaller: what a third grid changes is still above the error. What is not
+   !> regular is multiplied by 1/(q^2 - 1), so q is 2 until the error has fallen as that of a regular one.
    subroutine refine(self, setting, tolerance, best, error, status)
       class(adhesive_indenter_time_t), intent(in) :: self
       type(setting_t), intent(inout) :: setting
@@ -225,13 +226,14 @@ contains
       ! of the difference of two grids what is counted, where it has fallen as of second order, and else
       real(dp), parameter :: second_order = 0.1_dp, any_order = 0.25_dp, least_power = 1.5_dp
       type(zone_outcome_t) :: coarse, fine, last
-      real(dp) :: top, change, last_change, cell, ratio
+      real(dp) :: top, change, last_change, last_error, cell, ratio
       integer :: grid
       logical :: is_solved
 
       status = status_not_converged
       error = huge(error)
       last_change = 0
+      last_error = 0
       cell = 2*setting%cell
       if (setting%is_closed) then
          ! where contact is lost, on a grid twice as coarse
@@ -245,7 +247,8 @@ contains
       if (.not. is_solved) return
       do grid = 2, most_grids
          ratio = 2
-         if (grid > 3) ratio = next_ratio(setting, cell, error, tolerance)
+         if (grid > 4 .and. error*2**least_power <= last_error) ratio = next_ratio(setting, cell, error, tolerance)
+         last_error = error
          cell = cell/ratio
          if (setting%largest%adhesion_radius/cell > 2*most_cells) exit
          call follow(self, setting, cell, first_fineness*cell/setting%cell, fine, is_solved)

@@ -13,7 +13,7 @@ module adfric_round_timed_adhesion_sums
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: zone_sum_t, far_cells_t, move_sum, expand_far_cells
+   public :: zone_sum_t, far_cells_t, move_sum, expand_far_cells, is_near
 
    ! cells beside c that are summed one by one, and the least number of others
    integer, parameter :: nearest = 12, fewest = 8
@@ -160,7 +160,9 @@ contains
 
    !> Do the moments hold at a radius?
    pure logical function is_near(far, cell, c)
+      !> Far cells of a step.
       type(far_cells_t), intent(in) :: far
+      !> Distance of the nodes, and a radius of adhesion.
       real(dp), intent(in) :: cell, c
       real(dp), parameter :: most = 0.6_dp
 
@@ -173,15 +175,16 @@ contains
       real(dp), intent(in) :: cell, c
       !> Receive the sums.
       real(dp), intent(out) :: sums, turns
-      real(dp) :: m(0:last_power), change, part, g
       integer :: i, j
+      real(dp), parameter :: inverses(last_moment) = [(1.0_dp/i, i=1, last_moment)]
+      real(dp) :: m(0:last_power), change, part, g
 
       change = (c - far%c)*(c + far%c)/cell**2
       do j = 0, last_power
          part = 1
          m(j) = far%moments(j)
          do i = 1, last_moment - j
-            part = -part*change*(j + i - 0.5_dp)/i
+            part = -part*change*(j + i - 0.5_dp)*inverses(i)
             m(j) = m(j) + part*far%moments(j + i)
          end do
       end do
@@ -262,13 +265,21 @@ contains
       real(dp), parameter :: terms(0:n_terms) = [1.0_dp, 1/12.0_dp, 3/160.0_dp, 5/896.0_dp, 35/18432.0_dp, 63/90112.0_dp, &
          & 231/851968.0_dp, 143/1310720.0_dp, 6435/142606336.0_dp, 12155/637534208.0_dp, 46189/5637144576.0_dp, &
          & 88179/24696061952.0_dp, 676039/429496729600.0_dp], factors(0:n_terms) = [(terms(k)/(k + 1.5_dp), k=0, n_terms)]
-      real(dp), parameter :: short = 0.12_dp
+      ! up to where all these terms are enough, and up to where the first ones are
+      real(dp), parameter :: short = 0.12_dp, shortest = 0.03_dp
+      integer, parameter :: n_first = 6
       real(dp) :: e, sums
 
       ! a node at c may lie above it by round-off
       side = sqrt(max((c - x)*(c + x), 0.0_dp))
       e = max(c - x, 0.0_dp)/c
-      if (e < short) then
+      if (e < shortest) then
+         sums = factors(n_first)
+         do k = n_first - 1, 0, -1
+            sums = sums*e + factors(k)
+         end do
+         angle_sum = -c*e*sqrt(2*e)*sums
+      else if (e < short) then
          sums = factors(n_terms)
          do k = n_terms - 1, 0, -1
             sums = sums*e + factors(k)

@@ -14,10 +14,10 @@ module adfric_round_timed_adhesion_zone
    use adfric_base_constants, only: half_pi, pi
    use adfric_round_annulus, only: get_annulus
    use adfric_round_shape, only: shape_t, spot_t, within_edge
-   use adfric_round_timed_adhesion_sums, only: far_cells_t, move_sum, zone_sum_t
+   use adfric_round_timed_adhesion_sums, only: expand_far_cells, far_cells_t, is_near, move_sum, zone_sum_t
    implicit none (type, external)
    private
-   public :: zone_problem_t, zone_state_t, solve_zone, shift_state, zone_energy
+   public :: zone_problem_t, zone_state_t, sum_up, solve_zone, shift_state, zone_energy
 
    !> The elastic problem of an instant, in units of the contact.
    type :: zone_problem_t
@@ -68,6 +68,23 @@ contains
       call self%shape%evaluate(self%shape%unknown_of(radius), .not. radius < self%shape%corner, spot)
       depth = spot%depth
    end function depth_at
+
+   !> Sum up the cells far from the edge of the zone, unless sums of the same memory hold at a radius.
+   pure subroutine sum_up(self, c, a, onwards, is_new)
+      !> The problem, with its memory.
+      class(zone_problem_t), intent(inout) :: self
+      !> Radii of adhesion and contact.
+      real(dp), intent(in) :: c, a
+      !> Where the middle of the radii c lies that are asked for next, beyond this one, in cells; within 0.5 of it.
+      real(dp), intent(in) :: onwards
+      !> Has the memory changed?
+      logical, intent(in) :: is_new
+
+      if (.not. is_new) then
+         if (is_near(self%far, self%cell, c)) return
+      end if
+      call expand_far_cells(self%memory, self%cell, c + onwards*self%cell, int(a/self%cell) + 2, self%far)
+   end subroutine sum_up
 
    !> The state of a given radius of adhesion.
    pure subroutine solve_zone(self, c, guess, state)
