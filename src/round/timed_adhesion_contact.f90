@@ -15,7 +15,7 @@ module adfric_round_timed_adhesion_contact
    use adfric_round_timed_adhesion_memory, only: prepare_step, reserve_nodes, spring_memory_t, start_memory, stored_energy, &
       & take_step
    use adfric_round_timed_adhesion_search, only: find_jump, find_near, near
-   use adfric_round_timed_adhesion_zone, only: zone_energy, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: sum_up, zone_energy, zone_problem_t, zone_state_t
    use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
@@ -74,6 +74,8 @@ module adfric_round_timed_adhesion_contact
       real(dp), private :: times(2) = 0, loads(2) = 0
       !> How many of them there are.
       integer, private :: n_before = 0
+      !> Change of the radius of adhesion in the last step.
+      real(dp), private :: moved = 0
       !> The narrowest zone that was met, in cells.
       real(dp) :: narrowest = huge(1.0_dp)
    end type adhesive_contact_t
@@ -206,6 +208,7 @@ contains
          span = self%legs(self%leg)%span*(end - self%phase)
          prescribed = prescribed_at(self%legs(self%leg), end)
          call prepare_step(self%memory, span, self%problem)
+         call sum_up(self%problem, self%state%c, self%state%a, self%moved/(2*self%problem%cell), .true.)
          call find_near(self%problem, self%control, self%state, prescribed, reach, state, verdict)
          moved = abs(state%c - self%state%c)
          if (max(state%a, self%state%a) > 2*reach) moved = max(moved, abs(state%a - self%state%a))
@@ -223,6 +226,7 @@ contains
       is_solved = .true.
       if (abs(state%c - self%state%c) > 6*reach .or. .not. state%c > 0 .and. self%state%c > 0) is_jump = .true.
       if (state%a > 0) self%narrowest = min(self%narrowest, (state%c - state%a)/self%problem%cell)
+      self%moved = merge(0.0_dp, state%c - self%state%c, is_jump)
       call account(self, state, self%legs(self%leg)%clock + self%legs(self%leg)%span*end, is_jump)
       self%state = state
       self%next = (end - self%phase)*min(growth, margin*reach/max(moved, tiny(1.0_dp)))

@@ -15,7 +15,7 @@ module adfric_round_timed_adhesion_limits
    use adfric_round_curve, only: control_load
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_survey, only: survey_t, survey_curve
-   use adfric_round_timed_adhesion_zone, only: solve_zone, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: solve_zone, sum_up, zone_problem_t, zone_state_t
    use adfric_round_timed_path, only: timed_control_t
    implicit none (type, external)
    private
@@ -117,6 +117,7 @@ contains
          c = c_r
          do k = 0, most_steps
             if (.not. c > problem%cell) exit
+            call sum_up(problem, c, guess, -0.5_dp, .false.)
             call solve_zone(problem, c, guess, state)
             if (.not. state%is_found) then
                load = not_a_number()

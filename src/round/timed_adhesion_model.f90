@@ -208,7 +208,10 @@ contains
    end subroutine solve_point
 
    !> Grids, each with cells half as wide as the one before, until they agree. Two grids may be alike and both be wrong, where a zone
-   !> has few cells: the error is what a third one changes of the answer of two.
+   !> has few cells: the error is what a third one changes of the answer of two. The last grid is as fine as it has to be. There the
+   !> ratio q of cells is below 2. Let a number be V + a h^2 + b h^m. Two grids with cells h and q h say together V + r b h^m with
+   !> r = 1 - (q^m - 1)/(q^2 - 1), which a smaller q makes smaller: what a third grid changes is still above the error. What is not
+   !> regular is multiplied by 1/(q^2 - 1), so q is 2 until the error has fallen as that of a regular one.
    subroutine refine(self, setting, tolerance, best, error, status)
       class(adhesive_indenter_time_t), intent(in) :: self
       type(setting_t), intent(inout) :: setting
@@ -221,33 +224,40 @@ contains
       integer, parameter :: most_grids = 9
       real(dp), parameter :: first_fineness = 0.1_dp, after_loss = 0.05_dp
       ! of the difference of two grids what is counted, where it has fallen as of second order, and else
-      real(dp), parameter :: second_order = 0.1_dp, any_order = 0.25_dp, least_gain = 3.0_dp
+      real(dp), parameter :: second_order = 0.1_dp, any_order = 0.25_dp, least_power = 1.5_dp
       type(zone_outcome_t) :: coarse, fine, last
-      real(dp) :: top, change, last_change
+      real(dp) :: top, change, last_change, last_error, cell, ratio
       integer :: grid
       logical :: is_solved
 
       status = status_not_converged
       error = huge(error)
       last_change = 0
+      last_error = 0
+      cell = 2*setting%cell
       if (setting%is_closed) then
          ! where contact is lost, on a grid twice as coarse
-         call follow(self, setting, 2*setting%cell, 2*first_fineness, coarse, is_solved)
+         call follow(self, setting, cell, 2*first_fineness, coarse, is_solved)
          if (.not. is_solved) return
          top = maxval(setting%legs%end)
          if (coarse%lost_at < huge(top)) call close_path(setting%legs, setting%legs(1)%begin, &
             & coarse%lost_at - after_loss*(top - coarse%lost_at))
       end if
-      call follow(self, setting, 2*setting%cell, 2*first_fineness, coarse, is_solved)
+      call follow(self, setting, cell, 2*first_fineness, coarse, is_solved)
       if (.not. is_solved) return
       do grid = 2, most_grids
-         if (setting%largest%adhesion_radius/setting%cell*2**(grid - 2) > 2*most_cells) exit
-         call follow(self, setting, setting%cell/2**(grid - 2), first_fineness/2**(grid - 2), fine, is_solved)
+         ratio = 2
+         if (grid > 4 .and. error*2**least_power <= last_error) ratio = next_ratio(setting, cell, error, tolerance)
+         last_error = error
+         cell = cell/ratio
+         if (setting%largest%adhesion_radius/cell > 2*most_cells) exit
+         call follow(self, setting, cell, first_fineness*cell/setting%cell, fine, is_solved)
          if (.not. is_solved) return
-         call extrapolate(coarse, fine, best)
-         change = difference_of(fine, coarse)
+         call extrapolate(coarse, fine, ratio, best)
+         ! as if cells were half as wide
+         change = difference_of(fine, coarse)*3/(ratio**2 - 1)
          if (grid > 2) error = max(difference_of(best, last), &
-            & merge(second_order, any_order, change*least_gain <= last_change)*change)
+            & merge(second_order, any_order, change*ratio**least_power <= last_change)*change)
          last_change = change
          last = best
          coarse = fine
@@ -256,6 +266,22 @@ contains
       if (error <= tolerance .and. fine%narrowest > fewest_per_zone .and. abs(fine%imbalance) <= most_missing) &
          & status = status_solved
    end subroutine refine
+
+   !> Cells over those of the next grid.
+   pure real(dp) function next_ratio(setting, cell, error, tolerance) result(ratio)
+      type(setting_t), intent(in) :: setting
+      !> Width of the cells, and the error with them.
+      real(dp), intent(in) :: cell, error, tolerance
+      ! the least power of cells by which errors are expected to fall, what of the tolerance is aimed at, and the least ratio
+      real(dp), parameter :: power = 2.5_dp, aim = 0.8_dp, least = 1.25_dp
+
+      ratio = 2
+      if (error < aim*tolerance*2**power) ratio = max(least, (error/(aim*tolerance))**(1/power))
+      ! the kink at a corner stays a node
+      associate (corner => setting%case%curve%shape%corner)
+         if (corner > 0) ratio = ceiling(ratio*anint(corner/cell))/anint(corner/cell)
+      end associate
+   end function next_ratio
 
    !> Go through the history on one grid.
    subroutine follow(self, setting, cell, fineness, outcome, is_solved)

@@ -77,26 +77,31 @@ contains
    end subroutine read_outcome
 
    !> What two grids say together: the error of second order is taken out.
-   pure subroutine extrapolate(coarse, fine, best)
-      !> The outcomes; the cells of `fine` are half as wide.
+   pure subroutine extrapolate(coarse, fine, ratio, best)
+      !> The outcomes.
       type(zone_outcome_t), intent(in) :: coarse, fine
+      !> Cells of `coarse` over those of `fine`, > 1.
+      real(dp), intent(in) :: ratio
       !> Receives the outcome.
       type(zone_outcome_t), intent(out) :: best
+      real(dp) :: share
       integer :: k
 
       best = fine
+      share = 1/(ratio**2 - 1)
       do k = 1, n_numbers
          ! absent on either grid
          if (ieee_is_nan(fine%numbers(k)) .or. ieee_is_nan(coarse%numbers(k))) cycle
-         best%numbers(k) = fine%numbers(k) + (fine%numbers(k) - coarse%numbers(k))/3
+         best%numbers(k) = fine%numbers(k) + share*(fine%numbers(k) - coarse%numbers(k))
       end do
       do k = 1, size(fine%steps, 1)
          associate (a => fine%steps(k, :), b => coarse%steps(k, :))
             if (.not. (a(c_adhesion) > 0 .and. b(c_adhesion) > 0)) cycle
-            best%steps(k, c_approach:c_load) = a(c_approach:c_load) + (a(c_approach:c_load) - b(c_approach:c_load))/3
-            best%steps(k, c_adhesion) = a(c_adhesion) + (a(c_adhesion) - b(c_adhesion))/3
+            best%steps(k, c_approach:c_load) = a(c_approach:c_load) &
+               & + share*(a(c_approach:c_load) - b(c_approach:c_load))
+            best%steps(k, c_adhesion) = a(c_adhesion) + share*(a(c_adhesion) - b(c_adhesion))
             if (a(c_contact) > 0 .and. b(c_contact) > 0) best%steps(k, c_contact) = &
-               & max(0.0_dp, a(c_contact) + (a(c_contact) - b(c_contact))/3)
+               & max(0.0_dp, a(c_contact) + share*(a(c_contact) - b(c_contact)))
          end associate
       end do
    end subroutine extrapolate

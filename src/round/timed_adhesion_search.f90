@@ -5,7 +5,7 @@ module adfric_round_timed_adhesion_search
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_timed_adhesion_memory, only: reserve_nodes, spring_memory_t
-   use adfric_round_timed_adhesion_zone, only: shift_state, solve_zone, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: shift_state, solve_zone, sum_up, zone_problem_t, zone_state_t
    use adfric_round_timed_path, only: timed_control_t
    implicit none (type, external)
    private
@@ -199,6 +199,7 @@ contains
       before = first
       do k = 1, most_steps
          call reserve_nodes(memory, problem, int(last%c/problem%cell) + 4)
+         call sum_up(problem, last%c + side*problem%cell/2, last%a, side/2, .false.)
          call solve_beside(problem, max(0.0_dp, last%c + side*problem%cell/2), last, state)
          verdict = nowhere
          if (.not. state%is_found) return

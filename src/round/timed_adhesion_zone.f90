@@ -14,10 +14,10 @@ module adfric_round_timed_adhesion_zone
    use adfric_base_constants, only: half_pi, pi
    use adfric_round_annulus, only: get_annulus
    use adfric_round_shape, only: shape_t, spot_t, within_edge
-   use adfric_round_timed_adhesion_sums, only: move_sum, zone_sum_t
+   use adfric_round_timed_adhesion_sums, only: expand_far_cells, far_cells_t, is_near, move_sum, zone_sum_t
    implicit none (type, external)
    private
-   public :: zone_problem_t, zone_state_t, solve_zone, shift_state, zone_energy
+   public :: zone_problem_t, zone_state_t, sum_up, solve_zone, shift_state, zone_energy
 
    !> The elastic problem of an instant, in units of the contact.
    type :: zone_problem_t
@@ -33,6 +33,8 @@ module adfric_round_timed_adhesion_zone
       integer :: anchor = 0
       !> The integral of the memory from the axis up to it.
       real(dp) :: anchor_sum = 0
+      !> Cells of the zone far from its edge, where they are summed up for all radii of a step.
+      type(far_cells_t) :: far
    contains
       procedure :: depth_at
    end type zone_problem_t
@@ -66,6 +68,23 @@ contains
       call self%shape%evaluate(self%shape%unknown_of(radius), .not. radius < self%shape%corner, spot)
       depth = spot%depth
    end function depth_at
+
+   !> Sum up the cells far from the edge of the zone, unless sums of the same memory hold at a radius.
+   pure subroutine sum_up(self, c, a, onwards, is_new)
+      !> The problem, with its memory.
+      class(zone_problem_t), intent(inout) :: self
+      !> Radii of adhesion and contact.
+      real(dp), intent(in) :: c, a
+      !> Where the middle of the radii c lies that are asked for next, beyond this one, in cells; within 0.5 of it.
+      real(dp), intent(in) :: onwards
+      !> Has the memory changed?
+      logical, intent(in) :: is_new
+
+      if (.not. is_new) then
+         if (is_near(self%far, self%cell, c)) return
+      end if
+      call expand_far_cells(self%memory, self%cell, c + onwards*self%cell, int(a/self%cell) + 2, self%far)
+   end subroutine sum_up
 
    !> The state of a given radius of adhesion.
    pure subroutine solve_zone(self, c, guess, state)
@@ -202,7 +221,7 @@ contains
       call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
       call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
       cell = min(int(a/self%cell), total%high)
-      call move_sum(self%memory, self%cell, c, cell + 1, total)
+      call move_sum(self%memory, self%cell, self%far, c, cell + 1, total)
       memory_slope = (self%memory(cell + 1) - self%memory(cell))/self%cell
       opening = opening + total%total + memory_slope*(total%angle_sum - (a*t - s))
       gap%by_c = 2/(pi*c)*(intensity + total%turn + memory_slope*(s - total%side))
