@@ -5,6 +5,7 @@
 module adfric_periodic_attracted_surface
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_adhered
    use adfric_interface_attraction, only: attraction_t
    use adfric_periodic_attracted_contact, only: solve_attracted_contact
    use adfric_periodic_attraction_cells, only: attraction_cells_t
@@ -14,7 +15,7 @@ module adfric_periodic_attracted_surface
       & periodic_solution_t, periodic_solver_t, set_friction, set_full_pressure, set_solution, start_from_coarse
    implicit none (type, external)
    private
-   public :: periodic_attraction_t, solve_attracted_load
+   public :: attraction_in_units, periodic_attraction_t, solve_attracted_load
 
    !> Attraction of a surface, and which of the states is wanted.
    type :: periodic_attraction_t
@@ -28,9 +29,38 @@ module adfric_periodic_attracted_surface
       logical :: has_turned = .false.
       !> Mean pressure from which the load falls [E*], >= 0.
       real(dp) :: turning_pressure = 0
+   contains
+      procedure :: in_length
    end type periodic_attraction_t
 
 contains
+
+   !> An attraction with stresses in the unit of the contact.
+   pure type(periodic_attraction_t) function attraction_in_units(adhesion, modulus) result(attraction)
+      !> The adhesion, of another law than Dugdale's.
+      type(adhesion_law_t), intent(in) :: adhesion
+      !> Unit of pressures E* [Pa].
+      real(dp), intent(in) :: modulus
+
+      attraction%law = adhesion%attraction%in_units(modulus, 1.0_dp)
+      if (allocated(adhesion%part)) allocate (attraction%part, source=adhesion%part)
+      attraction%is_adhered = adhesion%branch == branch_adhered
+      attraction%has_turned = allocated(adhesion%turning_pressure)
+      if (allocated(adhesion%turning_pressure)) attraction%turning_pressure = adhesion%turning_pressure/modulus
+   end function attraction_in_units
+
+   !> The same with lengths in another unit.
+   pure type(periodic_attraction_t) function in_length(self, unit) result(other)
+      class(periodic_attraction_t), intent(in) :: self
+      !> The unit, in that of `self`.
+      real(dp), intent(in) :: unit
+
+      other%law = self%law%in_units(1.0_dp, unit)
+      if (allocated(self%part)) allocate (other%part, source=self%part)
+      other%is_adhered = self%is_adhered
+      other%has_turned = self%has_turned
+      other%turning_pressure = self%turning_pressure
+   end function in_length
 
    !> Solve under a mean pressure.
    subroutine solve_attracted_load(self, shape, mean_pressure, attraction, tolerance, solution, error)

@@ -10,6 +10,7 @@ module adfric_periodic_point
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
+   use adfric_periodic_attracted_surface, only: periodic_attraction_t, solve_attracted_load
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
@@ -72,6 +73,9 @@ module adfric_periodic_point
       real(dp) :: tolerance = 1.0e-10_dp
       !> Adhesion, with its stress in E* and its range in m; not allocated: none.
       type(periodic_adhesion_t), allocatable :: adhesion
+      !> Attraction by another law, with stresses in E* and lengths in m; not allocated: none. At a mean pressure, of elastic
+      !> half-spaces alone.
+      type(periodic_attraction_t), allocatable :: attraction
       !> Friction, with its stress in E*; not allocated: none. Elastic half-spaces without adhesion alone.
       type(coulomb_t), allocatable :: friction
       !> Is the pull-off wanted? Is the state of the other branch?
@@ -132,7 +136,10 @@ contains
       do k = 1, size(memory%solver%grids)
          memory%solver%grids(k)%operator%watch => goal%watch
       end do
-      if (allocated(goal%adhesion)) then
+      if (allocated(goal%attraction)) then
+         call solve_attracted_load(memory%solver, surface%shape/unit, goal%value, goal%attraction%in_length(unit), goal%tolerance, &
+            & solution, error)
+      else if (allocated(goal%adhesion)) then
          call solve_adhesive(surface, goal, memory, solution, error)
       else if (goal%is_pressure) then
          call memory%solver%solve_load(surface%shape/unit, goal%value, goal%tolerance, solution, error)
