@@ -190,6 +190,7 @@ contains
                & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
          end if
       end associate
+      call check_law(self, values, problems)
       if (problems%count() > 0) return
       if (lacks_poisson_ratio(self, values)) call problems%add('solid', 'poisson_ratio', &
          & 'is missing [-]; the tangential displacement needs it')
@@ -198,6 +199,25 @@ contains
       associate (unused => is_swept)
       end associate
    end subroutine check_solid
+
+   !> Add to `problems` what a law other than Dugdale's does not have, and a map that is not one of the cells.
+   subroutine check_law(self, values, problems)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      type(periodic_surface_t) :: surface
+
+      if (is_dugdale(adhesion_values(self, values)) .or. problems%count() > 0) return
+      if (is_set(values(self%before_prescribed + in%penetration))) call problems%add('operating', 'penetration', &
+         & 'is prescribed with the law dugdale alone; give the mean pressure')
+      if (.not. allocated(self%given_attraction%map)) return
+      call self%get_cells(values, surface)
+      if (surface%is_quarter) then
+         call problems%add('adhesion', 'work_map', 'is for surfaces of given heights; a wave is solved on a quarter of its period')
+      else if (any(shape(self%given_attraction%map) /= surface%n_cells)) then
+         call problems%add('adhesion', 'work_map', 'does not have the cells of the surface')
+      end if
+   end subroutine check_law
 
    !> Add to `problems` what is wrong with the friction, of either kind.
    subroutine check_friction(self, values, problems)
@@ -316,11 +336,23 @@ contains
       if (.not. law%stress > 0) return
       if (allocated(law%attraction)) then
          goal%attraction = attraction_in_units(law, modulus)
-         return
+      else
+         goal%adhesion = adhesion_in_units(law, modulus)
       end if
-      goal%adhesion = adhesion_in_units(law, modulus)
       goal%wants_pull_off = is_wanted(values(pull_off_index(self)))
    end subroutine set_interface
+
+   !> Tension of adhesion outside contact, over nominal area [Pa].
+   pure real(dp) function tension_outside(law, solution) result(tension)
+      type(adhesion_law_t), intent(in) :: law
+      type(periodic_solution_t), intent(in) :: solution
+
+      if (allocated(law%attraction)) then
+         tension = law%stress*(sum(solution%share, mask=solution%gap > 0)/size(solution%gap))
+      else
+         tension = law%stress*adhesion_fraction_of(solution)
+      end if
+   end function tension_outside
 
    !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
@@ -342,10 +374,10 @@ contains
       associate (modulus => surface%solid%modulus)
          results(out%elastic_energy) = modulus*solution%elastic_energy
          results(out%adhesion_energy) = modulus*solution%adhesion_energy
-         results(out%adhesion_fraction) = adhesion_fraction_of(solution)
+         if (.not. allocated(law%attraction)) results(out%adhesion_fraction) = adhesion_fraction_of(solution)
          results(out%regime) = regime_of(solution)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
-         call store_friction(friction_values(self, values), self%given_law, law%stress*results(out%adhesion_fraction), &
+         call store_friction(friction_values(self, values), self%given_law, tension_outside(law, solution), &
             & modulus*solution%pressure, results, is_valid)
          if (.not. is_valid) error_estimate = huge(error_estimate)
          if (is_valid .and. is_set(poisson_ratio_of(self, values))) call store_left_out(friction_values(self, values), &
