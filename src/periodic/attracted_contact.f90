@@ -41,6 +41,8 @@ module adfric_periodic_attracted_contact
    integer, parameter :: most_failures = 3
    !> Part of the slopes below which they are left out.
    real(dp), parameter :: least_part = 0.05_dp
+   !> What may be left, over what is usual, below which a bound does not go on.
+   real(dp), parameter :: least_care = 1.0e-9_dp
 
    !> A bound on its way to the state.
    type :: bound_t
@@ -48,6 +50,8 @@ module adfric_periodic_attracted_contact
       logical :: falls = .false.
       !> Part of the slopes that the last step could take.
       real(dp) :: part = 1
+      !> What a linear problem may leave, over what is usual.
+      real(dp) :: care = 1
       !> Gap b, what presses the cells together there [E*], and residual of b as a state.
       real(dp), allocatable :: gap(:, :), force(:, :)
       logical, allocatable :: is_open(:, :)
@@ -133,6 +137,8 @@ contains
             end if
             next_try = k + 2 + k/4
          end if
+         ! nothing more can be gained
+         if (bound%care < least_care) exit
          if (has_other) then
             call step(work, bound, state, operator, cells, tolerance, other%gap)
          else
@@ -141,7 +147,6 @@ contains
          state%n_iterations = state%n_iterations + 1
       end do
       call take(bound, state)
-      if (has_other .and. .not. state%is_converged .and. falls) state%is_converged = .false.
    end subroutine solve_attracted_contact
 
    !> Take the gap of a bound.
@@ -261,7 +266,10 @@ contains
          slope(:, :) = cells%largest_chord(bound%gap, 0*bound%gap)
       end if
       if (.not. any(slope < 0)) bound%part = 0
-      goal = max(tolerance/4, next_goal*min(bound%residual, 1.0_dp))*state%pressure_scale
+      ! nor may what is left count beside what contact carries in all
+      goal = next_goal*bound%care*min(bound%residual*state%pressure_scale, state%pressure_scale, &
+         & abs(state%mean_pressure + mean_of(cells%tension(bound%gap))))
+      goal = max(tolerance/4*state%pressure_scale, goal)
       do
          if (bound%part < least_part) bound%part = 0
          gap = bound%gap
@@ -273,6 +281,12 @@ contains
          bound%part = bound%part/2
          if (operator%is_stopped()) return
       end do
+      if (outcome /= step_solved .or. .not. any(merge(gap < bound%gap, gap > bound%gap, bound%falls))) then
+         ! nothing was gained but what was left has lost
+         bound%care = bound%care/100
+         return
+      end if
+      bound%care = 1
       if (bound%falls) then
          bound%gap(:, :) = max(min(gap, bound%gap), 0.0_dp)
       else

@@ -2,9 +2,10 @@
 !> Pull-off of a periodic surface whose cells attract each other by any falling law: the least mean pressure that a state of the adhered
 !> branch carries, on the finest grid.
 !>
-!> A state at a load bounds the states of all lower ones, so the search goes down from state to state. Loads with a state and without one
-!> are brought together to `beyond`; a load without one is certain, since a bound shows it. Near the fold the load is a parabola
-!> over the mean gap: the lowest point of that through three states is the pull-off, and states are sought ever nearer to it.
+!> A state at a load bounds the states of all lower ones, so the search goes down from state to state, halving the interval between the
+!> lowest load with a state and the highest without one. A load without one is certain, since a bound shows it. Close to the fold a
+!> bound goes slowly, and a load may remain undecided: the search goes on above it. The pull-off is the lowest load with a state. It is
+!> found where a load without one lies no more than `beyond` below.
 module adfric_periodic_attracted_pull_off
    use adfric_base_kinds, only: dp
    use adfric_periodic_attracted_contact, only: solve_attracted_contact
@@ -16,21 +17,12 @@ module adfric_periodic_attracted_pull_off
    private
    public :: find_attracted_pull_off
 
-   !> Relative distance of a load with a state from one without; relative error that is small enough.
-   real(dp), parameter :: beyond = 1.0e-2_dp, wanted_error = 1.0e-5_dp
-   !> Part of the way from a state to the lowest point that the next state leaves.
-   real(dp), parameter :: left = 0.1_dp
+   !> Relative distance of a load with a state from one without; that from one that is at least not known to have one.
+   real(dp), parameter :: beyond = 1.0e-2_dp, wanted_error = 1.0e-4_dp
    !> Part of the largest tension below which a pull-off is none.
    real(dp), parameter :: least_part = 1.0e-6_dp
    !> Loads that are tried at most.
    integer, parameter :: most_loads = 40
-
-   !> The last three states on the way down, the lowest load first.
-   type :: descent_t
-      integer :: n = 0
-      !> Mean gaps and loads [E*].
-      real(dp) :: gaps(3) = 0, loads(3) = 0
-   end type descent_t
 
 contains
 
@@ -47,9 +39,8 @@ contains
       logical, intent(out) :: is_found
       type(attraction_cells_t) :: cells
       type(contact_state_t) :: state
-      type(descent_t) :: path
       real(dp), allocatable :: start(:, :)
-      real(dp) :: load, lowest, without, fold, largest
+      real(dp) :: load, lowest, undecided, without, largest
       integer :: k
       logical :: has_state
 
@@ -68,7 +59,8 @@ contains
          end if
          ! no state carries more than the whole tension
          largest = sum(cells%tension(start))/size(start)
-         without = -largest*(1 + wanted_error)
+         without = -largest*(1 + wanted_error/2)
+         undecided = without
          lowest = huge(lowest)
          load = 0
          do k = 1, most_loads
@@ -78,63 +70,30 @@ contains
             call solve_attracted_contact(state, operator, cells, tolerance, .false., .false., has_state, start)
             if (operator%is_stopped()) return
             if (.not. has_state) then
-               without = max(without, load)
+               without = load
+               undecided = max(undecided, load)
             else if (state%is_converged) then
                start(:, :) = state%gap
                lowest = load
-               call add(path, sum(state%gap)/size(state%gap), load)
             else
-               return
+               undecided = load
             end if
             ! nothing pulls
-            if (lowest > 0) exit
-            fold = lowest_load(path)
-            is_found = lowest - without <= 1.1_dp*beyond*abs(lowest) .or. abs(without) <= least_part*largest
-            if (is_found .and. fold > without .and. fold <= lowest) then
-               pull_off = fold
-               if (lowest - fold <= wanted_error*abs(lowest)) return
-               load = fold + left*(lowest - fold)
-            else if (is_found) then
-               pull_off = lowest
-               if (lowest - without <= wanted_error*abs(lowest)) return
-               load = (lowest + without)/2
-            else if (lowest - without > abs(lowest)) then
-               load = merge(without*(1 - wanted_error/2), without/2, k == 1)
+            if (lowest > 0) return
+            pull_off = lowest
+            is_found = lowest - without <= beyond*abs(lowest) .or. abs(without) <= least_part*largest
+            if (is_found .and. lowest - undecided <= wanted_error*abs(lowest)) return
+            if (k == 1) then
+               load = -largest*(1 - wanted_error/2)
+            else if (lowest - undecided <= wanted_error*abs(lowest)) then
+               load = (undecided + without)/2
+            else if (lowest < 0) then
+               load = (lowest + undecided)/2
             else
-               load = (lowest + without)/2
+               load = undecided/2
             end if
          end do
       end associate
    end subroutine find_attracted_pull_off
-
-   !> Take a state of a load that is lower than those before.
-   pure subroutine add(path, gap, load)
-      type(descent_t), intent(inout) :: path
-      !> Mean gap and load [E*].
-      real(dp), intent(in) :: gap, load
-
-      path%gaps(2:) = path%gaps(:2)
-      path%loads(2:) = path%loads(:2)
-      path%gaps(1) = gap
-      path%loads(1) = load
-      path%n = path%n + 1
-   end subroutine add
-
-   !> Load at the lowest point of the parabola through three states, beyond the last one; above all loads where there is none.
-   pure real(dp) function lowest_load(path) result(load)
-      type(descent_t), intent(in) :: path
-      real(dp) :: slopes(2), curvature, slope
-
-      load = huge(load)
-      if (path%n < 3) return
-      if (.not. (path%gaps(1) > path%gaps(2) .and. path%gaps(2) > path%gaps(3))) return
-      slopes = (path%loads(2:) - path%loads(:2))/(path%gaps(2:) - path%gaps(:2))
-      curvature = (slopes(1) - slopes(2))/(path%gaps(1) - path%gaps(3))
-      if (.not. curvature > 0) return
-      ! at the last state
-      slope = slopes(1) + curvature*(path%gaps(1) - path%gaps(2))
-      if (slope > 0) return
-      load = path%loads(1) - slope**2/(4*curvature)
-   end function lowest_load
 
 end module adfric_periodic_attracted_pull_off
