@@ -109,6 +109,7 @@ contains
    pure real(dp) function largest_tension(values, given) result(tension)
       !> Values of the rows of adhesion and attraction.
       real(dp), intent(in) :: values(:)
+      !> Table of the law, if there is one.
       type(given_attraction_t), intent(in) :: given
 
       tension = 0
@@ -126,6 +127,7 @@ contains
    pure subroutine resolve_attraction(values, given, adhesion)
       !> Values of the rows of adhesion and attraction.
       real(dp), intent(in) :: values(:)
+      !> Table of the law and map of the work.
       type(given_attraction_t), intent(in) :: given
       !> Receives the adhesion. Stress and range are those of Dugdale's law with the same largest tension and work.
       type(adhesion_law_t), intent(out) :: adhesion
@@ -162,6 +164,7 @@ contains
       type(variable_t), intent(in) :: rows(:)
       !> Their values.
       real(dp), intent(in) :: values(:)
+      !> Table of the law and map of the work.
       type(given_attraction_t), intent(in) :: given
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems

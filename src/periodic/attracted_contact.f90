@@ -52,15 +52,17 @@ module adfric_periodic_attracted_contact
       real(dp) :: part = 1
       !> What a linear problem may leave, over what is usual.
       real(dp) :: care = 1
-      !> Gap b, what presses the cells together there [E*], and residual of b as a state.
+      !> Gap b, what presses the cells together there [E*]; shape of the cells.
       real(dp), allocatable :: gap(:, :), force(:, :)
+      !> Has the cell a gap? Shape of the cells.
       logical, allocatable :: is_open(:, :)
+      !> Residual of b as a state [-].
       real(dp) :: residual = huge(1.0_dp)
    end type bound_t
 
 contains
 
-   !> Find the extremal state of a grid.
+   !> Find the extremal state of a grid. It is long by its comments.
    subroutine solve_attracted_contact(state, operator, cells, tolerance, falls, has_guess, has_state, start)
       !> In: shape and mean pressure; with a guess also gap and region. Out: the state with F for its pressure; `is_converged` tells
       !> whether it was found.
@@ -82,7 +84,7 @@ contains
       type(bound_t) :: bound
       type(contact_state_t) :: other, try
       integer :: k, next_try
-      logical :: has_other, has_found
+      logical :: has_other
 
       call new_linear_step(work, operator, state%shape)
       state%gap_scale = maxval(state%shape) - minval(state%shape)
@@ -97,7 +99,7 @@ contains
          if (has_other) other = try
       end if
       call begin(work, bound, state, operator, start)
-      next_try = 1
+      next_try = merge(2, 1, has_other)
       do k = 1, most_steps
          if (operator%is_stopped()) exit
          call judge(bound, state, operator, cells)
@@ -110,32 +112,17 @@ contains
             has_state = .false.
             return
          end if
-         if (has_other) then
-            if (is_beyond(other%gap, bound, tolerance*state%gap_scale)) then
-               if (is_only(work, bound, other, operator, cells)) then
-                  state = other
-                  return
-               end if
-            else
-               has_other = .false.
-            end if
-         end if
+         if (has_other) has_other = is_beyond(other%gap, bound, tolerance*state%gap_scale)
          ! from above Newton's method is the step of the bound itself
          if (k >= next_try .and. .not. falls) then
-            try = state
-            call take(bound, try)
-            call find_state_near(work, try, operator, cells, tolerance, has_found)
-            if (has_found) has_found = is_beyond(try%gap, bound, tolerance*state%gap_scale)
-            if (has_found .and. has_other) has_found = sum(try%gap) < sum(other%gap)
-            if (has_found) then
-               other = try
-               has_other = .true.
-               if (is_only(work, bound, other, operator, cells)) then
-                  state = other
-                  return
-               end if
-            end if
+            call look_near(work, bound, state, operator, cells, tolerance, other, has_other)
             next_try = k + 2 + k/4
+         end if
+         if (has_other) then
+            if (is_only(work, bound, other, operator, cells)) then
+               state = other
+               return
+            end if
          end if
          ! nothing more can be gained
          if (bound%care < least_care) exit
@@ -148,6 +135,32 @@ contains
       end do
       call take(bound, state)
    end subroutine solve_attracted_contact
+
+   !> Look for a state from the bound on; one that is less adhered than the known one is of no use.
+   subroutine look_near(work, bound, state, operator, cells, tolerance, other, has_other)
+      type(linear_step_t), intent(inout) :: work
+      type(bound_t), intent(in) :: bound
+      !> Shape, mean pressure and scales.
+      type(contact_state_t), intent(in) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+      real(dp), intent(in) :: tolerance
+      !> The state that is known; receives the one that is found.
+      type(contact_state_t), intent(inout) :: other
+      !> Is a state known?
+      logical, intent(inout) :: has_other
+      type(contact_state_t) :: try
+      logical :: has_found
+
+      try = state
+      call take(bound, try)
+      call find_state_near(work, try, operator, cells, tolerance, has_found)
+      if (has_found) has_found = is_beyond(try%gap, bound, tolerance*state%gap_scale)
+      if (has_found .and. has_other) has_found = sum(try%gap) < sum(other%gap)
+      if (.not. has_found) return
+      other = try
+      has_other = .true.
+   end subroutine look_near
 
    !> Take the gap of a bound.
    pure subroutine take(bound, state)

@@ -20,10 +20,10 @@ module adfric_periodic_linear_step
    use adfric_periodic_region_search, only: new_region_search, region_search_t, verdict_t
    implicit none (type, external)
    private
-   public :: linear_step_t, new_linear_step, step_solved, step_gives_way, step_unfinished
+   public :: linear_step_t, new_linear_step, step_solved, step_indefinite, step_unfinished
 
    !> How a step ended: solved; the matrix is not positive definite on the open region; too many iterations.
-   integer, parameter :: step_solved = 0, step_gives_way = 1, step_unfinished = 2
+   integer, parameter :: step_solved = 0, step_indefinite = 1, step_unfinished = 2
    !> Iterations and changes of the region that are never needed, and changes without fewer wrong cells that are borne.
    integer, parameter :: most_iterations = 400, most_regions = 200, patience = 3
    !> Remaining part of the right side at which `dominates` decides.
@@ -123,7 +123,7 @@ contains
          else
             call self%descend(operator, slope, gap, force, has_direction, curvature)
             if (curvature > 0) cycle
-            outcome = step_gives_way
+            outcome = step_indefinite
             return
          end if
       end do

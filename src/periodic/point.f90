@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One contact of a periodic surface, in the units of its case: lengths in periods along x, pressures in E*.
+!> One contact of a periodic surface, in the units of its case: lengths in periods along x, pressures in E*. The file is long by
+!> what a surface and a goal have, each with its comment, and by the solvers among which it chooses.
 module adfric_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
