@@ -29,7 +29,13 @@ def make_heights(cells, hurst, longest, shortest, rms, seed):
     return heights * (rms / heights.std())
 
 
-def write_surface(path, heights, length):
+def make_stripes(cells, stripes, weak):
+    """Work of adhesion of the cells over the largest one, shape (ny, nx): stripes along y, half of each period weak."""
+    position = (np.arange(cells) + 0.5) * stripes / cells % 1
+    return np.tile(np.where(position < 0.5, 1.0, weak), (cells, 1))
+
+
+def write_surface(path, heights, length, work=None):
     """Write the heights [m] and the distances of the samples, which `kind = 'map'` of `wavy_sliding` reads as well."""
     with h5py.File(path, "w") as file:
         dataset = file.create_dataset("heights", data=heights)
@@ -38,13 +44,18 @@ def write_surface(path, heights, length):
         dataset.attrs["length"] = length
         for axis, cells in zip(("dy", "dx"), heights.shape):
             dataset.attrs[axis] = length / cells
+        if work is not None:
+            dataset = file.create_dataset("work", data=work)
+            dataset.attrs["units"] = "1"
+            dataset.attrs["long_name"] = "work of adhesion over its largest value"
 
 
 def main():
     """Read the options and write the file."""
     given = read_command_line(sys.argv[1:])
     heights = make_heights(given.cells, given.hurst, given.longest, given.shortest, given.rms, given.seed)
-    write_surface(given.file, heights, given.length)
+    work = make_stripes(given.cells, given.stripes, given.weak) if given.stripes else None
+    write_surface(given.file, heights, given.length, work)
 
 
 if __name__ == "__main__":

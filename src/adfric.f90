@@ -19,6 +19,7 @@ module adfric
    use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
    use adfric_periodic_surface_time, only: surface_time_t, new_surface_time
+   use adfric_periodic_wave_1d_model, only: wave_1d_cells_t, new_wave_1d_cells
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
@@ -29,7 +30,7 @@ module adfric
    !> Names of the models, separated by a blank.
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
       & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder '// &
-      & 'indenter_time adhesive_indenter_time surface_time adhesive_indenter_history'
+      & 'indenter_time adhesive_indenter_time surface_time adhesive_indenter_history wave_1d_elastic'
 
 contains
 
@@ -50,6 +51,7 @@ contains
       type(punch_model_t), allocatable :: punch
       type(wave_model_t), allocatable :: wave
       type(wave_2d_model_t), allocatable :: wave_2d
+      type(wave_1d_cells_t), allocatable :: wave_1d_cells
       type(surface_model_t), allocatable :: surface
       type(sliding_model_t), allocatable :: sliding
       type(adhesive_cylinder_t), allocatable :: adhesive_cylinder
@@ -106,6 +108,10 @@ contains
          allocate (wave)
          call new_wave_model(wave)
          call move_alloc(wave, model)
+      case ('wave_1d_elastic')
+         allocate (wave_1d_cells)
+         call new_wave_1d_cells(wave_1d_cells)
+         call move_alloc(wave_1d_cells, model)
       case ('wave_2d_elastic')
          allocate (wave_2d)
          call new_wave_2d_model(wave_2d)

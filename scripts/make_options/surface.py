@@ -16,7 +16,14 @@ def read_command_line(arguments):
     parser.add_argument("--shortest", type=float, default=1 / 64, help="shortest wave, in periods (default: %(default)s)")
     parser.add_argument("--rms", type=float, default=1.0e-7, help="root mean square of the heights [m] (default: %(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="of the random numbers (default: %(default)s)")
+    parser.add_argument("--stripes", type=int, default=0,
+                        help="also write a map of the work of adhesion, with so many weak stripes along y (default: none)")
+    parser.add_argument("--weak", type=float, default=0.1, help="work of a weak stripe over that between them (default: %(default)s)")
     given = parser.parse_args(arguments)
+    if given.stripes < 0 or 2 * given.stripes > given.cells:
+        parser.error("--stripes: from 0 to half of the cells")
+    if not given.weak >= 0:
+        parser.error("--weak: 0 at least")
     if given.cells < 2 * int(1 / given.shortest) + 2:
         parser.error("the cells are too few for the shortest wave: less than two along it")
     return given

@@ -18,16 +18,17 @@ module adfric_describe_scene_rules
    !> Stands in a rule for the name of what has no meaning in a scene.
    character(*), parameter :: hidden = '-'
    !> Solvers that several rules have in common.
+   character(*), parameter :: on_cells = 'wave_1d_elastic,wave_2d_elastic,surface_elastic'
    character(*), parameter :: in_elastic = 'hertz,wave_1d', &
-      & slips = 'hertz,indenter,wave_1d,wave_2d_elastic,surface_elastic', with_depth = 'rigid_punch,line_load,strip_load', &
-      & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter', &
+      & slips = 'hertz,indenter,wave_1d,'//on_cells, with_depth = 'rigid_punch,line_load,strip_load', &
+      & periodic = 'wave_1d,'//on_cells, round = 'sphere,indenter', &
       & sums = 'hertz,adhesive_cylinder,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,indenter,surface_sliding'
 
    !> Solvers of contacts that shear stress may move.
    character(*), parameter :: couples = 'hertz,wave_1d,surface_sliding,rigid_punch'
 
    !> Variables. A group stands for all its variables that no rule before it names.
-   character(*), parameter :: variable_rules(*) = [character(120) :: &
+   character(*), parameter :: variable_rules(*) = [character(140) :: &
       & 'wavy_sliding surface%slope surface%slope_approximation', &
       & 'wavy_sliding surface%height surface%amplitude', &
       & 'wavy_sliding surface%spacing surface%length_x', &
@@ -77,7 +78,7 @@ module adfric_describe_scene_rules
       & '* shape% surface%', &
       & '* operating%tangential_axis operating%direction', &
       & 'rigid_punch numerics%points numerics%collocation_points', &
-      & 'wave_2d_elastic,surface_elastic,surface_sliding,surface_time numerics%relative_tolerance numerics%contact_tolerance', &
+      & on_cells//',surface_sliding,surface_time numerics%relative_tolerance numerics%contact_tolerance', &
       & with_depth//' output%y_min output%z_min', &
       & with_depth//' output%y_max output%z_max', &
       & with_depth//' output%n_y output%n_z', &
@@ -92,7 +93,7 @@ module adfric_describe_scene_rules
       & 'strip_load operating% traction%']
 
    !> Results.
-   character(*), parameter :: result_rules(*) = [character(120) :: &
+   character(*), parameter :: result_rules(*) = [character(140) :: &
       & 'wavy_sliding friction_force friction_stress', &
       & 'wavy_sliding load mean_pressure', &
       & 'wavy_sliding contact_area contact_fraction', &
@@ -182,20 +183,20 @@ module adfric_describe_scene_rules
       & 'wave_1d adhesion_fraction,pull_off_penetration,jump_off_penetration,saturation_fold_pressure,order_margin - !adhesion', &
       & 'wave_1d adhesion_energy,pull_off_penetration,jump_off_penetration,hysteresis_loss - relaxing', &
       & periodic//' adhesion_energy,adhesion_fraction,pull_off_pressure - !adhesion', &
-      & 'wave_2d_elastic,surface_elastic,surface_sliding pull_off_pressure - !pull_off', &
+      & on_cells//',surface_sliding pull_off_pressure - !pull_off', &
       & 'wave_1d saturation_fold_pressure,end_of_saturation_pressure,branches_differ,order_margin,zone_leading - !relaxing', &
       & 'wave_1d end_of_saturation_pressure,zone_leading,zone_trailing,friction_stress_without_adhesion - !adhesion', &
       & 'wave_1d,surface_sliding branches_differ - !adhesion', &
       & 'surface_sliding branches_differ - !compared', &
       & 'wave_1d zone_trailing,friction_stress_without_adhesion,adhesive_friction_stress - !relaxing', &
       & 'wave_1d adhesive_friction_stress,hysteresis_loss - !adhesion', &
-      & 'wave_2d_elastic,surface_elastic cells_per_zone - !adhesion', &
+      & on_cells//' cells_per_zone - !adhesion', &
       & 'wave_1d hysteresis_loss adhesion_hysteresis', &
       & 'wave_1d elastic_energy - slides', &
       & periodic//' friction_stress,friction_coefficient - !interface', &
-      & 'wave_2d_elastic,surface_elastic friction_force -', &
-      & 'wave_2d_elastic,surface_elastic smooth_friction_stress - !interface', &
-      & 'wave_2d_elastic,surface_elastic poisson_defect - !tangential', &
+      & on_cells//' friction_force -', &
+      & on_cells//' smooth_friction_stress - !interface', &
+      & on_cells//' poisson_defect - !tangential', &
       & 'line_load,strip_load stress_yy stress_zz', &
       & 'line_load,strip_load stress_xy stress_xz', &
       & 'line_load displacement_y displacement_z', &
@@ -205,11 +206,11 @@ module adfric_describe_scene_rules
       & 'wavy_sliding hysteretic_friction_force hysteretic_friction_stress', &
       & 'wavy_sliding interfacial_friction_force interfacial_friction_stress', &
       & sums//' interfacial_share - !shear', &
-      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !shear', &
+      & sums//','//on_cells//' velocity_slope - !shear', &
       & couples//' largest_coupling,smallest_stiffness_ratio - !coupled', &
       & couples//' coupling_left_out - coupled', &
-      & couples//',wave_2d_elastic,surface_elastic coupling_left_out - !shear', &
-      & sums//',wave_2d_elastic,surface_elastic velocity_slope - !moves', &
+      & couples//','//on_cells//' coupling_left_out - !shear', &
+      & sums//','//on_cells//' velocity_slope - !moves', &
       & heats//' velocity_slope - heat', &
       & 'indenter bulk_heat -', &
       & heats//' contact_temperature,flash_temperature,peak_flash_temperature - !heat', &
@@ -217,7 +218,7 @@ module adfric_describe_scene_rules
       & heats//' thermal_gain,thermal_states,heat_share,bulk_heat,interface_heat - !heat']
 
    !> Profiles.
-   character(*), parameter :: profile_rules(*) = [character(120) :: &
+   character(*), parameter :: profile_rules(*) = [character(140) :: &
       & with_depth//' stress_yy_map stress_zz_map', &
       & with_depth//' stress_xy_map stress_xz_map', &
       & 'line_load displacement_y_map displacement_z_map', &
@@ -227,7 +228,7 @@ module adfric_describe_scene_rules
       & 'hertz_history stick_half_width stick_major_half_width ellipsoid']
 
    !> Words: the solvers, the variable in their language, each word that is another one in scenes, `old=new`, and the facts.
-   character(*), parameter :: word_rules(*) = [character(120) :: &
+   character(*), parameter :: word_rules(*) = [character(140) :: &
       & 'wavy_sliding surface%kind wave_2d=wave_1d wave_3d=wave_product map=heights', &
       & 'surface_sliding,surface_time surface%kind heights=profile profile', &
       & 'hertz,hertz_history contact%kind line=cylinder circular=paraboloid elliptical=ellipsoid', &
@@ -276,19 +277,19 @@ module adfric_describe_scene_rules
 
    !> Values that follow from what a scene leaves out: the solvers, the variable in their language, its value, and the facts.
    !> Without a range adhesion is that of JKR (the third word of `theory`).
-   character(*), parameter :: default_rules(*) = [character(120) :: &
+   character(*), parameter :: default_rules(*) = [character(140) :: &
       & 'sphere sphere%work_of_adhesion 0 !adhesion', &
       & 'sphere model%theory 3 adhesion !range']
 
    !> Words that an input which names a model leaves out and its scene says: the solvers, the variable, the word, and the facts, to
    !> which the names count that the input gives. The force of sliding of an indenter stood beside every contact that a shear
    !> strength can hold. A master curve with Poisson's ratio of the layer alone is one of the contact modulus.
-   character(*), parameter :: added_words(*) = [character(120) :: &
+   character(*), parameter :: added_words(*) = [character(140) :: &
       & 'indenter operating%state sliding strength !tangential', &
       & 'surface_sliding solid%curve_modulus contact material%master_curve layer%poisson_ratio']
 
    !> Phrases of the messages, meanings and units of solvers, and behind = what a scene says.
-   character(*), parameter :: phrases(*) = [character(120) :: &
+   character(*), parameter :: phrases(*) = [character(140) :: &
       & 'wave_3d and map=wave_product and heights', 'wave_3d=wave_product', 'N/m for line=N/m for cylinder', &
       & '90 degrees=pi/2', '45 degrees=pi/4', '&material=relaxation in &solid', 'make a map of it=sample it as heights', &
       & 'adhesion_stress needs it, or adhesion_range=give two of work_of_adhesion, adhesion_stress and adhesion_range', &

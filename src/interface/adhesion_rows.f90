@@ -7,6 +7,7 @@ module adfric_interface_adhesion_rows
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_interface_attraction, only: attraction_t
    use adfric_describe_rows, only: above_zero, any_number, choice, result_row
    use adfric_describe_table, only: result_t, variable_t
    implicit none (type, external)
@@ -34,6 +35,10 @@ module adfric_interface_adhesion_rows
       !> Mean pressure at which the approach has turned [Pa]; not allocated if it went on up to full contact. So it may stand for an
       !> optional argument.
       real(dp), allocatable :: turning_pressure
+      !> Another law than Dugdale's [Pa, m]; not allocated: Dugdale's.
+      type(attraction_t), allocatable :: attraction
+      !> Work of adhesion of the cells over that of the law; shape of the cells; not allocated: 1. Beside an attraction alone.
+      real(dp), allocatable :: part(:, :)
    end type adhesion_law_t
 
 contains

@@ -40,6 +40,7 @@ module adfric_interface_attraction
       procedure :: slope
       procedure :: work_from
       procedure :: reach
+      procedure :: in_units
    end type attraction_t
 
 contains
@@ -198,6 +199,20 @@ contains
          reach = self%range
       end select
    end function reach
+
+   !> The same law with stresses and lengths in other units.
+   pure type(attraction_t) function in_units(self, stress, length) result(other)
+      class(attraction_t), intent(in) :: self
+      !> The units, in those of `self`.
+      real(dp), intent(in) :: stress, length
+
+      other%law = self%law
+      other%stress = self%stress/stress
+      other%range = self%range/length
+      other%work = self%work/stress/length
+      if (allocated(self%gaps)) allocate (other%gaps, source=self%gaps/length)
+      if (allocated(self%tensions)) allocate (other%tensions, source=self%tensions/stress)
+   end function in_units
 
    !> The segment of a table that begins at a gap or before it.
    pure integer function segment_of(gaps, gap) result(k)

@@ -5,8 +5,9 @@ module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion, has_adhesion, &
-      & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, n_adhesion_rows, set_adhesion_rows
+   use adfric_interface_attraction_rows, only: check_attraction, given_attraction_t, has_attraction, is_dugdale, largest_tension, &
+      & n_attraction_rows, resolve_attraction, set_attraction_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
       & has_poisson_ratio, n_one_body, n_two_bodies, set_modulus_rows
    use adfric_interface_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
@@ -22,6 +23,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, &
       & error_of_edge, least_cells, regime_of
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
+   use adfric_periodic_attracted_surface, only: attraction_in_units
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_elastic_interface, only: check_elastic_friction, has_law, n_friction_rows, n_motion_rows, &
       & has_friction, set_motion_rows, store_friction, store_left_out, tractions_of_friction
@@ -36,10 +38,15 @@ module adfric_periodic_elastic_model
    private
    public :: elastic_model_t
 
+   !> Rows of adhesion, with those of its law.
+   integer, parameter :: n_law_of_adhesion = n_adhesion_rows + n_attraction_rows
+
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
       !> Table of a law of friction.
       type(given_law_t) :: given_law
+      !> Table and map of an attraction.
+      type(given_attraction_t) :: given_attraction
    contains
       procedure :: take_dataset
       procedure :: take_attribute
@@ -87,7 +94,8 @@ contains
 
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), solid(:n_two_bodies))
       call set_adhesion_rows(solid(n_two_bodies + 1:n_two_bodies + n_adhesion_rows))
-      call set_coulomb_rows(solid(n_two_bodies + n_adhesion_rows + 1:n_two_bodies + n_adhesion_rows + n_coulomb_rows))
+      call set_attraction_rows(solid(n_two_bodies + n_adhesion_rows + 1:n_two_bodies + n_law_of_adhesion))
+      call set_coulomb_rows(solid(n_two_bodies + n_law_of_adhesion + 1:n_two_bodies + n_law_of_adhesion + n_coulomb_rows))
       associate (pull_off => n_elastic_solid - n_motion_rows)
          call set_shear_rows(solid(pull_off - n_shear_rows:pull_off - 1))
          solid(pull_off) = pull_off_row()
@@ -127,7 +135,7 @@ contains
       end associate
    end function poisson_ratio_of
 
-   !> See `model_t`: the table of a law of friction. A model that has other datasets calls it, too.
+   !> See `model_t`: the table of a law of friction, and those of an attraction. A model that has other datasets calls it, too.
    subroutine take_dataset(self, index, values, problems)
       class(elastic_model_t), intent(inout) :: self
       !> Index of the dataset in `variables`.
@@ -138,6 +146,7 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call take_law_table(self%given_law, index - pull_off_index(self), values)
+      call self%given_attraction%take(index - (self%first_of_solid + n_two_bodies + n_adhesion_rows - 1), values)
       associate (unused => problems)
       end associate
    end subroutine take_dataset
@@ -171,15 +180,17 @@ contains
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, &
             & has_coulomb(coulomb_values(self, values)))
          n_before = problems%count()
-         call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
+         call check_attraction(self%variables(last + 1:last + n_law_of_adhesion), adhesion_values(self, values), &
+            & self%given_attraction, problems)
          ! a stress that is missing is told once
-         if (problems%count() == n_before .and. .not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
+         if (problems%count() == n_before .and. .not. has_attraction(adhesion_values(self, values))) then
             if (values(prescribed + in%mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
             if (is_wanted(values(pull_off_index(self)))) &
                & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
          end if
       end associate
+      call check_law(self, values, problems)
       if (problems%count() > 0) return
       if (lacks_poisson_ratio(self, values)) call problems%add('solid', 'poisson_ratio', &
          & 'is missing [-]; the tangential displacement needs it')
@@ -189,6 +200,25 @@ contains
       end associate
    end subroutine check_solid
 
+   !> Add to `problems` what a law other than Dugdale's does not have, and a map that is not one of the cells.
+   subroutine check_law(self, values, problems)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      type(periodic_surface_t) :: surface
+
+      if (is_dugdale(adhesion_values(self, values)) .or. problems%count() > 0) return
+      if (is_set(values(self%before_prescribed + in%penetration))) call problems%add('operating', 'penetration', &
+         & 'is prescribed with the law dugdale alone; give the mean pressure')
+      if (.not. allocated(self%given_attraction%map)) return
+      call self%get_cells(values, surface)
+      if (surface%is_quarter) then
+         call problems%add('adhesion', 'work_map', 'is for surfaces of given heights; a wave is solved on a quarter of its period')
+      else if (any(shape(self%given_attraction%map) /= surface%n_cells)) then
+         call problems%add('adhesion', 'work_map', 'does not have the cells of the surface')
+      end if
+   end subroutine check_law
+
    !> Add to `problems` what is wrong with the friction, of either kind.
    subroutine check_friction(self, values, problems)
       class(elastic_model_t), intent(in) :: self
@@ -196,15 +226,25 @@ contains
       type(problems_t), intent(inout) :: problems
       logical :: is_adhesive
 
-      associate (first => pull_off_index(self) - n_shear_rows, last => pull_off_index(self) - 1, &
-         & adhesion => values(self%first_of_solid + n_two_bodies:self%first_of_solid + n_two_bodies + n_adhesion_rows - 1))
-         is_adhesive = has_adhesion(adhesion)
+      is_adhesive = has_attraction(adhesion_values(self, values))
+      associate (first => pull_off_index(self) - n_shear_rows, last => pull_off_index(self) - 1)
          call check_elastic_friction(self%variables(first:self%last_of_solid), friction_values(self, values), self%given_law, &
-            & merge(adhesion(1), 0.0_dp, is_adhesive), problems)
+            & largest_tension(adhesion_values(self, values), self%given_attraction), problems)
          call check_coulomb(self%variables(first - n_coulomb_rows:first - 1), values(first - n_coulomb_rows:first - 1), &
             & is_adhesive, has_shear(values(first:last)) .or. has_law(friction_values(self, values)), problems)
       end associate
    end subroutine check_friction
+
+   !> Values of the rows of adhesion and of its law.
+   pure function adhesion_values(self, values) result(adhesion)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp) :: adhesion(n_law_of_adhesion)
+
+      associate (before => self%first_of_solid + n_two_bodies - 1)
+         adhesion = values(before + 1:before + n_law_of_adhesion)
+      end associate
+   end function adhesion_values
 
    !> Values of the rows of Coulomb's friction.
    pure function coulomb_values(self, values) result(friction)
@@ -272,9 +312,7 @@ contains
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
 
-      associate (before => self%first_of_solid + n_two_bodies - 1)
-         call resolve_adhesion(values(before + 1:before + n_adhesion_rows), law)
-      end associate
+      call resolve_attraction(adhesion_values(self, values), self%given_attraction, law)
    end function adhesion_of
 
    !> See `periodic_model_t`.
@@ -288,6 +326,7 @@ contains
       type(adhesion_law_t) :: law
 
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
+      if (allocated(goal%attraction)) deallocate (goal%attraction)
       if (allocated(goal%friction)) deallocate (goal%friction)
       if (has_coulomb(coulomb_values(self, values))) then
          goal%friction = friction_of(self, values)
@@ -295,9 +334,25 @@ contains
       end if
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
-      goal%adhesion = adhesion_in_units(law, modulus)
+      if (allocated(law%attraction)) then
+         goal%attraction = attraction_in_units(law, modulus)
+      else
+         goal%adhesion = adhesion_in_units(law, modulus)
+      end if
       goal%wants_pull_off = is_wanted(values(pull_off_index(self)))
    end subroutine set_interface
+
+   !> Tension of adhesion outside contact, over nominal area [Pa].
+   pure real(dp) function tension_outside(law, solution) result(tension)
+      type(adhesion_law_t), intent(in) :: law
+      type(periodic_solution_t), intent(in) :: solution
+
+      if (allocated(law%attraction)) then
+         tension = law%stress*(sum(solution%share, mask=solution%gap > 0)/size(solution%gap))
+      else
+         tension = law%stress*adhesion_fraction_of(solution)
+      end if
+   end function tension_outside
 
    !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
@@ -319,10 +374,10 @@ contains
       associate (modulus => surface%solid%modulus)
          results(out%elastic_energy) = modulus*solution%elastic_energy
          results(out%adhesion_energy) = modulus*solution%adhesion_energy
-         results(out%adhesion_fraction) = adhesion_fraction_of(solution)
+         if (.not. allocated(law%attraction)) results(out%adhesion_fraction) = adhesion_fraction_of(solution)
          results(out%regime) = regime_of(solution)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
-         call store_friction(friction_values(self, values), self%given_law, law%stress*results(out%adhesion_fraction), &
+         call store_friction(friction_values(self, values), self%given_law, tension_outside(law, solution), &
             & modulus*solution%pressure, results, is_valid)
          if (.not. is_valid) error_estimate = huge(error_estimate)
          if (is_valid .and. is_set(poisson_ratio_of(self, values))) call store_left_out(friction_values(self, values), &

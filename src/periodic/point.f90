@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One contact of a periodic surface, in the units of its case: lengths in periods along x, pressures in E*.
+!> One contact of a periodic surface, in the units of its case: lengths in periods along x, pressures in E*. The file is long by
+!> what a surface and a goal have, each with its comment, and by the solvers among which it chooses.
 module adfric_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -10,6 +11,8 @@ module adfric_periodic_point
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
+   use adfric_periodic_attracted_pull_off, only: find_attracted_pull_off
+   use adfric_periodic_attracted_surface, only: periodic_attraction_t, solve_attracted_load
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
@@ -72,6 +75,9 @@ module adfric_periodic_point
       real(dp) :: tolerance = 1.0e-10_dp
       !> Adhesion, with its stress in E* and its range in m; not allocated: none.
       type(periodic_adhesion_t), allocatable :: adhesion
+      !> Attraction by another law, with stresses in E* and lengths in m; not allocated: none. At a mean pressure, of elastic
+      !> half-spaces alone.
+      type(periodic_attraction_t), allocatable :: attraction
       !> Friction, with its stress in E*; not allocated: none. Elastic half-spaces without adhesion alone.
       type(coulomb_t), allocatable :: friction
       !> Is the pull-off wanted? Is the state of the other branch?
@@ -132,7 +138,9 @@ contains
       do k = 1, size(memory%solver%grids)
          memory%solver%grids(k)%operator%watch => goal%watch
       end do
-      if (allocated(goal%adhesion)) then
+      if (allocated(goal%attraction)) then
+         call solve_attracted(surface, goal, memory, solution, error)
+      else if (allocated(goal%adhesion)) then
          call solve_adhesive(surface, goal, memory, solution, error)
       else if (goal%is_pressure) then
          call memory%solver%solve_load(surface%shape/unit, goal%value, goal%tolerance, solution, error)
@@ -199,6 +207,28 @@ contains
          end do
       end associate
    end subroutine find_near_contacts
+
+   !> Solve a point with another law of adhesion, and find its pull-off if it is wanted.
+   subroutine solve_attracted(surface, goal, memory, solution, error)
+      !> Periods and undeformed gap of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
+      type(periodic_goal_t), intent(in) :: goal
+      type(periodic_memory_t), intent(inout) :: memory
+      !> The solution; lengths in periods along x, pressures in E*.
+      type(periodic_solution_t), intent(out) :: solution
+      type(error_t), allocatable, intent(out) :: error
+      type(periodic_attraction_t) :: attraction
+      real(dp) :: pull_off
+      logical :: is_found
+
+      attraction = goal%attraction%in_length(surface%period(1))
+      associate (solver => memory%solver, shape_in_periods => surface%shape/surface%period(1))
+         call solve_attracted_load(solver, shape_in_periods, goal%value, attraction, goal%tolerance, solution, error)
+         if (allocated(error) .or. .not. goal%wants_pull_off) return
+         call find_attracted_pull_off(solver, shape_in_periods, attraction, goal%tolerance, pull_off, is_found)
+      end associate
+      if (is_found) solution%pull_off = pull_off
+   end subroutine solve_attracted
 
    !> Solve a point with adhesion, and find its pull-off if it is wanted and not known.
    subroutine solve_adhesive(surface, goal, memory, solution, error)

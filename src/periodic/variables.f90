@@ -6,6 +6,7 @@ module adfric_periodic_variables
    use adfric_base_counting, only: counting
    use adfric_base_unset, only: is_set
    use adfric_interface_adhesion_rows, only: n_adhesion_rows
+   use adfric_interface_attraction_rows, only: n_attraction_rows
    use adfric_solid_contact_modulus, only: n_two_bodies
    use adfric_interface_coulomb_rows, only: n_coulomb_rows, slip_results
    use adfric_interface_friction_law_rows, only: n_law_rows
@@ -27,8 +28,8 @@ module adfric_periodic_variables
    type(periodic_input_t), parameter, public :: periodic_input = transfer(counting, periodic_input_t())
    integer, parameter, public :: n_prescribed = storage_size(periodic_input)/storage_size(1)
    !> Number of the rows that the models on an elastic half-space share.
-   integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_coulomb_rows &
-      & + n_shear_rows + 1 + n_law_rows + 2
+   integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_attraction_rows &
+      & + n_coulomb_rows + n_shear_rows + 1 + n_law_rows + 2
    integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_prescribed
 
    !> Results in the order of their rows; a component is the index of its row.

@@ -1,0 +1,231 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The law of attraction as an input gives it: rows of the group `adhesion` behind those of `adfric_interface_adhesion_rows`, whose values
+!> stand in front of theirs wherever both are asked for. Two of stress, work and range give the third, by each law's own ratio.
+module adfric_interface_attraction_rows
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion, has_adhesion, n_adhesion_rows, resolve_adhesion
+   use adfric_interface_attraction, only: attraction_by_stress, attraction_by_work, attraction_of_table, attraction_t, &
+      & law_dugdale, law_exponential, law_linear, law_table, law_van_der_waals, work_ratio
+   use adfric_describe_rows, only: choice, columns_row, dataset
+   use adfric_describe_table, only: variable_t
+   implicit none (type, external)
+   private
+   public :: given_attraction_t, set_attraction_rows, check_attraction, has_attraction, is_dugdale
+   public :: largest_tension, resolve_attraction, n_attraction_rows
+
+   !> Indices among the rows of adhesion.
+   integer, parameter :: stress = 1, energy = 2, range = 3
+   !> Indices behind them.
+   integer, parameter :: law = n_adhesion_rows + 1, table = n_adhesion_rows + 2, map = n_adhesion_rows + 3
+   !> Number of the rows of this file.
+   integer, parameter :: n_attraction_rows = map - n_adhesion_rows
+   !> The laws of the choice, and their indices.
+   character(*), parameter :: words = 'dugdale exponential linear van_der_waals table'
+   integer, parameter :: laws(5) = [law_dugdale, law_exponential, law_linear, law_van_der_waals, law_table]
+
+   !> What an input gives of the attraction beside single numbers.
+   type :: given_attraction_t
+      !> Gaps [m] and tensions [Pa] of a table; shape `(n, 2)`; not allocated without one.
+      real(dp), allocatable :: table(:, :)
+      !> Work of adhesion of the cells over `work_of_adhesion`; shape of the cells; not allocated: 1.
+      real(dp), allocatable :: map(:, :)
+   contains
+      procedure :: take
+   end type given_attraction_t
+
+contains
+
+   !> The rows, in the group `adhesion`.
+   subroutine set_attraction_rows(rows)
+      !> Receives the rows; shape `(n_attraction_rows)`.
+      type(variable_t), intent(out) :: rows(:)
+      character(*), parameter :: group = 'adhesion'
+
+      rows(law - n_adhesion_rows) = choice(group=group, name='law', choices=words, default='dugdale', &
+         & meaning='tension over gap g, with range r: constant up to r; exp(-g/r); 1 - g/r; (1 + g/r)^-3; a table')
+      rows(table - n_adhesion_rows) = columns_row(group=group, name='tension_table', columns='gap tension', units='m Pa', &
+         & meaning='group with the tension over the gap, falling to 0, for the law table', least_count=2, lower=0.0_dp)
+      rows(map - n_adhesion_rows) = dataset(group=group, name='work_map', unit='-', largest_rank=2, least_count=1, &
+         & meaning='work of adhesion of each cell of the heights over work_of_adhesion; 1 if not given')
+   end subroutine set_attraction_rows
+
+   !> Keep a dataset; nothing of another variable.
+   subroutine take(self, index, values)
+      class(given_attraction_t), intent(inout) :: self
+      !> Index of the variable among the rows of `set_attraction_rows`.
+      integer, intent(in) :: index
+      !> The values in SI units.
+      real(dp), intent(in) :: values(:, :)
+
+      if (index == table - n_adhesion_rows) self%table = values
+      if (index == map - n_adhesion_rows) self%map = values
+   end subroutine take
+
+   !> Index of the law, one of `law_...`.
+   pure integer function law_of(values)
+      !> Values of the rows of adhesion and attraction.
+      real(dp), intent(in) :: values(:)
+
+      law_of = law_dugdale
+      if (is_set(values(law))) law_of = laws(nint(values(law)))
+   end function law_of
+
+   !> Is the law Dugdale's?
+   pure logical function is_dugdale(values)
+      !> Values of the rows of adhesion and attraction.
+      real(dp), intent(in) :: values(:)
+
+      is_dugdale = law_of(values) == law_dugdale
+   end function is_dugdale
+
+   !> Values of the rows of adhesion, with a stress where work and range stand for it: that of Dugdale's law, which has a work as other
+   !> laws do.
+   pure function with_stress(values) result(adhesion)
+      !> Values of the rows of adhesion and attraction.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: adhesion(n_adhesion_rows)
+
+      adhesion = values(:n_adhesion_rows)
+      if (is_set(adhesion(stress)) .or. .not. (is_set(adhesion(energy)) .and. is_set(adhesion(range)))) return
+      adhesion(stress) = adhesion(energy)/adhesion(range)
+      adhesion(range) = unset
+   end function with_stress
+
+   !> Does adhesion act?
+   pure logical function has_attraction(values)
+      !> Values of the rows of adhesion and attraction.
+      real(dp), intent(in) :: values(:)
+
+      if (law_of(values) == law_table) then
+         has_attraction = is_set(values(table))
+      else
+         has_attraction = has_adhesion(with_stress(values))
+      end if
+   end function has_attraction
+
+   !> Largest tension [Pa]; 0 without adhesion, or where a table is not known.
+   pure real(dp) function largest_tension(values, given) result(tension)
+      !> Values of the rows of adhesion and attraction.
+      real(dp), intent(in) :: values(:)
+      !> Table of the law, if there is one.
+      type(given_attraction_t), intent(in) :: given
+
+      tension = 0
+      if (.not. has_attraction(values)) return
+      if (law_of(values) == law_table) then
+         if (allocated(given%table)) tension = given%table(1, 2)
+      else if (is_set(values(stress))) then
+         tension = values(stress)
+      else
+         tension = values(energy)/(work_ratio(law_of(values))*values(range))
+      end if
+   end function largest_tension
+
+   !> The adhesion of values that have been checked.
+   pure subroutine resolve_attraction(values, given, adhesion)
+      !> Values of the rows of adhesion and attraction.
+      real(dp), intent(in) :: values(:)
+      !> Table of the law and map of the work.
+      type(given_attraction_t), intent(in) :: given
+      !> Receives the adhesion. Stress and range are those of Dugdale's law with the same largest tension and work.
+      type(adhesion_law_t), intent(out) :: adhesion
+      type(attraction_t) :: found
+      real(dp) :: rows(n_adhesion_rows)
+
+      rows = with_stress(values)
+      if (is_dugdale(values)) then
+         call resolve_adhesion(rows, adhesion)
+         return
+      else if (.not. has_attraction(values)) then
+         return
+      else if (law_of(values) == law_table) then
+         if (.not. allocated(given%table)) return
+         found = attraction_of_table(given%table(:, 1), given%table(:, 2))
+      else if (.not. is_set(values(stress))) then
+         found = attraction_by_work(law_of(values), values(energy), values(range))
+      else if (is_set(values(range))) then
+         found = attraction_by_stress(law_of(values), values(stress), values(range))
+      else
+         found = attraction_by_work(law_of(values), values(energy), values(energy)/(work_ratio(law_of(values))*values(stress)))
+      end if
+      rows(stress) = found%stress
+      rows(energy) = found%work
+      rows(range) = unset
+      call resolve_adhesion(rows, adhesion)
+      allocate (adhesion%attraction, source=found)
+      if (allocated(given%map)) allocate (adhesion%part, source=given%map)
+   end subroutine resolve_attraction
+
+   !> Add to `problems` what is missing, stands beside another, or is wrong with the datasets.
+   subroutine check_attraction(rows, values, given, problems)
+      !> Rows of adhesion and attraction; their names are part of the messages.
+      type(variable_t), intent(in) :: rows(:)
+      !> Their values.
+      real(dp), intent(in) :: values(:)
+      !> Table of the law and map of the work.
+      type(given_attraction_t), intent(in) :: given
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      real(dp) :: adhesion(n_adhesion_rows)
+      integer :: k
+
+      adhesion = with_stress(values)
+      if (law_of(values) == law_table) then
+         do k = stress, range
+            if (is_set(values(k))) call add(k, 'has no meaning for law = ''table'', which has the tensions themselves')
+         end do
+         if (.not. is_set(values(table))) then
+            call add(table, 'is missing; law = ''table'' needs it')
+         else if (allocated(given%table)) then
+            call check_table(given%table)
+         end if
+         adhesion(stress:range) = [1.0_dp, 1.0_dp, unset]
+      else if (is_set(values(table))) then
+         call add(table, 'has no meaning without law = ''table''')
+      end if
+      call check_adhesion(rows(:n_adhesion_rows), adhesion, problems)
+      if (.not. is_set(values(map))) return
+      if (is_dugdale(values)) then
+         call add(map, 'needs another law than dugdale: a share of a cell within the range has one range for all cells')
+      else if (allocated(given%map)) then
+         if (any(given%map < 0)) call add(map, 'has works below 0')
+         if (.not. any(given%map > 0)) call add(map, 'has no work above 0')
+      end if
+
+   contains
+
+      !> Gaps rise from 0, and tensions fall from above 0 to 0.
+      subroutine check_table(samples)
+         !> Gaps and tensions.
+         real(dp), intent(in) :: samples(:, :)
+         integer :: n
+
+         n = size(samples, 1)
+         if (abs(samples(1, 1)) > 0) then
+            call add(table, 'does not begin with the gap 0')
+         else if (.not. all(samples(2:, 1) > samples(:n - 1, 1))) then
+            call add(table, 'has gaps that do not rise')
+         else if (.not. samples(1, 2) > 0) then
+            call add(table, 'has no tension in contact')
+         else if (any(samples(2:, 2) > samples(:n - 1, 2))) then
+            call add(table, 'has tensions that rise with the gap')
+         else if (samples(n, 2) > 0) then
+            call add(table, 'does not end with the tension 0')
+         end if
+      end subroutine check_table
+
+      !> Add a problem of one row to the list.
+      subroutine add(index, text)
+         !> Index of the variable among the rows.
+         integer, intent(in) :: index
+         !> What is wrong with the variable.
+         character(*), intent(in) :: text
+
+         call problems%add(rows(index)%group, rows(index)%name, text)
+      end subroutine add
+
+   end subroutine check_attraction
+
+end module adfric_interface_attraction_rows

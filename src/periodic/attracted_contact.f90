@@ -1,0 +1,377 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Contact of a periodic surface on one grid whose cells attract each other by any falling law: the most adhered state and the least
+!> adhered one.
+!>
+!> With the gap g of the cells, the stiffness A, the mean pressure q and the tension s(g_i) of each cell a state has
+!>
+!>     g >= 0,  F = q + A (g - g0) + s(g) >= 0,  g F = 0,
+!>
+!> F being the pressure and the tension together. No entry of A off its diagonal is positive (in one direction; nearly so in two), so F_i
+!> falls with every other gap. Then there is a state with the least gaps in all cells, the most adhered one, and for q > 0 one with
+!> the largest (A. Tamir, Math. Program. 7, 1974, 17).
+!>
+!> **Bounds.** A gap b on the adhered side of the least gaps, g = 0 at first, goes up by linear problems (`adfric_periodic_linear_step`)
+!> whose slopes are no smaller than any chord of the law from b into the interval where the state lies. With such slopes the linear
+!> problem has the state as a supersolution, so it never passes the state; without slopes it is a round with the tension as it is. From
+!> the other side, from the gap without tension, the same holds with the largest chord downwards. For a convex law that is the
+!> tangent, so from that side a step is one of Newton's method and the bound falls to the state quadratically. Where the matrix is
+!> not positive definite, slopes are halved, which keeps what was said.
+!>
+!> **States.** Newton's method finds a state nearby. Any state lies beyond the bound, so it ends the interval of the chords. It is the extremal
+!> one if there is w > 0 with (A + diag(c)) w > 0 on the open cells, c the smallest chord from the state towards the bound: with
+!> two states x and y in the interval that matrix maps their difference to what is nowhere positive, so the difference is 0. A bound that has become
+!> a state itself is the extremal one.
+module adfric_periodic_attracted_contact
+   use adfric_base_kinds, only: dp
+   use adfric_periodic_attraction_cells, only: attraction_cells_t
+   use adfric_periodic_contact, only: contact_state_t, residual_of
+   use adfric_periodic_linear_step, only: linear_step_t, new_linear_step, step_solved
+   use adfric_periodic_operator, only: periodic_operator_t
+   implicit none (type, external)
+   private
+   public :: solve_attracted_contact
+
+   !> Steps of a bound, and of Newton's method, at most.
+   integer, parameter :: most_steps = 300, most_tries = 30
+   !> What a linear problem may leave, in units of the residual before it.
+   real(dp), parameter :: next_goal = 0.01_dp
+   !> Residual over the one before that Newton's method must reach in one of a few tries.
+   real(dp), parameter :: worthwhile = 0.5_dp
+   !> Tries without that.
+   integer, parameter :: most_failures = 3
+   !> Part of the slopes below which they are left out.
+   real(dp), parameter :: least_part = 0.05_dp
+   !> What may be left, over what is usual, below which a bound does not go on.
+   real(dp), parameter :: least_care = 1.0e-9_dp
+
+   !> A bound on its way to the state.
+   type :: bound_t
+      !> Does the bound fall to the least adhered state? Else it rises to the most adhered one.
+      logical :: falls = .false.
+      !> Part of the slopes that the last step could take.
+      real(dp) :: part = 1
+      !> What a linear problem may leave, over what is usual.
+      real(dp) :: care = 1
+      !> Gap b, what presses the cells together there [E*]; shape of the cells.
+      real(dp), allocatable :: gap(:, :), force(:, :)
+      !> Has the cell a gap? Shape of the cells.
+      logical, allocatable :: is_open(:, :)
+      !> Residual of b as a state [-].
+      real(dp) :: residual = huge(1.0_dp)
+   end type bound_t
+
+contains
+
+   !> Find the extremal state of a grid. It is long by its comments.
+   subroutine solve_attracted_contact(state, operator, cells, tolerance, falls, has_guess, has_state, start)
+      !> In: shape and mean pressure; with a guess also gap and region. Out: the state with F for its pressure; `is_converged` tells
+      !> whether it was found.
+      type(contact_state_t), intent(inout) :: state
+      !> Operator of this grid, which counts how often it is applied.
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> Is the least adhered state wanted? Else the most adhered one is.
+      logical, intent(in) :: falls
+      !> Is there a guess?
+      logical, intent(in) :: has_guess
+      !> Is there a state with contact? Without one there is nothing in `state`.
+      logical, intent(out) :: has_state
+      !> Gap from which the bound begins; not given: without tension (falling) or 0 (rising).
+      real(dp), intent(in), optional :: start(:, :)
+      type(linear_step_t) :: work
+      type(bound_t) :: bound
+      type(contact_state_t) :: other, try
+      integer :: k, next_try
+      logical :: has_other
+
+      call new_linear_step(work, operator, state%shape)
+      state%gap_scale = maxval(state%shape) - minval(state%shape)
+      state%cell_stiffness = operator%mean_stiffness(operator%n_cells)
+      state%is_converged = .false.
+      has_state = .true.
+      bound%falls = falls
+      has_other = .false.
+      if (has_guess) then
+         try = state
+         call find_state_near(work, try, operator, cells, tolerance, has_other)
+         if (has_other) other = try
+      end if
+      call begin(work, bound, state, operator, start)
+      next_try = merge(2, 1, has_other)
+      do k = 1, most_steps
+         if (operator%is_stopped()) exit
+         call judge(bound, state, operator, cells)
+         if (bound%residual <= tolerance) then
+            state%is_converged = .true.
+            exit
+         end if
+         ! tensions are no larger in any state, and no state without contact is wanted
+         if (.not. falls .and. state%mean_pressure + mean_of(cells%tension(bound%gap)) < 0) then
+            has_state = .false.
+            return
+         end if
+         if (has_other) has_other = is_beyond(other%gap, bound, tolerance*state%gap_scale)
+         ! from above Newton's method is the step of the bound itself
+         if (k >= next_try .and. .not. falls) then
+            call look_near(work, bound, state, operator, cells, tolerance, other, has_other)
+            next_try = k + 2 + k/4
+         end if
+         if (has_other) then
+            if (is_only(work, bound, other, operator, cells)) then
+               state = other
+               return
+            end if
+         end if
+         ! nothing more can be gained
+         if (bound%care < least_care) exit
+         if (has_other) then
+            call step(work, bound, state, operator, cells, tolerance, other%gap)
+         else
+            call step(work, bound, state, operator, cells, tolerance)
+         end if
+         state%n_iterations = state%n_iterations + 1
+      end do
+      call take(bound, state)
+   end subroutine solve_attracted_contact
+
+   !> Look for a state from the bound on; one that is less adhered than the known one is of no use.
+   subroutine look_near(work, bound, state, operator, cells, tolerance, other, has_other)
+      type(linear_step_t), intent(inout) :: work
+      type(bound_t), intent(in) :: bound
+      !> Shape, mean pressure and scales.
+      type(contact_state_t), intent(in) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+      real(dp), intent(in) :: tolerance
+      !> The state that is known; receives the one that is found.
+      type(contact_state_t), intent(inout) :: other
+      !> Is a state known?
+      logical, intent(inout) :: has_other
+      type(contact_state_t) :: try
+      logical :: has_found
+
+      try = state
+      call take(bound, try)
+      call find_state_near(work, try, operator, cells, tolerance, has_found)
+      if (has_found) has_found = is_beyond(try%gap, bound, tolerance*state%gap_scale)
+      if (has_found .and. has_other) has_found = sum(try%gap) < sum(other%gap)
+      if (.not. has_found) return
+      other = try
+      has_other = .true.
+   end subroutine look_near
+
+   !> Take the gap of a bound.
+   pure subroutine take(bound, state)
+      type(bound_t), intent(in) :: bound
+      type(contact_state_t), intent(inout) :: state
+
+      state%gap = bound%gap
+      state%is_open = bound%is_open
+      state%pressure = bound%force
+   end subroutine take
+
+   !> Mean of a map.
+   pure real(dp) function mean_of(map)
+      real(dp), intent(in) :: map(:, :)
+
+      mean_of = sum(map)/size(map)
+   end function mean_of
+
+   !> Where the bound begins.
+   subroutine begin(work, bound, state, operator, start)
+      type(linear_step_t), intent(inout) :: work
+      type(bound_t), intent(inout) :: bound
+      !> Shape and mean pressure.
+      type(contact_state_t), intent(in) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Gap to begin from, if it is given.
+      real(dp), intent(in), optional :: start(:, :)
+      real(dp), allocatable :: nothing(:, :)
+      integer :: outcome
+
+      allocate (bound%gap, bound%force, mold=state%shape)
+      allocate (bound%is_open(size(state%shape, 1), size(state%shape, 2)))
+      bound%gap(:, :) = 0
+      if (present(start)) then
+         bound%gap(:, :) = start
+      else if (bound%falls .and. state%mean_pressure > 0) then
+         call set_linear_force(state, operator, bound%gap, bound%force)
+         bound%is_open(:, :) = bound%force < 0
+         allocate (nothing, source=0*state%shape)
+         associate (goal => 1.0e-6_dp*maxval(abs(bound%force)))
+            ! a little less load leaves the bound on its side
+            bound%force(:, :) = bound%force - goal
+            call work%solve(operator, nothing, goal, bound%is_open, bound%gap, bound%force, outcome)
+         end associate
+         bound%gap(:, :) = max(bound%gap, 0.0_dp)
+      else if (bound%falls) then
+         bound%gap(:, :) = state%shape
+      end if
+      bound%is_open(:, :) = bound%gap > 0
+   end subroutine begin
+
+   !> What presses the cells together without a tension: q + A (g - g0).
+   subroutine set_linear_force(state, operator, gap, force)
+      type(contact_state_t), intent(in) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      real(dp), intent(in) :: gap(:, :)
+      !> Receives it [E*].
+      real(dp), intent(out), contiguous :: force(:, :)
+
+      call operator%apply_stiffness(gap - state%shape, force)
+      force(:, :) = state%mean_pressure + force
+   end subroutine set_linear_force
+
+   !> What presses the cells of a bound together, and how far the bound is from being a state.
+   subroutine judge(bound, state, operator, cells)
+      type(bound_t), intent(inout) :: bound
+      !> Shape and mean pressure; receives the scale of pressures.
+      type(contact_state_t), intent(inout) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+
+      call set_linear_force(state, operator, bound%gap, bound%force)
+      bound%force(:, :) = bound%force + cells%tension(bound%gap)
+      state%pressure_scale = scale_of(bound%force, cells)
+      bound%residual = violation_of(bound%force, bound%gap, state)
+   end subroutine judge
+
+   !> Unit of the pressure in the residual: the largest pressure and tension together [E*].
+   pure real(dp) function scale_of(force, cells) result(scale)
+      real(dp), intent(in) :: force(:, :)
+      type(attraction_cells_t), intent(in) :: cells
+
+      scale = max(maxval(force), 1.0e-3_dp*cells%law%stress)
+   end function scale_of
+
+   !> Largest violation of the conditions of a state [-].
+   pure real(dp) function violation_of(force, gap, state) result(violation)
+      real(dp), intent(in) :: force(:, :), gap(:, :)
+      !> Scales of pressure and gap.
+      type(contact_state_t), intent(in) :: state
+
+      violation = maxval(abs(min(force/state%pressure_scale, gap/state%gap_scale)))
+   end function violation_of
+
+   !> A step of the bound towards the state, which it does not pass.
+   subroutine step(work, bound, state, operator, cells, tolerance, other)
+      type(linear_step_t), intent(inout) :: work
+      !> In: with its force. Out: nearer to the state.
+      type(bound_t), intent(inout) :: bound
+      !> Scales.
+      type(contact_state_t), intent(in) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+      real(dp), intent(in) :: tolerance
+      !> A state at the other end of the interval, if one is known.
+      real(dp), intent(in), optional :: other(:, :)
+      real(dp), allocatable :: slope(:, :), gap(:, :), force(:, :)
+      logical, allocatable :: is_open(:, :)
+      real(dp) :: goal
+      integer :: outcome
+
+      allocate (slope, source=0*bound%gap)
+      if (present(other)) then
+         slope(:, :) = cells%largest_chord(bound%gap, other)
+      else if (bound%falls) then
+         slope(:, :) = cells%largest_chord(bound%gap, 0*bound%gap)
+      end if
+      if (.not. any(slope < 0)) bound%part = 0
+      ! nor may what is left count beside what contact carries in all
+      goal = next_goal*bound%care*min(bound%residual*state%pressure_scale, state%pressure_scale, &
+         & abs(state%mean_pressure + mean_of(cells%tension(bound%gap))))
+      goal = max(tolerance/4*state%pressure_scale, goal)
+      do
+         if (bound%part < least_part) bound%part = 0
+         gap = bound%gap
+         is_open = bound%is_open
+         ! the problem of a load that differs by what may be left lies on the safe side
+         force = bound%force + merge(-goal, goal, bound%falls)
+         call work%solve(operator, bound%part*slope, goal, is_open, gap, force, outcome)
+         if (outcome == step_solved .or. .not. bound%part > 0) exit
+         bound%part = bound%part/2
+         if (operator%is_stopped()) return
+      end do
+      if (outcome /= step_solved .or. .not. any(merge(gap < bound%gap, gap > bound%gap, bound%falls))) then
+         ! nothing was gained but what was left has lost
+         bound%care = bound%care/100
+         return
+      end if
+      bound%care = 1
+      if (bound%falls) then
+         bound%gap(:, :) = max(min(gap, bound%gap), 0.0_dp)
+      else
+         bound%gap(:, :) = max(gap, bound%gap)
+      end if
+      bound%is_open(:, :) = bound%gap > 0
+      bound%part = min(1.0_dp, max(2*bound%part, 2*least_part))
+   end subroutine step
+
+   !> Does a state lie beyond the bound, but for a small gap?
+   pure logical function is_beyond(gap, bound, small)
+      real(dp), intent(in) :: gap(:, :)
+      type(bound_t), intent(in) :: bound
+      real(dp), intent(in) :: small
+
+      if (bound%falls) then
+         is_beyond = all(gap <= bound%gap + small)
+      else
+         is_beyond = all(gap >= bound%gap - small)
+      end if
+   end function is_beyond
+
+   !> Is there no other state between a bound and a state?
+   logical function is_only(work, bound, other, operator, cells)
+      type(linear_step_t), intent(inout) :: work
+      type(bound_t), intent(in) :: bound
+      !> The state.
+      type(contact_state_t), intent(in) :: other
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+
+      call work%dominates(operator, cells%smallest_chord(other%gap, bound%gap), other%gap > 0 .or. bound%gap > 0, is_only)
+   end function is_only
+
+   !> Newton's method for a state near a gap.
+   subroutine find_state_near(work, state, operator, cells, tolerance, has_found)
+      type(linear_step_t), intent(inout) :: work
+      !> In: gap to begin from. Out: the state, if it is found.
+      type(contact_state_t), intent(inout) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+      real(dp), intent(in) :: tolerance
+      logical, intent(out) :: has_found
+      real(dp) :: residual, best
+      integer :: k, n_failures, outcome
+
+      has_found = .false.
+      if (.not. allocated(state%pressure)) allocate (state%pressure, mold=state%shape)
+      state%is_open = state%gap > 0
+      best = huge(best)
+      n_failures = 0
+      do k = 1, most_tries
+         if (operator%is_stopped()) return
+         call set_linear_force(state, operator, state%gap, state%pressure)
+         state%pressure(:, :) = state%pressure + cells%tension(state%gap)
+         state%pressure_scale = scale_of(state%pressure, cells)
+         residual = violation_of(state%pressure, state%gap, state)
+         if (.not. residual > tolerance) then
+            ! no contact is no state that is wanted
+            has_found = any(.not. state%is_open)
+            state%is_converged = has_found
+            return
+         end if
+         if (residual > worthwhile*best) n_failures = n_failures + 1
+         if (n_failures > most_failures) return
+         best = min(best, residual)
+         call work%solve(operator, cells%slope(state%gap), max(tolerance/4, next_goal*min(residual, 1.0_dp)) &
+            & *state%pressure_scale, state%is_open, state%gap, state%pressure, outcome)
+         state%n_iterations = state%n_iterations + 1
+         if (outcome /= step_solved) return
+         state%gap(:, :) = max(state%gap, 0.0_dp)
+      end do
+   end subroutine find_state_near
+
+end module adfric_periodic_attracted_contact

@@ -1,0 +1,125 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The attraction of the cells of a surface: a law for all, and how much of it each cell has. Its chords bound the law between gaps.
+module adfric_periodic_attraction_cells
+   use adfric_base_kinds, only: dp
+   use adfric_interface_attraction, only: attraction_t, law_table
+   implicit none (type, external)
+   private
+   public :: attraction_cells_t
+
+   !> Difference of gaps, in units of the range, below which a chord is the slope at its end.
+   real(dp), parameter :: least_difference = 1.0e-6_dp
+
+   !> Attraction of cells.
+   type :: attraction_cells_t
+      !> The law, in the units of the contact.
+      type(attraction_t) :: law
+      !> Work of adhesion of each cell over that of the law, >= 0; not allocated: 1. Shape of the cells.
+      real(dp), allocatable :: part(:, :)
+   contains
+      procedure :: tension
+      procedure :: slope
+      procedure :: largest_chord
+      procedure :: smallest_chord
+      procedure :: energy
+   end type attraction_cells_t
+
+contains
+
+   !> Tensions at gaps [E*].
+   pure function tension(self, gap) result(tensions)
+      class(attraction_cells_t), intent(in) :: self
+      !> Gaps, >= 0; shape of the cells.
+      real(dp), intent(in) :: gap(:, :)
+      real(dp) :: tensions(size(gap, 1), size(gap, 2))
+
+      tensions = self%law%tension(gap)
+      if (allocated(self%part)) tensions = self%part*tensions
+   end function tension
+
+   !> Their slopes.
+   pure function slope(self, gap) result(slopes)
+      class(attraction_cells_t), intent(in) :: self
+      !> Gaps, >= 0; shape of the cells.
+      real(dp), intent(in) :: gap(:, :)
+      real(dp) :: slopes(size(gap, 1), size(gap, 2))
+
+      slopes = self%law%slope(gap)
+      if (allocated(self%part)) slopes = self%part*slopes
+   end function slope
+
+   !> No chord from a gap to one between it and another is larger.
+   pure function largest_chord(self, from, to) result(chords)
+      class(attraction_cells_t), intent(in) :: self
+      !> Gaps, >= 0; shape of the cells.
+      real(dp), intent(in) :: from(:, :), to(:, :)
+      real(dp) :: chords(size(from, 1), size(from, 2))
+
+      chords = chord_of(self%law, from, to, .true.)
+      if (allocated(self%part)) chords = self%part*chords
+   end function largest_chord
+
+   !> No chord from a gap to one between it and another is smaller.
+   pure function smallest_chord(self, from, to) result(chords)
+      class(attraction_cells_t), intent(in) :: self
+      !> Gaps, >= 0; shape of the cells.
+      real(dp), intent(in) :: from(:, :), to(:, :)
+      real(dp) :: chords(size(from, 1), size(from, 2))
+
+      chords = chord_of(self%law, from, to, .false.)
+      if (allocated(self%part)) chords = self%part*chords
+   end function smallest_chord
+
+   !> Energy over area, 0 far apart: the mean of what it takes to part the cells, below 0 [E* times the unit of the gap].
+   pure real(dp) function energy(self, gap)
+      class(attraction_cells_t), intent(in) :: self
+      !> Gaps, >= 0; shape of the cells.
+      real(dp), intent(in) :: gap(:, :)
+
+      if (allocated(self%part)) then
+         energy = -sum(self%part*self%law%work_from(gap))/size(gap)
+      else
+         energy = -sum(self%law%work_from(gap))/size(gap)
+      end if
+   end function energy
+
+   !> The largest or smallest chord from a gap into an interval. Chords of a convex law grow with their other end.
+   pure elemental real(dp) function chord_of(law, from, to, is_largest) result(chord)
+      type(attraction_t), intent(in) :: law
+      !> Where the chord begins, and the other end of the interval.
+      real(dp), intent(in) :: from, to
+      logical, intent(in) :: is_largest
+
+      if (law%law == law_table) then
+         chord = extreme_slope(law, min(from, to), max(from, to), is_largest)
+      else if (is_largest .neqv. to > from) then
+         chord = law%slope(from)
+      else if (abs(to - from) > least_difference*law%range) then
+         chord = (law%tension(to) - law%tension(from))/(to - from)
+      else
+         ! beyond the chord on the safe side
+         chord = law%slope(to)
+      end if
+   end function chord_of
+
+   !> Largest or smallest slope of a table between two gaps.
+   pure real(dp) function extreme_slope(law, low, high, is_largest) result(extreme)
+      type(attraction_t), intent(in) :: law
+      real(dp), intent(in) :: low, high
+      logical, intent(in) :: is_largest
+      real(dp) :: slope
+      integer :: k, n
+
+      n = size(law%gaps)
+      ! behind the last gap there is no slope
+      extreme = 0
+      if (low >= law%gaps(n)) return
+      if (high < law%gaps(n)) extreme = merge(-huge(extreme), huge(extreme), is_largest)
+      do k = 1, n - 1
+         if (law%gaps(k + 1) < low .or. law%gaps(k) > high) cycle
+         slope = (law%tensions(k + 1) - law%tensions(k))/(law%gaps(k + 1) - law%gaps(k))
+         extreme = merge(max(extreme, slope), min(extreme, slope), is_largest)
+      end do
+   end function extreme_slope
+
+end module adfric_periodic_attraction_cells
