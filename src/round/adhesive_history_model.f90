@@ -3,6 +3,7 @@
 !> approaches of the base of a spring, with the jumps of the contact. Opening may take more work than closing gives. What each step
 !> leaves is a profile along the axis `step`.
 module adfric_round_adhesive_history_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_base_not_a_number, only: not_a_number
@@ -49,6 +50,8 @@ module adfric_round_adhesive_history_model
 
    !> Profiles.
    integer, parameter :: p_load = 1, p_approach = 2, p_contact = 3, p_adhesion = 4, p_taken = 5, n_profiles = p_taken
+   !> Round-off of a difference over its terms.
+   real(dp), parameter :: round_off = 16*epsilon(1.0_dp)
    !> Most steps of a path.
    integer, parameter :: most_steps = 100000000
 
@@ -295,7 +298,6 @@ contains
       real(dp), intent(out) :: steps(:, :)
       !> Round-off of loads and approaches over the largest ones.
       real(dp), intent(out) :: error_estimate
-      real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
       real(dp) :: terms(2), most(2), unit
       integer :: k
       logical :: is_found
@@ -328,6 +330,9 @@ contains
       most = max(most, abs([path%least_load, path%least_approach]))
       error_estimate = round_off
       if (any(terms > 0)) error_estimate = round_off*max(1.0_dp, maxval(terms/most))
+      if (has_energy(path)) error_estimate = max(error_estimate, round_off*path%terms/path%taken)
+      ! no digits at all
+      error_estimate = min(error_estimate, 1.0_dp)
    end subroutine follow_list
 
    !> The results of a path.
@@ -352,9 +357,22 @@ contains
          results(out%jump_in_load) = path%load_after*case%force_unit()
       end if
       results(out%jumps) = path%n_jumps
-      results(out%dissipated_energy) = path%taken*case%force_unit()*case%height_unit
+      ! nothing but round-off is nothing
+      if (ieee_is_nan(path%taken) .or. has_energy(path)) then
+         results(out%dissipated_energy) = path%taken*case%force_unit()*case%height_unit
+      else
+         results(out%dissipated_energy) = 0
+      end if
       results(out%largest_contact_radius) = maxval(steps(:, p_contact))
    end subroutine store_results
+
+   !> Is what has been taken known, and more than the round-off of its terms?
+   pure logical function has_energy(path)
+      type(adhesive_path_t), intent(in) :: path
+
+      has_energy = .not. ieee_is_nan(path%taken)
+      if (has_energy) has_energy = path%taken > round_off*path%terms
+   end function has_energy
 
    !> See `model_t`: the largest contact of the path.
    subroutine measure(self, values, results, measures)

@@ -44,6 +44,8 @@ module adfric_round_adhesive_path
       type(contact_t) :: contact
       !> Energy that has been taken so far.
       real(dp) :: taken = 0
+      !> Sum of the terms whose differences that is.
+      real(dp) :: terms = 0
       !> Number of jumps of the edge.
       integer :: n_jumps = 0
       !> What was prescribed at the jump in that took most, the load after it, and what it took, below 0 before there is one.
@@ -187,6 +189,7 @@ contains
       path%is_bound = .true.
       path%contact = journey%contact
       path%taken = path%taken + journey%loss
+      path%terms = path%terms + journey%terms
       path%n_jumps = path%n_jumps + journey%n_jumps
       path%is_converged = path%is_converged .and. journey%is_converged
       if (.not. journey%largest_loss > path%largest_jump) return
@@ -208,6 +211,7 @@ contains
       if (journey%parts) left = 0
       path%taken = path%taken + journey%loss + pi*(work_of_edge(path%opening) - work_of_edge(path%closing)) &
          & *(edge - left)*(edge + left)
+      path%terms = path%terms + journey%terms
       path%n_jumps = path%n_jumps + journey%n_jumps
       path%is_converged = path%is_converged .and. journey%is_converged
       do k = 1, journey%n_passages

@@ -25,7 +25,7 @@ module adfric_round_pinned_edge
    use adfric_round_contact_state, only: contact_t, set_contact, set_disc
    use adfric_round_curve, only: control_approach, control_load, control_spring, curve_t
    use adfric_round_dugdale_curve, only: dugdale_curve_t, get_range
-   use adfric_round_shape, only: spot_t
+   use adfric_round_shape, only: spot_t, within_edge
    implicit none (type, external)
    private
    public :: pin_contact, contact_at_edge, work_of_edge
@@ -89,8 +89,9 @@ contains
       type(contact_t), intent(out) :: contact
       real(dp), intent(out) :: release
 
+      release = 0
       call contact_at_edge(curve, control, edge, contact)
-      contact%is_found = .true.
+      if (.not. contact%is_converged) return
       contact%is_stable = .true.
       associate (spot => contact%spot, neck => contact%neck)
          select case (control)
@@ -168,6 +169,9 @@ contains
             contact%is_found = .true.
          end if
       class default
+         ! a radius so close to a vertical edge does not know its contact
+         contact%is_converged = edge < within_edge*curve%shape%edge
+         if (.not. contact%is_converged) return
          call set_contact(curve, control, curve%shape%unknown_of(edge), edge >= curve%shape%corner, contact)
          contact%is_found = .true.
       end select

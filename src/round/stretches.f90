@@ -8,12 +8,14 @@
 !> falls: E - P delta under a load, E at a given approach, E + s P^2/2 on a spring of compliance s.
 module adfric_round_stretches
    use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_contact, only: try_interval, try_disc_range
-   use adfric_round_contact_state, only: contact_t, prescribed_by, set_contact, set_disc
+   use adfric_round_contact_state, only: contact_t, prescribed_by, set_contact, set_disc, terms_of
    use adfric_round_survey, only: survey_t
    use adfric_round_curve, only: curve_t, disc_range_t, curve_interval_t, control_load, control_spring, most_disc_ranges, &
       & most_intervals
+   use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_energy, only: adhesive_energy
    implicit none (type, external)
    private
@@ -64,6 +66,8 @@ module adfric_round_stretches
       logical :: parts = .false.
       !> Potential that the jumps have lost; that of bodies that part under a load is NaN, since they part for good.
       real(dp) :: loss = 0
+      !> Sum of the terms whose differences the losses are.
+      real(dp) :: terms = 0
       !> Number of jumps. Of the one that has lost most: its loss, what is prescribed in it, and the load right after.
       integer :: n_jumps = 0
       !> See above.
@@ -216,10 +220,12 @@ contains
       real(dp) :: loss
 
       loss = potential_of(curve, control, journey%contact)
+      journey%terms = journey%terms + size_of_potential(curve, journey%contact)
       if (journey%parts) then
          if (control == control_load) loss = not_a_number()
       else
          loss = loss - potential_of(curve, control, after)
+         journey%terms = journey%terms + size_of_potential(curve, after)
          journey%is_converged = journey%is_converged .and. after%is_converged
       end if
       journey%loss = journey%loss + loss
@@ -281,5 +287,20 @@ contains
       if (control == control_load) potential = potential - contact%load*contact%approach
       if (control == control_spring) potential = potential + curve%compliance*contact%load**2/2
    end function potential_of
+
+   !> Sum of the terms whose differences are the energy of a contact, and of its load times its approach.
+   pure real(dp) function size_of_potential(curve, contact) result(terms)
+      class(curve_t), intent(in) :: curve
+      type(contact_t), intent(in) :: contact
+
+      terms = (curve%tension*contact%spot%radius)**2/2
+      select type (curve)
+      type is (dugdale_curve_t)
+         terms = pi*curve%stress*contact%adhesion_radius**2*(curve%range + abs(contact%approach) + abs(contact%neck))
+      end select
+      if (contact%spot%radius > 0) terms = terms + contact%spot%load*contact%spot%depth + abs(contact%neck) &
+         & *(abs(contact%neck)*contact%spot%radius + contact%spot%load)
+      terms = terms + product(terms_of(contact))
+   end function size_of_potential
 
 end module adfric_round_stretches
