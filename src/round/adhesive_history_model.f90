@@ -55,11 +55,21 @@ module adfric_round_adhesive_history_model
    !> Most steps of a path.
    integer, parameter :: most_steps = 100000000
 
-   !> The numbers of the list that is given.
+   !> Indices of the lists, of which one is given.
+   integer, parameter :: lists(3) = [path_input%loads, path_input%approaches, path_input%base_approaches]
+
+   !> The numbers of a list; not allocated where it is not given.
+   type :: prescribed_list_t
+      !> Loads [N], or approaches [m]; shape `(n_steps)`.
+      real(dp), allocatable :: values(:)
+   end type prescribed_list_t
+
+   !> The model with its path.
    type, extends(stepwise_model_t) :: adhesive_indenter_history_t
-      !> Loads [N], or approaches [m] of the indenter or of the base; shape `(n_steps)`.
-      real(dp), allocatable :: list(:)
+      !> Loads, approaches, and approaches of the base.
+      type(prescribed_list_t) :: lists(size(lists))
    contains
+      procedure :: has_list
       procedure :: take_dataset
       procedure :: check_values
       procedure :: count_steps
@@ -127,7 +137,7 @@ contains
       r(out%jump_in_load) = result_row(name='jump_in_load', unit='N', long_name='load right after contact has jumped in')
       r(out%jumps) = result_row(name='jumps', unit='-', long_name='jumps of the radius of adhesion, in and off')
       r(out%dissipated_energy) = result_row(name='dissipated_energy', unit='J', long_name='energy that jumps and opening have '// &
-         & 'taken by the end; none known once bodies part under a load', is_main=.true.)
+         & 'taken by the end; none known once bodies part under a load')
       r(out%largest_contact_radius) = result_row(name='largest_contact_radius', unit='m', long_name='largest radius of contact '// &
          & 'at a step')
    end subroutine set_results
@@ -142,10 +152,27 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      self%list = values(:, 1)
-      associate (unused => problems, unused_too => index)
+      self%lists(findloc(lists, index, 1))%values = values(:, 1)
+      associate (unused => problems)
       end associate
    end subroutine take_dataset
+
+   !> Index of the list that is given.
+   pure integer function given_list(values) result(k)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      k = max(1, findloc(is_set(values(lists)), .true., 1))
+   end function given_list
+
+   !> Are the numbers of the list that is given at hand?
+   pure logical function has_list(self, values)
+      class(adhesive_indenter_history_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      has_list = allocated(self%lists(given_list(values))%values)
+   end function has_list
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
@@ -161,7 +188,6 @@ contains
       type(adhesive_path_t) :: path
       type(checks_t) :: c
       real(dp) :: indenter(n_indenter_variables)
-      integer, parameter :: lists(3) = [path_input%loads, path_input%approaches, path_input%base_approaches]
       integer :: before, given
 
       associate (unused => is_swept)
@@ -190,14 +216,14 @@ contains
       call c%need([path_input%machine_stiffness], c%has(path_input%base_approaches))
       call c%add(path_input%machine_stiffness, 'has no meaning without base_approaches, the approaches of the base of the '// &
          & 'spring', c%has(path_input%machine_stiffness) .and. .not. c%has(path_input%base_approaches))
-      if (problems%count() > before .or. .not. allocated(self%list)) return
+      if (problems%count() > before .or. .not. self%has_list(values)) return
       call resolve_case(indenter, case)
-      given = lists(findloc(is_set(values(lists)), .true., 1))
+      given = given_list(values)
       if (.not. is_possible(indenter, case)) then
          if (c%is_choice(in%kind, kind_sphere) .and. case%theory == theory_maugis_dugdale) then
             call c%add(in%radius, 'is so small that adhesion would reach beyond the sphere')
          else
-            call refuse_size(self%variables(given), maxval(abs(self%list)), problems)
+            call refuse_size(self%variables(lists(given)), maxval(abs(self%lists(given)%values)), problems)
          end if
          return
       end if
@@ -228,7 +254,7 @@ contains
       indenter = plain_indenter(values(:in%lambda))
       indenter(in%theory) = choose_auto
       most = 0
-      if (allocated(self%list)) most = maxval(abs(self%list))
+      if (self%has_list(values)) most = maxval(abs(self%lists(given_list(values))%values))
       if (is_set(values(path_input%loads))) then
          indenter(in%load) = most
       else if (is_set(values(path_input%base_approaches))) then
@@ -246,9 +272,7 @@ contains
       real(dp), intent(in) :: values(:)
 
       count_steps = 0
-      if (allocated(self%list)) count_steps = size(self%list)
-      associate (unused => values)
-      end associate
+      if (self%has_list(values)) count_steps = size(self%lists(given_list(values))%values)
    end function count_steps
 
    !> See `pointwise_model_t`.
@@ -280,8 +304,8 @@ contains
       if (.not. is_possible(indenter, case)) return
       call begin_path(case%curve, case%control, opening_ratio(values), path)
       allocate (found)
-      allocate (found%steps(size(self%list), n_profiles))
-      call follow_list(self%list, case, path, found%steps, error_estimate)
+      allocate (found%steps(self%count_steps(values), n_profiles))
+      call follow_list(self%lists(given_list(values))%values, case, path, found%steps, error_estimate)
       status = merge(status_solved, status_not_converged, path%is_converged)
       if (.not. path%is_converged) return
       call store_results(case, path, found%steps, results)
@@ -330,6 +354,7 @@ contains
       most = max(most, abs([path%least_load, path%least_approach]))
       error_estimate = round_off
       if (any(terms > 0)) error_estimate = round_off*max(1.0_dp, maxval(terms/most))
+      if (path%least_load < 0) error_estimate = max(error_estimate, round_off*path%least_load_terms/abs(path%least_load))
       if (has_energy(path)) error_estimate = max(error_estimate, round_off*path%terms/path%taken)
       ! no digits at all
       error_estimate = min(error_estimate, 1.0_dp)

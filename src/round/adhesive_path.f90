@@ -16,7 +16,7 @@ module adfric_round_adhesive_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_round_contact_state, only: contact_t, prescribed_by, set_contact
+   use adfric_round_contact_state, only: contact_t, prescribed_by, set_contact, terms_of
    use adfric_round_curve, only: control_approach, control_load, curve_t, most_intervals
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_pinned_edge, only: contact_at_edge, pin_contact, work_of_edge
@@ -54,8 +54,8 @@ module adfric_round_adhesive_path
       logical :: has_parted = .false.
       !> Load and approach of that state.
       real(dp) :: last_load = 0, last_approach = 0
-      !> Least load so far, and the approach there.
-      real(dp) :: least_load = 0, least_approach = 0
+      !> Least load so far, the approach there, and the size of the terms of that load.
+      real(dp) :: least_load = 0, least_approach = 0, least_load_terms = 0
       !> Were all states found to round-off?
       logical :: is_converged = .true.
    end type adhesive_path_t
@@ -125,7 +125,7 @@ contains
       else
          path%contact = pinned
       end if
-      if (path%is_bound) call take_load(path, path%contact%load, path%contact%approach)
+      if (path%is_bound) call take_contact(path, path%contact)
    end subroutine go_to
 
    !> Bodies that are apart come into the reach of each other, or stay apart.
@@ -153,7 +153,7 @@ contains
       end if
       call follow_stretches(path%closing, path%closes, 1, journey, given)
       call take_rise(path, journey)
-      call take_load(path, path%contact%load, path%contact%approach)
+      call take_contact(path, path%contact)
    end subroutine approach_from_apart
 
    !> The edge moves outward or inward.
@@ -216,11 +216,11 @@ contains
       path%is_converged = path%is_converged .and. journey%is_converged
       do k = 1, journey%n_passages
          associate (passage => journey%passages(k))
-            call take_load(path, passage%load, passage%approach)
+            call take_load(path, passage%load, passage%approach, passage%load_terms)
             do i = 1, path%n_folds
                associate (fold => path%folds(i))
                   if (fold%adhesion_radius >= passage%left .and. fold%adhesion_radius <= passage%entered) &
-                     & call take_load(path, fold%load, fold%approach)
+                     & call take_contact(path, fold)
                end associate
             end do
          end associate
@@ -231,20 +231,32 @@ contains
       path%has_parted = .true.
       path%last_load = journey%contact%load
       path%last_approach = journey%contact%approach
-      if (journey%n_passages == 0) call take_load(path, path%last_load, path%last_approach)
+      if (journey%n_passages == 0) call take_contact(path, journey%contact)
       path%contact = contact_t()
       path%contact%approach = given
       if (path%control == control_load) path%contact%approach = not_a_number()
    end subroutine take_fall
 
-   !> Is a load the least one so far?
-   pure subroutine take_load(path, load, approach)
+   !> Is the load of a contact the least one so far?
+   pure subroutine take_contact(path, contact)
       type(adhesive_path_t), intent(inout) :: path
-      real(dp), intent(in) :: load, approach
+      type(contact_t), intent(in) :: contact
+      real(dp) :: terms(2)
+
+      terms = terms_of(contact)
+      call take_load(path, contact%load, contact%approach, terms(1))
+   end subroutine take_contact
+
+   !> Is a load the least one so far?
+   pure subroutine take_load(path, load, approach, terms)
+      type(adhesive_path_t), intent(inout) :: path
+      !> The load, the approach there, and the size of the terms of the load.
+      real(dp), intent(in) :: load, approach, terms
 
       if (.not. load < path%least_load) return
       path%least_load = load
       path%least_approach = approach
+      path%least_load_terms = terms
    end subroutine take_load
 
 end module adfric_round_adhesive_path

@@ -50,8 +50,8 @@ module adfric_round_stretches
    type :: passage_t
       !> Radius of adhesion where it was entered, and where it was left.
       real(dp) :: entered = 0, left = 0
-      !> Load and approach where it was left.
-      real(dp) :: load = 0, approach = 0
+      !> Load and approach where it was left, and the size of the terms of that load.
+      real(dp) :: load = 0, approach = 0, load_terms = 0
    end type passage_t
 
    !> What a contact has gone through while what is prescribed rose or fell.
@@ -170,10 +170,13 @@ contains
       !> Radius of adhesion where it was entered.
       real(dp), intent(in) :: entered
       type(journey_t), intent(inout) :: journey
+      real(dp) :: terms(2)
 
+      terms = terms_of(journey%contact)
       journey%n_passages = journey%n_passages + 1
       associate (contact => journey%contact)
-         journey%passages(journey%n_passages) = passage_t(entered, contact%adhesion_radius, contact%load, contact%approach)
+         journey%passages(journey%n_passages) = passage_t(entered, contact%adhesion_radius, contact%load, contact%approach, &
+            & terms(1))
       end associate
    end subroutine add_passage
 
