@@ -123,8 +123,7 @@ contains
       !> Receives the rows; shape `(n_results)`.
       type(result_t), intent(out) :: r(:)
 
-      r(out%pull_off_load) = result_row(name='pull_off_load', unit='N', long_name='load of the last state before bodies part', &
-         & is_main=.true.)
+      r(out%pull_off_load) = result_row(name='pull_off_load', unit='N', long_name='load of the last state before bodies part')
       r(out%pull_off_approach) = result_row(name='pull_off_approach', unit='m', long_name='approach of that state')
       r(out%pull_off_base_approach) = result_row(name='pull_off_base_approach', unit='m', &
          & long_name='approach of the base of the spring in that state')
