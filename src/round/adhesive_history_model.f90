@@ -2,6 +2,8 @@
 !> The model `adhesive_indenter_history`: an indenter with adhesion on an elastic half-space through a path of loads, approaches, or
 !> approaches of the base of a spring, with the jumps of the contact. Opening may take more work than closing gives. What each step
 !> leaves is a profile along the axis `step`.
+!>
+!> The file is long by the rows of variables, results and profiles.
 module adfric_round_adhesive_history_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
