@@ -19,8 +19,7 @@ module adfric
    use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
    use adfric_periodic_surface_time, only: surface_time_t, new_surface_time
-   use adfric_periodic_wave_1d_model, only: wave_1d_cells_t, new_wave_1d_cells
-   use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
+   use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_1d_cells, new_wave_2d_model
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
    implicit none (type, external)
@@ -51,7 +50,6 @@ contains
       type(punch_model_t), allocatable :: punch
       type(wave_model_t), allocatable :: wave
       type(wave_2d_model_t), allocatable :: wave_2d
-      type(wave_1d_cells_t), allocatable :: wave_1d_cells
       type(surface_model_t), allocatable :: surface
       type(sliding_model_t), allocatable :: sliding
       type(adhesive_cylinder_t), allocatable :: adhesive_cylinder
@@ -109,9 +107,9 @@ contains
          call new_wave_model(wave)
          call move_alloc(wave, model)
       case ('wave_1d_elastic')
-         allocate (wave_1d_cells)
-         call new_wave_1d_cells(wave_1d_cells)
-         call move_alloc(wave_1d_cells, model)
+         allocate (wave_2d)
+         call new_wave_1d_cells(wave_2d)
+         call move_alloc(wave_2d, model)
       case ('wave_2d_elastic')
          allocate (wave_2d)
          call new_wave_2d_model(wave_2d)

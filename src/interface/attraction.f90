@@ -19,10 +19,8 @@ module adfric_interface_attraction
    implicit none (type, external)
    private
    public :: attraction_t, attraction_by_stress, attraction_by_work, attraction_of_table, work_ratio
-   public :: law_dugdale, law_exponential, law_linear, law_van_der_waals, law_lennard_jones, law_table, law_words
+   public :: law_dugdale, law_exponential, law_linear, law_van_der_waals, law_lennard_jones, law_table
 
-   !> Words of the laws, in the order of their indices.
-   character(*), parameter :: law_words = 'dugdale exponential linear van_der_waals lennard_jones table'
    !> Indices of the laws.
    integer, parameter :: law_dugdale = 1, law_exponential = 2, law_linear = 3, law_van_der_waals = 4, law_lennard_jones = 5, &
       & law_table = 6

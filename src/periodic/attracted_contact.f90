@@ -24,7 +24,7 @@
 module adfric_periodic_attracted_contact
    use adfric_base_kinds, only: dp
    use adfric_periodic_attraction_cells, only: attraction_cells_t
-   use adfric_periodic_contact, only: contact_state_t, residual_of
+   use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_linear_step, only: linear_step_t, new_linear_step, step_solved
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
@@ -44,7 +44,7 @@ module adfric_periodic_attracted_contact
    !> What may be left, over what is usual, below which a bound does not go on.
    real(dp), parameter :: least_care = 1.0e-9_dp
 
-   !> A bound on its way to the state.
+   !> A bound that moves to the state.
    type :: bound_t
       !> Does the bound fall to the least adhered state? Else it rises to the most adhered one.
       logical :: falls = .false.

@@ -8,7 +8,7 @@
 !> A the stiffness (`adfric_periodic_operator`), F what presses the cells together at a gap g, and c <= 0 the slope of the tension there.
 !> The open region is sought by `adfric_periodic_region_search`, the gap over it by conjugate gradients with the sum over grids of
 !> `adfric_periodic_levels`; gap and f are carried along, so a step takes one pair of transforms. Conjugate gradients see where A + diag(c)
-!> is not positive definite on the open region: the solid gives way, and the step ends.
+!> is not positive definite on the open region: the solid yields, and the step ends.
 !>
 !> `dominates` is the other question to the same matrix: whether w > 0 with (A + diag(c)) w > 0 exists on a region. Where no entry off the
 !> diagonal is positive the matrix then has an inverse without negative entries.

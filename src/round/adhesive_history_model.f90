@@ -10,7 +10,7 @@ module adfric_round_adhesive_history_model
    use adfric_base_counting, only: counting
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set, unset
+   use adfric_base_unset, only: is_set
    use adfric_describe_check, only: checks_t, new_checks, refuse_size
    use adfric_describe_derived, only: derived_t
    use adfric_describe_pointwise, only: point_state_t
@@ -18,11 +18,11 @@ module adfric_round_adhesive_history_model
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
    use adfric_describe_stepwise, only: steps_t, stepwise_model_t
    use adfric_describe_table, only: profile_t, result_t, variable_t
-   use adfric_round_adhesive_path, only: adhesive_path_t, begin_path, go_to
+   use adfric_round_adhesive_path, only: adhesive_path_t, begin_path, go_to, new_opening
    use adfric_round_case, only: indenter_case_t, is_possible, resolve_case
    use adfric_round_check, only: check_adhesion, check_shape_alone
    use adfric_round_contact_state, only: terms_of
-   use adfric_round_curve, only: control_approach, control_load, control_spring
+   use adfric_round_curve, only: control_approach, control_load, control_spring, curve_t
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_edge_slope, only: measure_edge
    use adfric_round_indenter_states, only: plain_indenter
@@ -186,10 +186,11 @@ contains
       type(problems_t), intent(inout) :: problems
       type(variable_t), allocatable :: rows(:)
       type(indenter_case_t) :: case
-      type(adhesive_path_t) :: path
+      class(curve_t), allocatable :: opening
       type(checks_t) :: c
       real(dp) :: indenter(n_indenter_variables)
       integer :: before, given
+      logical :: fits
 
       associate (unused => is_swept)
       end associate
@@ -220,19 +221,20 @@ contains
       if (problems%count() > before .or. .not. self%has_list(values)) return
       call resolve_case(indenter, case)
       given = given_list(values)
-      if (.not. is_possible(indenter, case)) then
-         if (c%is_choice(in%kind, kind_sphere) .and. case%theory == theory_maugis_dugdale) then
-            call c%add(in%radius, 'is so small that adhesion would reach beyond the sphere')
-         else
-            call refuse_size(self%variables(lists(given)), maxval(abs(self%lists(given)%values)), problems)
-         end if
-         return
+      fits = is_possible(indenter, case)
+      if (fits) call new_opening(case%curve, opening_ratio(values), opening)
+      if (allocated(opening)) then
+         select type (opening)
+         type is (dugdale_curve_t)
+            fits = opening%has_space(0.0_dp, .true.)
+         end select
       end if
-      call begin_path(case%curve, case%control, opening_ratio(values), path)
-      select type (opening => path%opening)
-      type is (dugdale_curve_t)
-         call c%add(in%radius, 'is so small that adhesion would reach beyond the sphere', .not. opening%has_space(0.0_dp, .true.))
-      end select
+      if (fits) return
+      if (c%is_choice(in%kind, kind_sphere) .and. case%theory == theory_maugis_dugdale) then
+         call c%add(in%radius, 'is so small that adhesion would reach beyond the sphere')
+      else
+         call refuse_size(self%variables(lists(given)), maxval(abs(self%lists(given)%values)), problems)
+      end if
    end subroutine check_values
 
    !> Work of opening over that of closing.

@@ -16,6 +16,7 @@ module adfric_round_adhesive_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_round_contact, only: reach_of
    use adfric_round_contact_state, only: contact_t, prescribed_by, set_contact, terms_of
    use adfric_round_curve, only: control_approach, control_load, curve_t, most_intervals
    use adfric_round_dugdale_curve, only: dugdale_curve_t
@@ -24,7 +25,7 @@ module adfric_round_adhesive_path
    use adfric_round_survey, only: survey_t, survey_curve
    implicit none (type, external)
    private
-   public :: adhesive_path_t, begin_path, go_to
+   public :: adhesive_path_t, begin_path, go_to, new_opening
 
    !> A contact on its path, reduced.
    type :: adhesive_path_t
@@ -77,12 +78,7 @@ contains
 
       path%control = control
       allocate (path%closing, source=curve)
-      allocate (path%opening, source=curve)
-      path%opening%tension = curve%tension*sqrt(work_ratio)
-      select type (opening => path%opening)
-      type is (dugdale_curve_t)
-         opening%range = opening%range*work_ratio
-      end select
+      call new_opening(curve, work_ratio, path%opening)
       call survey_curve(path%closing, control, survey)
       path%is_converged = survey%ends%is_converged
       call list_stretches(survey, control, path%closes)
@@ -97,6 +93,23 @@ contains
             & path%folds(path%n_folds))
       end do
    end subroutine begin_path
+
+   !> The curve of opening: the work is larger, and the stress is the same.
+   pure subroutine new_opening(curve, work_ratio, opening)
+      !> The curve of closing.
+      class(curve_t), intent(in) :: curve
+      !> Work of opening over that of closing, >= 1.
+      real(dp), intent(in) :: work_ratio
+      !> In: not allocated. Out: the curve.
+      class(curve_t), allocatable, intent(inout) :: opening
+
+      allocate (opening, source=curve)
+      opening%tension = curve%tension*sqrt(work_ratio)
+      select type (opening)
+      type is (dugdale_curve_t)
+         opening%range = opening%range*work_ratio
+      end select
+   end subroutine new_opening
 
    !> Go to the end of a leg.
    pure subroutine go_to(path, given, is_found)
@@ -137,10 +150,7 @@ contains
       real(dp) :: reach
 
       reach = 0
-      select type (closing => path%closing)
-      type is (dugdale_curve_t)
-         if (path%control /= control_load) reach = -closing%range
-      end select
+      if (path%control /= control_load) reach = reach_of(path%closing)
       path%contact = contact_t()
       is_found = given >= reach .or. path%control /= control_load
       if (given < reach) then

@@ -12,7 +12,8 @@ module adfric_round_contact
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: find_contact, part_bodies, take_given, try_interval, try_disc_range, branch_stable, branch_inner, branch_unstable
+   public :: find_contact, part_bodies, reach_of, take_given, try_interval, try_disc_range
+   public :: branch_stable, branch_inner, branch_unstable
 
    !> Which state is meant where there are several: the largest stable one, the smallest stable one, the largest unstable one.
    integer, parameter :: branch_stable = 1, branch_inner = 2, branch_unstable = 3
@@ -74,21 +75,26 @@ contains
       real(dp), intent(in) :: given
       !> In: what was found, no contact. Out: the state, if there is one.
       type(contact_t), intent(inout) :: contact
-      real(dp) :: range
 
       if (control /= control_approach .and. control /= control_spring .or. abs(curve%outer_pull) > 0) return
-      range = 0
-      select type (curve)
-      type is (dugdale_curve_t)
-         range = curve%range
-      end select
-      if (.not. given < -range) return
+      if (.not. given < reach_of(curve)) return
       contact = contact_t()
       contact%is_found = .true.
       contact%is_stable = .true.
       contact%is_beyond = .false.
       contact%approach = given
    end subroutine part_bodies
+
+   !> Approach from which on bodies that are apart attract each other: without a range 0, with one -h0.
+   pure real(dp) function reach_of(curve) result(reach)
+      class(curve_t), intent(in) :: curve
+
+      reach = 0
+      select type (curve)
+      type is (dugdale_curve_t)
+         reach = -curve%range
+      end select
+   end function reach_of
 
    !> The contact within one interval, if it has what is prescribed.
    pure subroutine try_interval(curve, control, given, interval, contact)

@@ -8,12 +8,11 @@
 module adfric_round_loop
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_round_contact, only: find_contact, branch_stable
+   use adfric_round_contact, only: find_contact, reach_of, branch_stable
    use adfric_round_contact_state, only: contact_t
    use adfric_round_survey, only: survey_t
    use adfric_round_curve, only: curve_t, control_spring
    use adfric_round_stretches, only: follow_stretches, journey_t, list_stretches, potential_of, stretches_t
-   use adfric_round_dugdale_curve, only: dugdale_curve_t
    implicit none (type, external)
    private
    public :: loop_t, find_loop
@@ -47,11 +46,7 @@ contains
       loop%jump_in_load = not_a_number()
       loop%pull_off = survey%ends%pull_off_approach
       if (control == control_spring) loop%pull_off = loop%pull_off + curve%compliance*survey%ends%pull_off_load
-      apart = 0
-      select type (curve)
-      type is (dugdale_curve_t)
-         apart = -curve%range
-      end select
+      apart = reach_of(curve)
       if (curve%shape%n_pieces == 0) then
          call follow_face(curve, survey, control, apart, loop)
       else

@@ -16,7 +16,7 @@
 !> together, and each has one state. The gap at c follows as dh = -(2/pi) arccos(a/c) ddelta < 0, so G falls along them: what
 !> moves the edge first is known from the state at the end.
 !>
-!> Where a is 0 bodies are held by the disc alone: P = -pi S c^2, h(c) = f(c) - delta - 4 S c/pi.
+!> Where a is 0 the disc alone carries the load: P = -pi S c^2, h(c) = f(c) - delta - 4 S c/pi.
 module adfric_round_pinned_edge
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi, pi, two_pi

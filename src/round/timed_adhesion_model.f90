@@ -7,7 +7,7 @@ module adfric_round_timed_adhesion_model
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count, show_number
    use adfric_base_unset, only: is_set
-   use adfric_describe_check, only: checks_t, new_checks, refuse_swept
+   use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
    use adfric_describe_stepwise, only: steps_t
