@@ -247,7 +247,10 @@ contains
       if (.not. is_solved) return
       do grid = 2, most_grids
          ratio = 2
-         if (grid > 4 .and. error*2**least_power <= last_error) ratio = next_ratio(setting, cell, error, tolerance)
+         ! before there are two errors there is nothing to compare
+         if (grid > 4) then
+            if (error*2**least_power <= last_error) ratio = next_ratio(setting, cell, error, tolerance)
+         end if
          last_error = error
          cell = cell/ratio
          if (setting%largest%adhesion_radius/cell > 2*most_cells) exit
