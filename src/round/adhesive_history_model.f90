@@ -332,10 +332,11 @@ contains
       unit = case%height_unit
       if (case%control == control_load) unit = case%force_unit()
       terms = 0
-      most = tiny(most)
+      most = 0
+      error_estimate = round_off
       do k = 1, size(list)
          call go_to(path, list(k)/unit, is_found)
-         if (.not. path%is_converged) exit
+         if (.not. path%is_converged) return
          steps(k, :) = not_a_number()
          steps(k, p_taken) = path%taken*case%force_unit()*case%height_unit
          steps(k, [p_contact, p_adhesion]) = 0
@@ -355,12 +356,11 @@ contains
          end associate
       end do
       most = max(most, abs([path%least_load, path%least_approach]))
-      error_estimate = round_off
-      if (any(terms > 0)) error_estimate = round_off*max(1.0_dp, maxval(terms/most))
-      if (path%least_load < 0) error_estimate = max(error_estimate, round_off*path%least_load_terms/abs(path%least_load))
-      if (has_energy(path)) error_estimate = max(error_estimate, round_off*path%terms/path%taken)
-      ! no digits at all
-      error_estimate = min(error_estimate, 1.0_dp)
+      do k = 1, 2
+         error_estimate = max(error_estimate, lost_part(terms(k), most(k)))
+      end do
+      if (path%least_load < 0) error_estimate = max(error_estimate, lost_part(path%least_load_terms, abs(path%least_load)))
+      if (has_energy(path)) error_estimate = max(error_estimate, lost_part(path%terms, path%taken))
    end subroutine follow_list
 
    !> The results of a path.
@@ -393,6 +393,16 @@ contains
       end if
       results(out%largest_contact_radius) = maxval(steps(:, p_contact))
    end subroutine store_results
+
+   !> Round-off of a difference over itself, at most 1: then it has no digits at all.
+   pure real(dp) function lost_part(terms, difference) result(part)
+      !> Sum of the terms, >= 0, and their difference, >= 0.
+      real(dp), intent(in) :: terms, difference
+
+      part = 0
+      if (terms > 0) part = 1
+      if (difference > round_off*terms) part = round_off*terms/difference
+   end function lost_part
 
    !> Is what has been taken known, and more than the round-off of its terms?
    pure logical function has_energy(path)

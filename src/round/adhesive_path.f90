@@ -129,6 +129,7 @@ contains
       edge = path%contact%adhesion_radius
       call pin_contact(path%closing, path%control, edge, given, pinned, release)
       path%is_converged = path%is_converged .and. pinned%is_converged
+      if (.not. path%is_converged) return
       if (pinned%is_found .and. release < work_of_edge(path%closing)) then
          call move_edge(path, 1, given)
       else if (.not. pinned%is_found .or. release > work_of_edge(path%opening)) then
@@ -177,19 +178,30 @@ contains
 
       edge = path%contact%adhesion_radius
       if (direction > 0) then
-         call contact_at_edge(path%closing, path%control, edge, journey%contact)
-         journey%prescribed = prescribed_by(path%closing, path%control, journey%contact)
-         journey%is_converged = journey%contact%is_converged
-         call follow_stretches(path%closing, path%closes, 1, journey, given)
+         call begin_journey(path%closing, path%control, edge, journey)
+         if (journey%is_converged) call follow_stretches(path%closing, path%closes, 1, journey, given)
          call take_rise(path, journey)
       else
-         call contact_at_edge(path%opening, path%control, edge, journey%contact)
-         journey%prescribed = prescribed_by(path%opening, path%control, journey%contact)
-         journey%is_converged = journey%contact%is_converged
-         call follow_stretches(path%opening, path%opens, -1, journey, given)
+         call begin_journey(path%opening, path%control, edge, journey)
+         if (journey%is_converged) call follow_stretches(path%opening, path%opens, -1, journey, given)
          call take_fall(path, journey, edge, given)
       end if
    end subroutine move_edge
+
+   !> The state of a curve from which an edge begins to move.
+   pure subroutine begin_journey(curve, control, edge, journey)
+      class(curve_t), intent(in) :: curve
+      !> What is prescribed.
+      integer, intent(in) :: control
+      !> Radius of adhesion.
+      real(dp), intent(in) :: edge
+      !> Receives the state, and whether it was found to round-off.
+      type(journey_t), intent(out) :: journey
+
+      call contact_at_edge(curve, control, edge, journey%contact)
+      journey%is_converged = journey%contact%is_converged
+      if (journey%is_converged) journey%prescribed = prescribed_by(curve, control, journey%contact)
+   end subroutine begin_journey
 
    !> Take over what a rise has come to.
    pure subroutine take_rise(path, journey)
