@@ -21,7 +21,7 @@ module adfric_round_adhesive_path
    use adfric_round_curve, only: control_approach, control_load, curve_t, most_intervals
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_pinned_edge, only: contact_at_edge, pin_contact, work_of_edge
-   use adfric_round_stretches, only: follow_stretches, journey_t, list_stretches, stretches_t
+   use adfric_round_stretches, only: follow_stretches, journey_t, list_stretches, radii_of, stretches_t
    use adfric_round_survey, only: survey_t, survey_curve
    implicit none (type, external)
    private
@@ -241,8 +241,7 @@ contains
             call take_load(path, passage%load, passage%approach, passage%load_terms)
             do i = 1, path%n_folds
                associate (fold => path%folds(i))
-                  if (fold%adhesion_radius >= passage%left .and. fold%adhesion_radius <= passage%entered) &
-                     & call take_contact(path, fold)
+                  if (all(radii_of(fold) >= passage%left .and. radii_of(fold) <= passage%entered)) call take_contact(path, fold)
                end associate
             end do
          end associate

@@ -23,14 +23,18 @@ module adfric_round_pinned_edge
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_round_contact, only: take_given
    use adfric_round_contact_state, only: contact_t, set_contact, set_disc
-   use adfric_round_curve, only: control_approach, control_load, control_spring, curve_t
+   use adfric_round_curve, only: at_corner, control_approach, control_load, control_spring, curve_t
    use adfric_round_dugdale_curve, only: dugdale_curve_t, get_range
    use adfric_round_shape, only: spot_t, within_edge
    implicit none (type, external)
    private
    public :: pin_contact, contact_at_edge, work_of_edge
 
-   !> A contact of a given edge: its load, approach or base less what is given, or its gap there less the range.
+   !> A contact of a given edge c: its load, approach or base less what is given, or its gap there less the range.
+   !>
+   !> The zone s alone says little of a small contact, and of one beside the corner b of the profile. So with S^2 = c^2 - b^2 the
+   !> unknown is psi, s = S sin psi and v = sqrt(a^2 - b^2) = S cos psi. Where c lies within the corner, or there is none, b counts
+   !> as 0. Contacts within the corner of an edge beyond it have the unknown w = sqrt(b^2 - a^2).
    type, extends(equation_t) :: pinned_equation_t
       !> The curve, whose range is used where `is_of_gap`.
       type(dugdale_curve_t) :: curve
@@ -40,6 +44,10 @@ module adfric_round_pinned_edge
       integer :: control = control_load
       !> Is the gap wanted?
       logical :: is_of_gap = .false.
+      !> The corner b, 0 where it does not count, and S.
+      real(dp) :: corner = 0, widest = 1
+      !> Is w the unknown?
+      logical :: is_within = .false.
    contains
       procedure :: evaluate
    end type pinned_equation_t
@@ -184,75 +192,105 @@ contains
       type(pinned_equation_t), intent(inout) :: equation
       !> Receives what the equation says of the contact; not found where even the disc has more of what is wanted.
       type(contact_t), intent(out) :: contact
-      real(dp) :: s, value, slope
+      real(dp) :: x, value, slope, last
 
       allocate (equation%curve%shape, source=curve%shape)
       equation%curve%stress = curve%stress
       equation%curve%range = curve%range
       equation%curve%compliance = curve%compliance
-      call equation%evaluate(equation%edge, value, slope)
+      if (equation%edge > curve%shape%corner) equation%corner = curve%shape%corner
+      equation%widest = sqrt((equation%edge - equation%corner)*(equation%edge + equation%corner))
+      last = half_pi
+      call equation%evaluate(last, value, slope)
+      if (.not. value < 0 .and. equation%corner > 0) then
+         equation%is_within = .true.
+         last = equation%corner
+         call equation%evaluate(last, value, slope)
+      end if
       contact%is_found = value < 0
       if (.not. contact%is_found) return
-      s = 0
+      x = 0
       value = 1
-      if (.not. equation%is_of_gap) call equation%evaluate(s, value, slope)
       ! where the whole disc touches there is no zone
+      if (.not. (equation%is_of_gap .or. equation%is_within)) call equation%evaluate(x, value, slope)
       if (value > 0) then
-         s = equation%edge/2
-         call find_root(equation, 0.0_dp, equation%edge, .false., s, contact%is_converged)
+         x = last/2
+         call find_root(equation, 0.0_dp, last, .false., x, contact%is_converged)
       end if
-      call set_pinned(equation, s, contact)
+      call set_pinned(equation, x, contact)
    end subroutine find_zone
 
    !> Load and approach of a contact of a given edge.
-   pure subroutine set_pinned(equation, s, contact)
+   pure subroutine set_pinned(equation, x, contact, zone_slope, u_slope)
       type(pinned_equation_t), intent(in) :: equation
-      !> s = sqrt(c^2 - a^2), 0 to c.
-      real(dp), intent(in) :: s
+      !> The unknown.
+      real(dp), intent(in) :: x
       !> Receives what it is.
       type(contact_t), intent(inout) :: contact
-      real(dp) :: a
+      !> Receive ds/dx and du/dx.
+      real(dp), intent(out), optional :: zone_slope, u_slope
+      real(dp) :: a, s, s_slope, slope
 
-      associate (shape => equation%curve%shape, c => equation%edge, pull => equation%curve%stress)
-         a = sqrt(max(c - s, 0.0_dp)*(c + s))
-         contact%is_beyond = a >= shape%corner
-         contact%u = shape%unknown_of(a)
+      associate (shape => equation%curve%shape, b => equation%corner, c => equation%edge, pull => equation%curve%stress)
+         slope = 0
+         if (equation%is_within) then
+            s = sqrt(equation%widest**2 + x**2)
+            a = sqrt((b - x)*(b + x))
+            s_slope = x/s
+            contact%is_beyond = .false.
+            contact%u = a
+            if (shape%has_face) contact%u = min(a/max(x, a/at_corner), at_corner)
+            if (.not. shape%has_face .and. a > 0) slope = -x/a
+         else
+            s = equation%widest*sin(x)
+            s_slope = max(equation%widest*cos(x), 0.0_dp)
+            contact%is_beyond = b > 0 .or. s_slope >= shape%corner
+            contact%u = s_slope
+            if (.not. b > 0) contact%u = shape%unknown_of(s_slope)
+         end if
          call shape%evaluate(contact%u, contact%is_beyond, contact%spot)
+         a = contact%spot%radius
+         if (.not. equation%is_within) then
+            slope = -s
+            if (.not. b > 0 .and. contact%spot%radius_slope > 0) slope = -s/contact%spot%radius_slope
+         end if
          contact%neck = 2*pull*s
          contact%load = contact%spot%load - 2*pull*(c**2*atan2(s, a) + a*s)
          contact%approach = contact%spot%depth - contact%neck
          contact%stiffness = 2*a
       end associate
+      if (present(zone_slope)) zone_slope = s_slope
+      if (present(u_slope)) u_slope = slope
    end subroutine set_pinned
 
-   !> See `equation_t`: what is prescribed less what is given, or the range less the gap. Both fall with s.
+   !> See `equation_t`: what is prescribed less what is given, or the range less the gap. Both fall with the unknown.
    pure subroutine evaluate(self, x, value, slope)
       class(pinned_equation_t), intent(in) :: self
       real(dp), intent(in) :: x
       real(dp), intent(out) :: value, slope
       type(contact_t) :: contact
-      real(dp) :: gap, ratio, opening, intensity, rate
+      real(dp) :: s, gap, ratio, opening, intensity, rate, zone_slope, u_slope
 
-      call set_pinned(self, x, contact)
+      call set_pinned(self, x, contact, zone_slope, u_slope)
       associate (spot => contact%spot, a => contact%spot%radius)
-         ! -ddelta/ds, s ds = -a da
-         rate = 2*self%curve%stress
-         if (a > 0 .and. spot%radius_slope > 0) rate = rate + spot%depth_slope/spot%radius_slope*x/a
+         ! ddelta/dx
+         rate = spot%depth_slope*u_slope - 2*self%curve%stress*zone_slope
          if (self%is_of_gap) then
-            call get_range(self%curve, spot, contact%is_beyond, x, gap, ratio, opening, intensity)
+            s = contact%neck/(2*self%curve%stress)
+            call get_range(self%curve, spot, contact%is_beyond, s, gap, ratio, opening, intensity)
             value = self%curve%range - gap
-            slope = -rate*atan2(x, a)/half_pi
+            slope = rate*atan2(s, a)/half_pi
          else
             select case (self%control)
             case (control_load)
                value = contact%load - self%given
-               slope = -2*a*rate
+               slope = 2*a*rate
             case (control_approach)
                value = contact%approach - self%given
-               slope = -rate
+               slope = rate
             case default
                value = contact%approach + self%curve%compliance*contact%load - self%given
-               slope = -rate*(1 + 2*self%curve%compliance*a)
+               slope = rate*(1 + 2*self%curve%compliance*a)
             end select
          end if
       end associate

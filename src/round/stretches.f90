@@ -19,7 +19,7 @@ module adfric_round_stretches
    use adfric_round_energy, only: adhesive_energy
    implicit none (type, external)
    private
-   public :: stretches_t, journey_t, list_stretches, follow_stretches, potential_of
+   public :: stretches_t, journey_t, list_stretches, follow_stretches, potential_of, radii_of
 
    !> Radii that differ by less than this share are the same: beside a fold a radius has half the digits.
    real(dp), parameter :: close_by = 1.0e-6_dp
@@ -48,8 +48,8 @@ module adfric_round_stretches
 
    !> A part of a stretch that a contact has gone through.
    type :: passage_t
-      !> Radius of adhesion where it was entered, and where it was left.
-      real(dp) :: entered = 0, left = 0
+      !> Radii of contact and of adhesion where it was entered, and where it was left; shape `(2)`.
+      real(dp) :: entered(2) = 0, left(2) = 0
       !> Load and approach where it was left, and the size of the terms of that load.
       real(dp) :: load = 0, approach = 0, load_terms = 0
    end type passage_t
@@ -125,14 +125,14 @@ contains
       type(journey_t), intent(inout) :: journey
       !> What is prescribed at the end; if absent the largest contacts, or bodies that part.
       real(dp), intent(in), optional :: target
-      real(dp) :: entered
+      real(dp) :: entered(2)
 
       do
          if (journey%k == 0) then
             call land(curve, stretches, direction, merge(1, stretches%n, direction > 0), journey)
             if (journey%parts) return
          end if
-         entered = journey%contact%adhesion_radius
+         entered = radii_of(journey%contact)
          if (present(target)) then
             call find_in(curve, stretches, journey%k, target, journey%contact)
             journey%prescribed = target
@@ -165,17 +165,25 @@ contains
       call add_passage(entered, journey)
    end subroutine follow_stretches
 
+   !> Radii of contact and of adhesion. Where one of them hardly changes the other one tells states apart.
+   pure function radii_of(contact) result(radii)
+      type(contact_t), intent(in) :: contact
+      real(dp) :: radii(2)
+
+      radii = [contact%spot%radius, contact%adhesion_radius]
+   end function radii_of
+
    !> Take a part of a stretch into account, up to the state at hand.
    pure subroutine add_passage(entered, journey)
-      !> Radius of adhesion where it was entered.
-      real(dp), intent(in) :: entered
+      !> Radii of contact and of adhesion where it was entered; shape `(2)`.
+      real(dp), intent(in) :: entered(:)
       type(journey_t), intent(inout) :: journey
       real(dp) :: terms(2)
 
       terms = terms_of(journey%contact)
       journey%n_passages = journey%n_passages + 1
       associate (contact => journey%contact)
-         journey%passages(journey%n_passages) = passage_t(entered, contact%adhesion_radius, contact%load, contact%approach, &
+         journey%passages(journey%n_passages) = passage_t(entered, radii_of(contact), contact%load, contact%approach, &
             & terms(1))
       end associate
    end subroutine add_passage

@@ -147,6 +147,23 @@ class AdhesivePaths(SolverRuns):
         for name in ("load", "contact_radius", "adhesion_loss"):
             np.testing.assert_allclose(found[name], jkr[name], rtol=1e-3, err_msg=name)
 
+    def test_corner(self):
+        """A contact beside the corner of its flat face has all digits of its load, though its radius has none of what it is beyond."""
+        surface = "&surface kind = 'flat_paraboloid', face_radius = 3.1539008715394582e-6, radius = {} /\n"
+        solid = ("&solid young_modulus = 1.6376769073274173e5, poisson_ratio = -0.53448919019013197 /\n"
+                 "&adhesion work_of_adhesion = 4.359430850187325e-4, adhesion_range = 5.1901488113709939e-7, "
+                 "opening_work_of_adhesion = 4.8860129400927002e-4 /\n")
+        spring = "&operating machine_stiffness = 2.9151131405453606e-4 /\n"
+        base = -np.array([7.220337925915933e-11, 6.351613479062238e-10, 1.6850466920767759e-9, 3.080066578425058e-9, 4.631815841227695e-9,
+                          6.130722144003692e-9, 7.374349884836609e-9, 8.194740246147748e-9, 8.481094963702124e-9, 8.194740246147748e-9,
+                          3.080066578425058e-9])
+        # the first one had 2 digits when radii were unknowns
+        for radius in (1e-11, 1e-9, 1e-6, 1e-3):
+            loads = [self.solve(surface.format(radius) + solid + list_of("base_approaches", base*factor, spring))["load"]
+                     for factor in (1, 1 + 1e-12, 1 - 1e-12)]
+            for other in loads[1:]:
+                np.testing.assert_allclose(other, loads[0], rtol=1e-9, err_msg=radius)
+
     def test_units(self):
         """Lengths in another unit: loads, radii and energies go with it."""
         factor = 1e3
