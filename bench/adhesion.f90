@@ -1,14 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Surfaces that adhere to a half-space: time of a load and of the pull-off, on one thread. See bench/README.md.
 !>
+!> The law of adhesion is Dugdale's, and an exponential one of the same work and range beside it.
+!>
 !> adhesion [TABLE.csv [HEIGHTS]]
 !>
 !> HEIGHTS receives the gaps of the rough surface, raw numbers, for `adhesion_public`.
 program adhesion
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
+   use adfric_interface_attraction, only: attraction_by_work, law_exponential
    use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
+   use adfric_periodic_attracted_surface, only: periodic_attraction_t, solve_attracted_load
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
    use adfric_system_clock, only: wall_clock
@@ -30,9 +34,10 @@ program adhesion
    integer :: table
 
    call print_heading('Surfaces that adhere to a half-space')
-   table = open_table(text_argument(1, 'adhesion.csv'), 'surface,cells,stress,range,branch,load,ms,pairs,residual,contact,mean_gap')
-   print '(a10, a7, 2a9, a10, a10, a10, a8, 3a12)', 'surface', 'cells', 'stress', 'range', 'branch', 'load', 'ms', 'pairs', &
-      & 'residual', 'contact', 'mean gap'
+   table = open_table(text_argument(1, 'adhesion.csv'), &
+      & 'surface,law,cells,stress,range,branch,load,ms,pairs,residual,contact,mean_gap')
+   print '(a10, a12, a7, 2a9, a10, a10, a10, a8, 3a12)', 'surface', 'law', 'cells', 'stress', 'range', 'branch', 'load', 'ms', &
+      & 'pairs', 'residual', 'contact', 'mean gap'
    call solve_waves(n_wave, n_times, .true.)
    call solve_waves(n_fine, 1, .false.)
    call solve_rough()
@@ -58,8 +63,10 @@ contains
       do i = 1, size(stresses)
          do k = 1, size(loads)
             do branch = 1, merge(2, 1, is_whole)
-               call solve(solver, 'wave', shape, loads(k), periodic_adhesion_t(stresses(i), ranges(i)/two_pi, branch == 1), n, &
-                  & n_repeated)
+               call solve(solver, 'wave', shape, loads(k), periodic_adhesion_t(stresses(i), ranges(i)/two_pi, branch == 1), &
+                  & .false., n, n_repeated)
+               if (is_whole) call solve(solver, 'wave', shape, loads(k), &
+                  & periodic_adhesion_t(stresses(i), ranges(i)/two_pi, branch == 1), .true., n, n_repeated)
             end do
          end do
          if (is_whole) call pull(solver, shape, periodic_adhesion_t(stresses(i), ranges(i)/two_pi), n)
@@ -72,7 +79,7 @@ contains
       type(error_t), allocatable :: error
       real(dp), allocatable :: shape(:, :)
       character(:), allocatable :: path
-      integer :: k, branch, file
+      integer :: i, k, branch, file
 
       call make_surface(n_rough, hurst, most_waves, shape)
       shape(:, :) = rough_height*shape
@@ -85,28 +92,39 @@ contains
       call new_periodic_solver(solver, elastic_kernel_t(), [n_rough, n_rough], [1.0_dp, 1.0_dp], .false., error)
       do k = 1, size(rough_stresses)
          do branch = 1, 2
-            call solve(solver, 'rough', shape, rough_load, periodic_adhesion_t(rough_stresses(k), rough_ranges(k)*rough_height, &
-               & branch == 1), n_rough, 1)
+            do i = 1, 2
+               call solve(solver, 'rough', shape, rough_load, periodic_adhesion_t(rough_stresses(k), rough_ranges(k)*rough_height, &
+                  & branch == 1), i == 2, n_rough, 1)
+            end do
          end do
       end do
    end subroutine solve_rough
 
    !> A line of the table: a load.
-   subroutine solve(solver, name, shape, load, law, n, n_repeated)
+   subroutine solve(solver, name, shape, load, law, is_exponential, n, n_repeated)
       type(periodic_solver_t), intent(inout) :: solver
       character(*), intent(in) :: name
       real(dp), intent(in) :: shape(:, :), load
       type(periodic_adhesion_t), intent(in) :: law
+      !> Does the tension fall exponentially, with the work and the range of `law`?
+      logical, intent(in) :: is_exponential
       integer, intent(in) :: n, n_repeated
+      type(periodic_attraction_t) :: attraction
       type(periodic_solution_t) :: found
       type(error_t), allocatable :: error
       type(spread_t) :: times
       real(dp) :: seconds(n_repeated)
       integer :: k
 
+      attraction%law = attraction_by_work(law_exponential, law%stress*law%range, law%range)
+      attraction%is_adhered = law%is_adhered
       do k = 1, n_repeated
          seconds(k) = wall_clock()
-         call solve_adhesive_load(solver, shape, load, law, tolerance, found, error)
+         if (is_exponential) then
+            call solve_attracted_load(solver, shape, load, attraction, tolerance, found, error)
+         else
+            call solve_adhesive_load(solver, shape, load, law, tolerance, found, error)
+         end if
          seconds(k) = wall_clock() - seconds(k)
       end do
       times = spread_of(seconds)
@@ -114,7 +132,8 @@ contains
          print '(a10, i7, a)', name, n, ': not solved'
          return
       end if
-      call report(name, n, law, load, times%least, found%n_pairs, found%residual, found%area%corrected, &
+      call report(name, merge('exponential', 'dugdale    ', is_exponential), n, law, load, times%least, &
+         & found%n_pairs, found%residual, found%area%corrected, &
          & sum(found%gap)/size(found%gap))
    end subroutine solve
 
@@ -131,23 +150,24 @@ contains
       seconds = wall_clock()
       call find_pull_off(solver, shape, law, tolerance, pull_off, error)
       seconds = wall_clock() - seconds
-      if (pull_off%is_found) call report('pull-off', n, law, pull_off%mean_pressure, seconds, pull_off%n_pairs, 0.0_dp, 0.0_dp, &
+      if (pull_off%is_found) call report('pull-off', 'dugdale', n, law, pull_off%mean_pressure, seconds, pull_off%n_pairs, 0.0_dp, &
+         & 0.0_dp, &
          & sum(shape)/size(shape) - pull_off%penetration)
    end subroutine pull
 
    !> Print and write a line.
-   subroutine report(name, n, law, load, seconds, pairs, residual, contact, mean_gap)
-      character(*), intent(in) :: name
+   subroutine report(name, name_of_law, n, law, load, seconds, pairs, residual, contact, mean_gap)
+      character(*), intent(in) :: name, name_of_law
       integer, intent(in) :: n
       type(periodic_adhesion_t), intent(in) :: law
       real(dp), intent(in) :: load, seconds, pairs, residual, contact, mean_gap
       character(8) :: branch
 
       branch = merge('adhered ', 'approach', law%is_adhered)
-      print '(a10, i7, 2f9.4, a10, f10.5, f10.1, f8.0, es12.1, f12.6, f12.8)', name, n, law%stress, law%range, branch, load, &
-         & 1000*seconds, pairs, residual, contact, mean_gap
-      write (table, '(a, ",", i0, 2(",", es22.15), ",", a, ",", es22.15, ",", f0.2, ",", f0.1, ",", es9.2, 2(",", es22.15))') &
-         & name, n, law%stress, law%range, trim(branch), load, 1000*seconds, pairs, residual, contact, mean_gap
+      print '(a10, a12, i7, 2f9.4, a10, f10.5, f10.1, f8.0, es12.1, f12.6, f12.8)', name, name_of_law, n, law%stress, law%range, &
+         & branch, load, 1000*seconds, pairs, residual, contact, mean_gap
+      write (table, '(2(a, ","), i0, 2(",", es22.15), ",", a, ",", es22.15, ",", f0.2, ",", f0.1, ",", es9.2, 2(",", es22.15))') &
+         & name, trim(name_of_law), n, law%stress, law%range, trim(branch), load, 1000*seconds, pairs, residual, contact, mean_gap
    end subroutine report
 
 end program adhesion

@@ -368,7 +368,7 @@ def adhesion_public(folder):
     """States that adhere beside the public libraries."""
     rows = rows_of(folder, "adhesion_public")
     solvers = [name for name in dict.fromkeys(row["solver"] for row in rows) if name != "adfric"]
-    case = ("surface", "cells", "stress", "range", "branch", "load")
+    case = ("surface", "law", "cells", "stress", "range", "branch", "load")
     body = []
     for key in dict.fromkeys(tuple(row[name] for name in case) for row in rows):
         line = list(key)
@@ -377,7 +377,7 @@ def adhesion_public(folder):
             line.append(", ".join([time(found[0]["ms"]), *([error(found[0]["error"])] if found[0]["error"] else []),
                                    *([time(found[0]["slower"])] if solver != "adfric" else [])]) if found else "")
         body.append(line)
-    return table(["surface", "cells", "p0/E*", "h0", "branch", "p/E*", "adfric", *solvers], body)
+    return table(["surface", "law", "cells", "p0/E*", "h0", "branch", "p/E*", "adfric", *solvers], body)
 
 
 def fit_public(folder):
