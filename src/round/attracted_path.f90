@@ -9,7 +9,8 @@ module adfric_round_attracted_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_round_attracted_sample, only: body_t, sample_t, take_sample
-   use adfric_round_attracted_state, only: attracted_t, grid_of_rigid_body, grid_of_state, grid_t, has_end, solve_state
+   use adfric_round_attracted_state, only: attracted_t, grid_of_rigid_body, grid_of_state, grid_t, solve_state
+   use adfric_round_attracted_sums, only: has_end
    implicit none (type, external)
    private
    public :: path_t, stop_t, begin_path, follow_path, n_fine
@@ -110,7 +111,6 @@ contains
       if (.not. path%is_certain) return
       next%approach = sample%approach
       next%load = sample%load
-      path%load_scale = max(path%load_scale, abs(next%load))
       path%n = path%n + 1
       path%stops(path%n) = next
    end subroutine add_stop
@@ -212,7 +212,7 @@ contains
 
       associate (last => path%stops(path%n))
          changes = [next%state%approach - last%state%approach, next%state%load - last%state%load]
-         scales = [max(path%approach_scale, 0.3_dp*abs(last%approach)), path%load_scale]
+         scales = [max(path%approach_scale, 0.3_dp*abs(last%approach)), max(path%load_scale, abs(last%load))]
          change = abs(changes)/scales
          is_found = all(change < 1)
          if (.not. is_found) return

@@ -239,7 +239,7 @@ contains
          if (.not. abs(f_high - f_low) > 0) z = low
          call miss_at(z, f)
          if (.not. root%is_found) return
-         is_converged = abs(f) <= at_rest*(abs(given) + merge(path%load_scale, path%approach_scale, path%body%control == 1)) .or. &
+         is_converged = abs(f) <= at_rest*(abs(given) + with_control(path%body, path%approach_scale, path%load_scale)) .or. &
             & .not. high - low > 4*epsilon(z)*max(abs(low), abs(high))
          if (is_converged) return
          if (f*f_high < 0) then
