@@ -56,12 +56,10 @@ module adfric_round_attracted_model
       !> The point, with its body, its states, and what was found.
       type(indenter_case_t) :: case
       type(body_t) :: body
-      type(attracted_survey_t) :: survey
-      type(attracted_point_t) :: point
+      type(attracted_survey_t), allocatable :: survey
+      type(attracted_point_t), allocatable :: point
       !> Values of the variables up to the table, and the control with its compliance, which the survey follows from.
       real(dp) :: values(before_attracted + mine%tension_table + 2) = 0
-      !> State of Dugdale's law.
-      class(point_state_t), allocatable :: of_indenter
    end type attracted_state_t
 
 contains
@@ -132,7 +130,7 @@ contains
       if (problems%count() > before) return
       ! the table is read behind the other checks
       if (law == law_table .and. .not. allocated(self%table)) return
-      own = values_of_indenter(values, self%table)
+      own = own_values(self, values)
       swept = .false.
       call check_indenter_values(self%indenter%variables, own, swept, problems)
       if (problems%count() > before .or. law == law_dugdale) return
@@ -143,6 +141,16 @@ contains
       call make_body(case, law, self%table, body)
       call c%add(in%radius, 'is so small that the attraction would reach beyond the sphere', reaches_beyond(body))
    end subroutine check_values
+
+   !> The values that the model `indenter` would have, with its defaults.
+   pure function own_values(self, values) result(own)
+      class(attracted_indenter_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp) :: own(n_indenter_variables)
+
+      own = values_of_indenter(values, self%table)
+      where (.not. is_set(own)) own = self%indenter%variables%default
+   end function own_values
 
    !> What a law needs of work, largest tension and range.
    subroutine check_law(c, law)
@@ -194,7 +202,7 @@ contains
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       class(attracted_indenter_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> In: the path of the point before, which serves if body, law and control are the same. Out: that of this point.
+      !> In: the path of the point before, which serves if body, law and control are the same. Out: that of this one.
       class(point_state_t), allocatable, intent(inout) :: state
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
@@ -208,16 +216,15 @@ contains
       error_estimate = 0
       status = status_no_equilibrium
       law = nint(values(before_attracted + mine%law))
-      own = values_of_indenter(values, self%table)
+      own = own_values(self, values)
       allocate (found)
       call resolve_case(own, found%case)
       if (.not. is_possible(own, found%case)) return
       if (law == law_dugdale) then
          of_indenter = not_a_number()
-         call self%indenter%solve_point(own, found%of_indenter, of_indenter, error_estimate, status, counts)
+         call self%indenter%solve_point(own, state, of_indenter, error_estimate, status, counts)
          results(:size(same_results)) = of_indenter(same_results)
          if (.not. ieee_is_nan(results(out%pull_off_load))) results(out%pull_off_ratio) = 1
-         if (status == status_solved) call move_alloc(found, state)
          return
       end if
       call make_body(found%case, law, self%table, found%body)
@@ -225,6 +232,7 @@ contains
       found%values = [values(:before_attracted + mine%tension_table), real(found%body%control, dp), found%body%compliance]
       where (.not. is_set(found%values)) found%values = -1
       call take_survey(state, found)
+      allocate (found%point)
       call find_point(found%case, found%survey, values(before_attracted + mine%relative_tolerance), found%point)
       if (found%point%is_found .and. found%point%is_converged) then
          call store(self, found, results)
@@ -238,18 +246,19 @@ contains
 
    !> Take the path of the point before over, or make one.
    subroutine take_survey(state, found)
-      class(point_state_t), allocatable, intent(in) :: state
+      class(point_state_t), allocatable, intent(inout) :: state
       type(attracted_state_t), intent(inout) :: found
 
       if (allocated(state)) then
          select type (state)
          type is (attracted_state_t)
-            if (state%survey%path%n > 0 .and. .not. any(abs(state%values - found%values) > 0)) then
-               found%survey = state%survey
+            if (.not. any(abs(state%values - found%values) > 0)) then
+               call move_alloc(state%survey, found%survey)
                return
             end if
          end select
       end if
+      allocate (found%survey)
       call survey_attraction(found%body, found%survey)
    end subroutine take_survey
 
@@ -307,14 +316,15 @@ contains
       real(dp) :: r, of_indenter(n_indenter_results)
       integer :: k
 
+      if (nint(values(before_attracted + mine%law)) == law_dugdale) then
+         of_indenter = not_a_number()
+         call self%indenter%fill_profiles(own_values(self, values), of_indenter, state, axes, profiles)
+         return
+      end if
       select type (state)
       type is (attracted_state_t)
-         if (nint(values(before_attracted + mine%law)) == law_dugdale) then
-            of_indenter = not_a_number()
-            call self%indenter%fill_profiles(values_of_indenter(values, self%table), of_indenter, state%of_indenter, axes, profiles)
-            return
-         end if
          associate (case => state%case)
+            if (.not. allocated(state%point)) return
             if (.not. allocated(state%point%sample%state)) return
             do k = 1, size(profiles, 1)
                r = axes(1)%coordinates(k)/case%length_unit

@@ -76,7 +76,8 @@ contains
       real(dp), intent(in) :: x(0:), t(0:)
       !> Receive the gap without tension less that on the axis, and what tensions add; shapes `(0:n)` and `(0:n, 0:n)`.
       real(dp), intent(out) :: base(0:), influence(0:, 0:)
-      real(dp) :: depths(0:ubound(x, 1)), sums(0:ubound(x, 1), 0:ubound(x, 1)), weights(0:ubound(x, 1))
+      real(dp) :: depths(0:ubound(x, 1)), sums(0:ubound(x, 1), 0:ubound(x, 1)), weights(0:ubound(x, 1)), &
+         & row(0:ubound(x, 1))
       type(spot_t) :: spot
       integer :: i, j, n
 
@@ -96,11 +97,11 @@ contains
       do i = 1, n
          call get_gap_weights(t, x, i, weights(:i))
          base(i) = 2/pi*dot_product(weights(:i), depths(:i))
-         influence(i, :) = sum(weights(:i))*sums(:, 0)
+         row = sum(weights(:i))*sums(:, 0)
          do j = 0, i
-            influence(i, j:) = influence(i, j:) - weights(j)*sums(j:, j)
+            row(j:) = row(j:) - weights(j)*sums(j:, j)
          end do
-         influence(i, :) = 4/pi*influence(i, :)
+         influence(i, :) = 4/pi*row
       end do
    end subroutine get_influence
 
