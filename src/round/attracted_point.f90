@@ -109,8 +109,7 @@ contains
       real(dp) :: farthest
       integer :: grid, n
 
-      point%is_converged = survey%path%is_certain .and. all(survey%folds%is_converged) &
-         & .and. survey%folds(1)%n == survey%folds(2)%n
+      point%is_converged = survey%path%is_certain .and. all(survey%folds%is_converged)
       if (.not. point%is_converged) return
       call take_ends(survey, point)
       path = survey%path
@@ -129,7 +128,7 @@ contains
          if (case%control == control_radius) then
             call take_radius(case, path, n, found)
          else
-            call find_state(path, survey%folds(min(grid, 2)), case%given, case%branch, n, found)
+            call find_state(path, survey%folds(2), case%given, case%branch, n, found)
          end if
          point%is_converged = found%is_converged
          if (.not. (found%is_found .and. found%is_converged)) exit
@@ -259,12 +258,12 @@ contains
    !> What a finer grid changes of the pull-off, over its sizes.
    pure real(dp) function error_of_ends(survey) result(error)
       type(attracted_survey_t), intent(in) :: survey
-      integer :: k
+      integer :: k, coarse
 
       error = 0
       k = index_of_pull_off(survey%path, survey%folds(2))
-      if (k == 0 .or. survey%folds(1)%n /= survey%folds(2)%n) return
-      error = abs(survey%folds(2)%samples(k)%load/survey%folds(1)%samples(k)%load - 1)
+      coarse = index_of_pull_off(survey%path, survey%folds(1))
+      if (min(k, coarse) > 0) error = abs(survey%folds(2)%samples(k)%load/survey%folds(1)%samples(coarse)%load - 1)
    end function error_of_ends
 
    !> What a finer grid changes of load, approach and radius, over their sizes or scales.

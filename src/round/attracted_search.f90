@@ -99,13 +99,14 @@ contains
       type(sample_t), intent(out) :: fold
       !> Do parabolas agree on it?
       logical, intent(out) :: is_sharp
-      real(dp), parameter :: golden = 0.6180339887498949_dp, spans(2) = [1.0e-2_dp, 2.0e-3_dp]
-      integer, parameter :: n_sections = 12, most_rounds = 20
-      real(dp) :: low, high, inner(2), values(3), z, h
+      real(dp), parameter :: golden = 0.6180339887498949_dp, spans(2) = [1.0e-2_dp, 2.0e-3_dp], flat = 1.0e-8_dp
+      integer, parameter :: n_sections = 12, most_rounds = 60
+      real(dp) :: low, high, inner(2), values(3), z, h, scale, step
       integer :: i, round, stage
       logical :: is_found
 
       is_sharp = .false.
+      scale = with_control(path%body, path%approach_scale, path%load_scale)
       low = path%stops(k)%z
       high = path%stops(k + 1)%z
       is_found = .true.
@@ -127,6 +128,7 @@ contains
       z = (low + high)/2
       do stage = 1, size(spans)
          h = spans(stage)*(path%stops(k + 1)%z - path%stops(k)%z)
+         step = 0
          do round = 1, most_rounds
             ! the coordinate has a corner where contact begins; elsewhere finer grids may have the fold beyond the step
             if (.not. abs(path%stops(k + 1)%z) > 0) z = min(z, -h)
@@ -135,11 +137,19 @@ contains
                values(i) = value_at(z + (i - 2)*h, n)
                if (.not. is_found) return
             end do
-            if (values(2) <= min(values(1), values(3))) exit
-            z = z + merge(-h, h, values(1) < values(3))
+            if (values(2) <= min(values(1), values(3)) .or. maxval(values) - minval(values) <= flat*scale) exit
+            ! the coarser grid of the path may have had the fold in the step before or behind: go on, faster the farther it is
+            if (step*(values(1) - values(3)) > 0) then
+               step = 1.6_dp*step
+            else
+               step = sign(max(h, abs(step)/2), values(1) - values(3))
+            end if
+            z = z + step
          end do
          if (round > most_rounds) return
-         z = z + h/2*(values(1) - values(3))/(values(1) - 2*values(2) + values(3))
+         ! where all three are the same but for round-off, the middle one is the fold
+         if (values(1) - 2*values(2) + values(3) > flat*scale) &
+            & z = z + h/2*(values(1) - values(3))/(values(1) - 2*values(2) + values(3))
       end do
       values(2) = value_at(z, n)
       is_sharp = is_found
