@@ -103,6 +103,7 @@ contains
       integer, parameter :: n_sections = 12, most_rounds = 60
       real(dp) :: low, high, inner(2), values(3), z, h, scale, step
       integer :: i, round, stage
+      type(sample_t) :: section
       logical :: is_found
 
       is_sharp = .false.
@@ -126,6 +127,9 @@ contains
          end if
       end do
       z = (low + high)/2
+      values(2) = value_at(z, n)
+      if (.not. is_found) return
+      section = fold
       do stage = 1, size(spans)
          h = spans(stage)*(path%stops(k + 1)%z - path%stops(k)%z)
          step = 0
@@ -133,10 +137,11 @@ contains
             ! the coordinate has a corner where contact begins; elsewhere finer grids may have the fold beyond the step
             if (.not. abs(path%stops(k + 1)%z) > 0) z = min(z, -h)
             if (.not. abs(path%stops(k)%z) > 0) z = max(z, h)
+            is_found = z > 2*path%stops(k)%z - path%stops(k + 1)%z .and. z < 2*path%stops(k + 1)%z - path%stops(k)%z
             do i = 1, 3
-               values(i) = value_at(z + (i - 2)*h, n)
-               if (.not. is_found) return
+               if (is_found) values(i) = value_at(z + (i - 2)*h, n)
             end do
+            if (.not. is_found) exit
             if (values(2) <= min(values(1), values(3)) .or. maxval(values) - minval(values) <= flat*scale) exit
             ! the coarser grid of the path may have had the fold in the step before or behind: go on, faster the farther it is
             if (step*(values(1) - values(3)) > 0) then
@@ -146,7 +151,11 @@ contains
             end if
             z = z + step
          end do
-         if (round > most_rounds) return
+         if (round > most_rounds .or. .not. is_found) then
+            ! what sections have found tells whether grids resolve it
+            fold = section
+            return
+         end if
          ! where all three are the same but for round-off, the middle one is the fold
          if (values(1) - 2*values(2) + values(3) > flat*scale) &
             & z = z + h/2*(values(1) - values(3))/(values(1) - 2*values(2) + values(3))
@@ -250,7 +259,7 @@ contains
          call miss_at(z, f)
          if (.not. root%is_found) return
          is_converged = abs(f) <= at_rest*(abs(given) + with_control(path%body, path%approach_scale, path%load_scale)) .or. &
-            & .not. high - low > 4*epsilon(z)*max(abs(low), abs(high))
+            & .not. abs(high - low) > 4*epsilon(z)*max(abs(low), abs(high))
          if (is_converged) return
          if (f*f_high < 0) then
             low = high
