@@ -53,10 +53,13 @@ module adfric_round_attracted_model
 
    !> What a point leaves.
    type, extends(point_state_t) :: attracted_state_t
-      !> The point, with its body, its states, and what was found.
+      !> The point.
       type(indenter_case_t) :: case
+      !> Its body with the law.
       type(body_t) :: body
+      !> All states of the body; not allocated once another point has them.
       type(attracted_survey_t), allocatable :: survey
+      !> What was found.
       type(attracted_point_t), allocatable :: point
       !> Values of the variables up to the table, and the control with its compliance, which the survey follows from.
       real(dp) :: values(before_attracted + mine%tension_table + 2) = 0

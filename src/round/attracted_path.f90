@@ -8,8 +8,9 @@
 module adfric_round_attracted_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_round_attracted_sample, only: body_t, sample_t, take_sample
-   use adfric_round_attracted_state, only: attracted_t, grid_of_rigid_body, grid_of_state, grid_t, solve_state
+   use adfric_round_attracted_sample, only: body_t, attracted_sample_t, take_sample
+   use adfric_round_attracted_nodes, only: attracted_t, grid_of_rigid_body, grid_of_state, node_grid_t
+   use adfric_round_attracted_state, only: solve_state
    use adfric_round_attracted_sums, only: has_end
    implicit none (type, external)
    private
@@ -27,7 +28,7 @@ module adfric_round_attracted_path
       !> d approach/dz and d load/dz before the state and after it; they differ where contact begins.
       real(dp) :: approach_slopes(2) = 0, load_slopes(2) = 0
       !> Grid that serves up to the next state.
-      type(grid_t) :: grid
+      type(node_grid_t) :: grid
       !> Its state on the coarse grid.
       type(attracted_t), allocatable :: state
    end type stop_t
@@ -36,8 +37,9 @@ module adfric_round_attracted_path
    type :: path_t
       !> Body and law.
       type(body_t) :: body
-      !> Number of states, and the states; shape `(most_stops)`.
+      !> Number of states.
       integer :: n = 0
+      !> The states; shape `(most_stops)`.
       type(stop_t), allocatable :: stops(:)
       !> Has every step been taken?
       logical :: is_certain = .true.
@@ -53,7 +55,7 @@ contains
       !> Gap on the axis up to which states are wanted; at least it is one where next to nothing is attracted.
       real(dp), intent(in) :: farthest
       type(path_t), intent(out) :: path
-      type(grid_t) :: grid
+      type(node_grid_t) :: grid
       type(attracted_t), allocatable :: none
       type(stop_t) :: first
       real(dp) :: gap
@@ -104,7 +106,7 @@ contains
    subroutine add_stop(path, next)
       type(path_t), intent(inout) :: path
       type(stop_t), intent(inout) :: next
-      type(sample_t) :: sample
+      type(attracted_sample_t) :: sample
 
       call take_sample(path%body, next%z, next%grid, n_fine, next%state, sample)
       path%is_certain = sample%is_found .and. next%state%orientation == 1

@@ -7,9 +7,9 @@ module adfric_round_attracted_point
    use adfric_interface_attraction, only: attraction_by_work, attraction_of_table, law_table, work_ratio
    use adfric_numerics_gauss, only: gauss_nodes_6, gauss_weights_6
    use adfric_round_attracted_path, only: begin_path, follow_path, n_fine, path_t
-   use adfric_round_attracted_sample, only: body_t, by_approach, by_load, by_spring, sample_t, take_sample, with_control
+   use adfric_round_attracted_sample, only: body_t, by_approach, by_load, by_spring, attracted_sample_t, take_sample, with_control
    use adfric_round_attracted_search, only: find_folds, find_state, folds_t, found_t, slope_at, stop_before
-   use adfric_round_attracted_state, only: attracted_t
+   use adfric_round_attracted_nodes, only: attracted_t
    use adfric_round_attracted_sums, only: has_end
    use adfric_round_case, only: indenter_case_t
    use adfric_round_contact_state, only: contact_t
@@ -25,8 +25,9 @@ module adfric_round_attracted_point
 
    !> A path with its folds on the first two grids: all that does not depend on what is prescribed.
    type :: attracted_survey_t
-      !> Path up to where load and approach are above 0 and rise, and its folds.
+      !> Path up to where load and approach are above 0 and rise.
       type(path_t) :: path
+      !> Its folds on the two grids.
       type(folds_t) :: folds(2)
    end type attracted_survey_t
 
@@ -34,8 +35,9 @@ module adfric_round_attracted_point
    type :: attracted_point_t
       !> Is there one, was it found, and is it stable?
       logical :: is_found = .false., is_converged = .true., is_stable = .false.
-      !> The state, d load/d approach, and the error over the sizes.
-      type(sample_t) :: sample
+      !> The state.
+      type(attracted_sample_t) :: sample
+      !> d load/d approach, and the error over the sizes.
       real(dp) :: stiffness = 0, error = 0
       !> Load and approach of pull-off and of the jump into contact; NaN where there is none.
       real(dp) :: pull_off(2) = 0, jump_in(2) = 0
@@ -269,7 +271,7 @@ contains
    !> What a finer grid changes of load, approach and radius, over their sizes or scales.
    pure real(dp) function difference(path, fine, coarse)
       type(path_t), intent(in) :: path
-      type(sample_t), intent(in) :: fine, coarse
+      type(attracted_sample_t), intent(in) :: fine, coarse
 
       difference = max(abs(fine%load - coarse%load)/max(abs(fine%load), 0.1_dp*path%load_scale), &
          & abs(fine%approach - coarse%approach)/max(abs(fine%approach), path%body%law%range), &

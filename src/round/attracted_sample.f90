@@ -3,11 +3,12 @@
 module adfric_round_attracted_sample
    use adfric_base_kinds, only: dp
    use adfric_interface_attraction, only: attraction_t, law_lennard_jones
-   use adfric_round_attracted_state, only: attracted_t, grid_t, solve_state
+   use adfric_round_attracted_nodes, only: attracted_t, node_grid_t
+   use adfric_round_attracted_state, only: solve_state
    use adfric_round_shape, only: shape_t
    implicit none (type, external)
    private
-   public :: body_t, sample_t, take_sample, with_control
+   public :: body_t, attracted_sample_t, take_sample, with_control
    public :: by_load, by_approach, by_spring
 
    !> What is prescribed.
@@ -19,22 +20,23 @@ module adfric_round_attracted_sample
       class(shape_t), allocatable :: shape
       !> The law.
       type(attraction_t) :: law
-      !> What is prescribed, one of `by_...`, and the compliance of a spring.
+      !> What is prescribed, one of `by_...`.
       integer :: control = by_load
+      !> The compliance of a spring.
       real(dp) :: compliance = 0
    contains
       procedure :: has_wall
    end type body_t
 
    !> What two grids say of a coordinate.
-   type :: sample_t
+   type :: attracted_sample_t
       !> Were both states found?
       logical :: is_found = .false.
       !> Coordinate, approach, load, both energies, radius up to which the gap is at most the range.
       real(dp) :: z = 0, approach = 0, load = 0, elastic_energy = 0, attraction_energy = 0, adhesion_radius = 0
       !> The state of the finer grid.
       type(attracted_t), allocatable :: state
-   end type sample_t
+   end type attracted_sample_t
 
 contains
 
@@ -60,12 +62,12 @@ contains
       type(body_t), intent(in) :: body
       !> The coordinate.
       real(dp), intent(in) :: z
-      type(grid_t), intent(in) :: grid
+      type(node_grid_t), intent(in) :: grid
       !> Nodes of the finer grid, an even number.
       integer, intent(in) :: n
       !> A state near by.
       type(attracted_t), allocatable, intent(in) :: guess
-      type(sample_t), intent(out) :: sample
+      type(attracted_sample_t), intent(out) :: sample
       type(attracted_t), allocatable :: coarse
       type(attracted_t) :: fine
       real(dp) :: coarse_radius

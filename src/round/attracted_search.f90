@@ -3,7 +3,7 @@
 module adfric_round_attracted_search
    use adfric_base_kinds, only: dp
    use adfric_round_attracted_path, only: n_fine, path_t
-   use adfric_round_attracted_sample, only: sample_t, take_sample, with_control
+   use adfric_round_attracted_sample, only: attracted_sample_t, take_sample, with_control
    use adfric_round_contact, only: branch_inner, branch_stable, branch_unstable
    implicit none (type, external)
    private
@@ -13,9 +13,10 @@ module adfric_round_attracted_search
    type :: folds_t
       !> Have all been found?
       logical :: is_converged = .true.
-      !> Number, and the folds in the order of the path; shape `(n)`.
+      !> Number of folds.
       integer :: n = 0
-      type(sample_t), allocatable :: samples(:)
+      !> The folds in the order of the path; shape `(n)`.
+      type(attracted_sample_t), allocatable :: samples(:)
       !> Is a fold a least value? Shape `(n)`.
       logical, allocatable :: is_least(:)
       !> Index of the last state of the path before each fold; shape `(n)`.
@@ -29,7 +30,7 @@ module adfric_round_attracted_search
       !> Is it stable under what is prescribed?
       logical :: is_stable = .false.
       !> The state.
-      type(sample_t) :: sample
+      type(attracted_sample_t) :: sample
       !> Index of the last state of the path before it.
       integer :: before = 0
    end type found_t
@@ -75,7 +76,7 @@ contains
    !> What is prescribed in a state.
    pure real(dp) function value_of(path, sample) result(value)
       type(path_t), intent(in) :: path
-      type(sample_t), intent(in) :: sample
+      type(attracted_sample_t), intent(in) :: sample
 
       value = with_control(path%body, sample%approach, sample%load)
    end function value_of
@@ -88,7 +89,8 @@ contains
       slope = with_control(path%body, path%stops(k)%approach_slopes(side), path%stops(k)%load_slopes(side))
    end function slope_of
 
-   !> The fold within a step: golden sections, then parabolas through three states that come closer.
+   !> The fold within a step: golden sections, then parabolas through three states that come closer. It is long by what
+   !> both do where a state is not found.
    subroutine find_fold(path, k, is_least, n, fold, is_sharp)
       type(path_t), intent(in) :: path
       !> Index of the state before it.
@@ -96,14 +98,14 @@ contains
       logical, intent(in) :: is_least
       integer, intent(in) :: n
       !> Receives the fold; not `is_found` if a state was not found.
-      type(sample_t), intent(out) :: fold
+      type(attracted_sample_t), intent(out) :: fold
       !> Do parabolas agree on it?
       logical, intent(out) :: is_sharp
       real(dp), parameter :: golden = 0.6180339887498949_dp, spans(2) = [1.0e-2_dp, 2.0e-3_dp], flat = 1.0e-8_dp
       integer, parameter :: n_sections = 12, most_rounds = 60
       real(dp) :: low, high, inner(2), values(3), z, h, scale, step
       integer :: i, round, stage
-      type(sample_t) :: section
+      type(attracted_sample_t) :: section
       logical :: is_found
 
       is_sharp = .false.
@@ -231,7 +233,7 @@ contains
       !> The coordinates.
       real(dp), intent(in) :: ends(2)
       integer, intent(in) :: n
-      type(sample_t), intent(out) :: root
+      type(attracted_sample_t), intent(out) :: root
       logical, intent(out) :: is_converged
       real(dp) :: low, high, f_low, f_high, f, z, reach
       integer :: round
@@ -298,11 +300,11 @@ contains
       type(path_t), intent(in) :: path
       !> Index of the state of the path before it.
       integer, intent(in) :: k
-      type(sample_t), intent(in) :: sample
+      type(attracted_sample_t), intent(in) :: sample
       integer, intent(in) :: n
       !> Receives d load/d approach, and d load/dz.
       real(dp), intent(out) :: stiffness, load_slope
-      type(sample_t) :: sides(2)
+      type(attracted_sample_t) :: sides(2)
       real(dp), parameter :: small = 1.0e-2_dp
       real(dp) :: step
       integer :: last, i
