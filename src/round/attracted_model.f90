@@ -14,11 +14,12 @@ module adfric_round_attracted_model
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
    use adfric_describe_table, only: profile_axis_t
    use adfric_interface_attraction, only: law_dugdale, law_table
+   use adfric_interface_attraction_rows, only: problem_of_table
    use adfric_round_attracted_point, only: attracted_point_t, attracted_survey_t, find_point, gap_of, make_body, pressure_of, &
       & reaches_beyond, survey_attraction
    use adfric_round_attracted_rows, only: before_attracted, get_attracted_results, get_attracted_variables, &
       & mine => attracted_input, n_attracted_results, n_attracted_variables, out => attracted_output, same_results, &
-      & values_of_indenter, work_of
+      & values_of_indenter
    use adfric_round_attracted_sample, only: body_t
    use adfric_round_case, only: indenter_case_t, is_possible, resolve_case
    use adfric_round_check, only: check_indenter_values
@@ -92,23 +93,15 @@ contains
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the values.
       type(problems_t), intent(inout) :: problems
-      integer :: n
+      character(:), allocatable :: text
 
       if (index /= before_attracted + mine%tension_table) return
-      n = size(values, 1)
-      associate (row => self%variables(index))
-         if (values(1, 1) < 0 .or. values(1, 1) > 0) then
-            call problems%add(row%group, row%name, 'has a first gap that is not 0')
-         else if (.not. all(values(2:, 1) > values(:n - 1, 1))) then
-            call problems%add(row%group, row%name, 'has gaps that do not rise')
-         else if (.not. all(values(2:, 2) <= values(:n - 1, 2)) .or. .not. values(1, 2) > 0) then
-            call problems%add(row%group, row%name, 'has tensions that do not fall from one above 0')
-         else if (abs(values(n, 2)) > 0) then
-            call problems%add(row%group, row%name, 'has a last tension that is not 0')
-         else
-            self%table = values
-         end if
-      end associate
+      text = problem_of_table(values)
+      if (len(text) > 0) then
+         call problems%add(self%variables(index)%group, self%variables(index)%name, text)
+      else
+         self%table = values
+      end if
    end subroutine take_dataset
 
    !> See `model_t`.

@@ -11,7 +11,6 @@ module adfric_round_attracted_path
    use adfric_round_attracted_sample, only: body_t, attracted_sample_t, take_sample
    use adfric_round_attracted_nodes, only: attracted_t, grid_of_rigid_body, grid_of_state, node_grid_t
    use adfric_round_attracted_state, only: solve_state
-   use adfric_round_attracted_sums, only: has_end
    implicit none (type, external)
    private
    public :: path_t, stop_t, begin_path, follow_path, n_fine
@@ -66,7 +65,7 @@ contains
       path%body = body
       allocate (path%stops(most_stops))
       associate (law => body%law)
-         if (has_end(law%law)) then
+         if (law%has_end()) then
             gap = within_end*law%range
          else
             gap = max(law%reach(nothing), farthest)
@@ -87,7 +86,7 @@ contains
       if (.not. path%is_certain) return
       first%z = -gap
       path%step = 0.1_dp*gap
-      call grid_of_state(first%state, body%has_wall(), first%grid)
+      call grid_of_state(first%state, body%law%has_wall(), first%grid)
       call take_slopes(path, first, path%is_certain)
       if (path%is_certain) call add_stop(path, first)
    end subroutine begin_path
@@ -218,7 +217,7 @@ contains
          change = abs(changes)/scales
          is_found = all(change < 1)
          if (.not. is_found) return
-         call grid_of_state(next%state, path%body%has_wall(), next%grid)
+         call grid_of_state(next%state, path%body%law%has_wall(), next%grid)
          call take_slopes(path, next, is_found)
          if (.not. is_found) return
          miss = abs(changes - step*([last%approach_slopes(2), last%load_slopes(2)] &

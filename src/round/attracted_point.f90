@@ -10,7 +10,6 @@ module adfric_round_attracted_point
    use adfric_round_attracted_sample, only: body_t, by_approach, by_load, by_spring, attracted_sample_t, take_sample, with_control
    use adfric_round_attracted_search, only: find_folds, find_state, folds_t, found_t, slope_at, stop_before
    use adfric_round_attracted_nodes, only: attracted_t
-   use adfric_round_attracted_sums, only: has_end
    use adfric_round_case, only: indenter_case_t
    use adfric_round_contact_state, only: contact_t
    use adfric_round_curve, only: control_approach, control_load, control_radius, control_spring
@@ -189,11 +188,11 @@ contains
             call follow_path(path, 0.0_dp, 0.0_dp, case%radius)
          case (control_load)
             call follow_path(path, case%given, 0.0_dp, 0.0_dp)
-            if (case%given < 0 .and. case%given > first%load .and. .not. has_end(body%law%law)) &
+            if (case%given < 0 .and. case%given > first%load .and. .not. body%law%has_end()) &
                & farthest = 2*body%law%reach(1.0e-4_dp*case%given/first%load)
          case default
             call follow_path(path, 0.0_dp, case%given, 0.0_dp)
-            if (case%given < with_control(body, first%approach, first%load) .and. .not. has_end(body%law%law)) &
+            if (case%given < with_control(body, first%approach, first%load) .and. .not. body%law%has_end()) &
                & farthest = -2*case%given
          end select
       end associate
@@ -204,7 +203,7 @@ contains
       type(indenter_case_t), intent(in) :: case
       type(path_t), intent(in) :: path
 
-      parts = has_end(path%body%law%law) .and. any(case%control == [control_approach, control_spring]) &
+      parts = path%body%law%has_end() .and. any(case%control == [control_approach, control_spring]) &
          & .and. case%given <= -path%body%law%range
    end function parts
 

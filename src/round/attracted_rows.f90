@@ -3,16 +3,17 @@
 module adfric_round_attracted_rows
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
-   use adfric_base_unset, only: is_set
-   use adfric_describe_rows, only: any_number, choice, columns_row, result_row
+   use adfric_base_unset, only: is_set, unset
+   use adfric_describe_rows, only: any_number, result_row
    use adfric_describe_table, only: result_t, variable_t
-   use adfric_interface_attraction, only: attraction_t, attraction_of_table, law_dugdale, law_table, law_words, work_ratio
+   use adfric_interface_attraction, only: attraction_of_table, attraction_of_two, attraction_t, law_table, law_words
+   use adfric_interface_attraction_rows, only: law_row, table_row
    use adfric_round_indenter_states, only: plain_indenter
    use adfric_round_variables, only: choose_auto, get_indenter_results, get_indenter_variables, indenter_input, &
       & indenter_output, n_indenter_variables
    implicit none (type, external)
    private
-   public :: get_attracted_variables, get_attracted_results, values_of_indenter, work_of
+   public :: get_attracted_variables, get_attracted_results, values_of_indenter
 
    !> Last row that is the same as that of `indenter`: lambda.
    integer, parameter :: n_same = indenter_input%lambda
@@ -57,11 +58,8 @@ contains
       v(indenter_input%lambda)%meaning = 'Maugis''s parameter of r^n with the largest tension of the law, instead of the '// &
          & 'stress; of a cone, a paraboloid or a power'
       associate (own => v(n_same + 1:), in => attracted_input)
-         own(in%law) = choice(group='adhesion', name='law', choices=law_words, default='dugdale', &
-            & meaning='law of attraction over the gap: constant up to its range (dugdale), exp(-gap/range), 1 - gap/range, '// &
-            & '(1 + gap/range)^-3, the 9-3 law of Lennard and Jones, or tension_table')
-         own(in%tension_table) = columns_row(group='adhesion', name='tension_table', columns='gap tension', units='m Pa', &
-            & meaning='group with the tension over the gap, for the law table: gaps rise from 0, tensions fall to 0', least_count=2)
+         own(in%law) = law_row(law_words)
+         own(in%tension_table) = table_row()
          own(in%load:in%contact_radius) = indenter(indenter_input%load:indenter_input%contact_radius)
          own(in%base_approach:in%machine_stiffness) = indenter(indenter_input%base_approach:indenter_input%machine_stiffness)
          own(in%branch) = indenter(indenter_input%branch)
@@ -98,10 +96,11 @@ contains
       !> Gaps and tensions of a table; shape `(n, 2)`; not allocated without one.
       real(dp), allocatable, intent(in) :: table(:, :)
       real(dp) :: indenter(n_indenter_variables)
-      integer :: law
+      type(attraction_t) :: law
+      integer :: index
 
       indenter = plain_indenter(values(:indenter_input%second_poisson_ratio))
-      law = nint(values(n_same + attracted_input%law))
+      index = nint(values(n_same + attracted_input%law))
       associate (in => indenter_input, own => values(n_same + 1:), a => attracted_input)
          indenter(in%work_of_adhesion:in%lambda) = values(in%work_of_adhesion:in%lambda)
          indenter(in%theory) = choose_auto
@@ -109,35 +108,17 @@ contains
          indenter(in%base_approach:in%machine_stiffness) = own(a%base_approach:a%machine_stiffness)
          indenter(in%branch) = own(a%branch)
          indenter(in%profiles:in%r_max) = own(a%profiles:a%r_max)
-         indenter(in%work_of_adhesion) = work_of(values, table)
-         if (law == law_table) then
-            if (allocated(table)) indenter(in%adhesion_stress) = table(1, 2)
-         else if (is_set(values(in%adhesion_range)) .and. is_set(indenter(in%work_of_adhesion))) then
-            if (.not. is_set(values(in%adhesion_stress))) indenter(in%adhesion_stress) = &
-               & indenter(in%work_of_adhesion)/(work_ratio(law)*values(in%adhesion_range))
-            indenter(in%adhesion_range) = values(in%lambda)
-            indenter(in%lambda) = values(in%lambda)
+         if (index == law_table .and. allocated(table)) then
+            law = attraction_of_table(table(:, 1), table(:, 2))
+         else if (index /= law_table .and. count(is_set(values(in%work_of_adhesion:in%adhesion_range))) == 2) then
+            law = attraction_of_two(index, values(in%adhesion_stress), values(in%work_of_adhesion), values(in%adhesion_range))
+         else
+            return
          end if
+         indenter(in%work_of_adhesion) = law%work
+         indenter(in%adhesion_stress) = law%stress
+         indenter(in%adhesion_range) = unset
       end associate
    end function values_of_indenter
-
-   !> Work of adhesion of the values [J/m^2]; unset if they do not have it.
-   pure real(dp) function work_of(values, table) result(work)
-      real(dp), intent(in) :: values(:)
-      !> Gaps and tensions of a table; shape `(n, 2)`; not allocated without one.
-      real(dp), allocatable, intent(in) :: table(:, :)
-      type(attraction_t) :: law
-
-      associate (in => indenter_input, index => nint(values(n_same + attracted_input%law)))
-         work = values(in%work_of_adhesion)
-         if (index == law_table) then
-            if (.not. allocated(table)) return
-            law = attraction_of_table(table(:, 1), table(:, 2))
-            work = law%work
-         else if (.not. is_set(work) .and. is_set(values(in%adhesion_stress)) .and. is_set(values(in%adhesion_range))) then
-            work = work_ratio(index)*values(in%adhesion_stress)*values(in%adhesion_range)
-         end if
-      end associate
-   end function work_of
 
 end module adfric_round_attracted_rows

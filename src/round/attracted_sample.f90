@@ -2,7 +2,7 @@
 !> States of two grids make one: the error falls with the square of the spacing, so a third of what the finer grid changes is left.
 module adfric_round_attracted_sample
    use adfric_base_kinds, only: dp
-   use adfric_interface_attraction, only: attraction_t, law_lennard_jones
+   use adfric_interface_attraction, only: attraction_t
    use adfric_round_attracted_nodes, only: attracted_t, node_grid_t
    use adfric_round_attracted_state, only: solve_state
    use adfric_round_shape, only: shape_t
@@ -24,8 +24,6 @@ module adfric_round_attracted_sample
       integer :: control = by_load
       !> The compliance of a spring.
       real(dp) :: compliance = 0
-   contains
-      procedure :: has_wall
    end type body_t
 
    !> What two grids say of a coordinate.
@@ -39,13 +37,6 @@ module adfric_round_attracted_sample
    end type attracted_sample_t
 
 contains
-
-   !> Does the law have a wall at the gap 0?
-   pure logical function has_wall(self)
-      class(body_t), intent(in) :: self
-
-      has_wall = self%law%law /= law_lennard_jones
-   end function has_wall
 
    !> What is prescribed of an approach and a load, or of changes of both.
    pure real(dp) function with_control(body, approach, load) result(prescribed)

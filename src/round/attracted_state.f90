@@ -23,15 +23,18 @@
 module adfric_round_attracted_state
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
-   use adfric_interface_attraction, only: attraction_t, law_lennard_jones
+   use adfric_interface_attraction, only: attraction_t
    use adfric_numerics_gauss, only: gauss_nodes_10, gauss_weights_10
    use adfric_numerics_lapack, only: dgesv
    use adfric_round_attracted_nodes, only: attracted_t, node_grid_t, nodes_inside, of_nodes, set_nodes
-   use adfric_round_attracted_sums, only: gap_of_largest, get_influence, get_sum_weights, get_tensions, has_end, reach_of_work
+   use adfric_round_attracted_sums, only: get_influence, get_sum_weights, get_tensions
    use adfric_round_shape, only: shape_t, spot_t, within_edge
    implicit none (type, external)
    private
    public :: solve_state
+
+   !> Share of the work that is left at the last node.
+   real(dp), parameter :: share_of_tail = 1.0e-7_dp
 
 contains
 
@@ -53,7 +56,7 @@ contains
       integer, parameter :: most_ends = 30
       real(dp), parameter :: at_rest = 1.0e-11_dp
 
-      has_wall = law%law /= law_lennard_jones
+      has_wall = law%has_wall()
       state%z = z
       state%grid = grid
       if (has_wall .and. z > 0) then
@@ -62,10 +65,10 @@ contains
          state%central_gap = -z
       else
          if (z > 0) state%pinned = n*nodes_inside/of_nodes
-         state%central_gap = gap_of_largest(law) + max(-z, 0.0_dp)
+         state%central_gap = law%gap_of_largest() + max(-z, 0.0_dp)
       end if
       allocate (state%t(0:n), state%gap(0:n), state%tension(0:n), state%sums(0:n))
-      if (.not. has_end(law%law)) then
+      if (.not. law%has_end()) then
          call solve_on_nodes(shape, law, reach_of(shape, law, state), guess, state)
          return
       end if
@@ -123,7 +126,7 @@ contains
 
       ! from the undisturbed surface the body has at r the distance f - delta, and delta is about g(a)
       call shape%evaluate(shape%unknown_of(state%radius), .true., spot)
-      end = shape%radius_of_height(reach_of_work(law) + spot%depth + abs(state%central_gap))
+      end = shape%radius_of_height(law%reach_of_work(share_of_tail) + spot%depth + abs(state%central_gap))
       end = max(end, 3*max(state%radius, state%z), state%radius + 4*(state%grid%centre + state%grid%width))
       end = min(end, within_edge*shape%edge)
       end = sqrt((end - state%radius)*(end + state%radius))
@@ -169,11 +172,11 @@ contains
       integer :: n, k, j, info
       logical :: has_wall
 
-      has_wall = law%law /= law_lennard_jones
+      has_wall = law%has_wall()
       n = ubound(base, 1)
       allocate (matrix(n, n), step(n), slopes(0:n), gaps(n), pivots(n))
       do k = 1, most_steps
-         call get_tensions(law, has_wall, state%gap, state%tension, slopes)
+         call get_tensions(law, state%gap, state%tension, slopes)
          step = base(1:) + state%gap(0) + matmul(influence(1:, :), state%tension) - state%gap(1:)
          do j = 1, n
             matrix(:, j) = -influence(1:, j)*slopes(j)
@@ -200,7 +203,7 @@ contains
       end do
       if (.not. change <= at_rest) return
       state%central_gap = state%gap(0)
-      call get_tensions(law, has_wall, state%gap, state%tension, slopes)
+      call get_tensions(law, state%gap, state%tension, slopes)
       ! the column of the gap on the axis has the other sign
       state%orientation = merge(-1, 1, state%pinned > 0)
       do j = 1, n
@@ -258,7 +261,7 @@ contains
       type(attracted_t), intent(inout) :: state
       real(dp) :: height, slope, gap, power, steepness
 
-      if (radius >= within_edge*shape%edge .or. has_end(law%law)) return
+      if (radius >= within_edge*shape%edge .or. law%has_end()) return
       call shape%get_profile(radius, height, slope)
       associate (n => ubound(state%t, 1))
          gap = state%gap(n)

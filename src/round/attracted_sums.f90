@@ -4,57 +4,24 @@
 module adfric_round_attracted_sums
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_interface_attraction, only: attraction_t, law_exponential, law_lennard_jones, law_van_der_waals
+   use adfric_interface_attraction, only: attraction_t
    use adfric_round_shape, only: shape_t, spot_t
    implicit none (type, external)
    private
-   public :: get_influence, get_sum_weights, has_end, gap_of_largest, reach_of_work, get_tensions
-
-   !> Share of the work that is left at the last node.
-   real(dp), parameter :: share_of_tail = 1.0e-7_dp
+   public :: get_influence, get_sum_weights, get_tensions
 
 contains
 
-   !> Does the attraction of a law end at its range?
-   pure logical function has_end(law)
-      !> One of `law_...`.
-      integer, intent(in) :: law
-
-      has_end = .not. any(law == [law_exponential, law_van_der_waals, law_lennard_jones])
-   end function has_end
-
-   !> Gap at which the tension is largest.
-   pure real(dp) function gap_of_largest(law) result(gap)
-      !> The law, as of all that follows.
-      type(attraction_t), intent(in) :: law
-
-      gap = 0
-      if (law%law == law_lennard_jones) gap = law%range*(3.0_dp**(1.0_dp/6) - 1)
-   end function gap_of_largest
-
-   !> A gap behind which next to no work is left.
-   pure real(dp) function reach_of_work(law) result(gap)
-      type(attraction_t), intent(in) :: law
-      integer :: k
-
-      gap = law%range
-      do k = 1, 200
-         if (law%work_from(gap) <= share_of_tail*law%work) exit
-         gap = 1.25_dp*gap
-      end do
-   end function reach_of_work
-
    !> Tensions of a law and their slopes. At a wall gaps below 0, which Newton's method may try, have the tension of contact.
-   pure subroutine get_tensions(law, has_wall, gap, tension, slopes)
+   pure subroutine get_tensions(law, gap, tension, slopes)
+      !> The law.
       type(attraction_t), intent(in) :: law
-      !> Does the law have a wall at the gap 0?
-      logical, intent(in) :: has_wall
       !> Gaps of the nodes; shape `(0:n)`.
       real(dp), intent(in) :: gap(0:)
       !> Receive tensions and slopes; shape `(0:n)`.
       real(dp), intent(out) :: tension(0:), slopes(0:)
 
-      if (has_wall) then
+      if (law%has_wall()) then
          tension = law%tension(max(gap, 0.0_dp))
          slopes = merge(law%slope(max(gap, 0.0_dp)), 0.0_dp, gap >= 0)
       else
@@ -62,7 +29,7 @@ contains
          slopes = law%slope(gap)
       end if
       ! the last node is where the attraction ends
-      if (has_end(law%law)) then
+      if (law%has_end()) then
          tension(ubound(gap, 1)) = 0
          slopes(ubound(gap, 1)) = 0
       end if
