@@ -91,17 +91,12 @@ contains
       integer, intent(in) :: index
       !> Its values; shape `(n, 2)`.
       real(dp), intent(in) :: values(:, :)
-      !> Receives what is wrong with the values.
+      !> Receives what is wrong with the values; nothing here, `check_values` tells.
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: text
 
-      if (index /= before_attracted + mine%tension_table) return
-      text = problem_of_table(values)
-      if (len(text) > 0) then
-         call problems%add(self%variables(index)%group, self%variables(index)%name, text)
-      else
-         self%table = values
-      end if
+      if (index == before_attracted + mine%tension_table) self%table = values
+      associate (unused => problems)
+      end associate
    end subroutine take_dataset
 
    !> See `model_t`.
@@ -120,11 +115,11 @@ contains
       before = problems%count()
       call new_checks(c, self%variables, values, problems)
       law = nint(values(before_attracted + mine%law))
-      call check_law(c, law)
+      call check_law(c, law, self%table)
       if (values(before_attracted + mine%profiles) > 0) call refuse_swept(self%variables, is_swept, &
          & before_attracted + [mine%r_max, mine%n_r], problems)
       if (problems%count() > before) return
-      ! the table is read behind the other checks
+      ! a table that could not be read has been told
       if (law == law_table .and. .not. allocated(self%table)) return
       own = own_values(self, values)
       swept = .false.
@@ -149,15 +144,22 @@ contains
    end function own_values
 
    !> What a law needs of work, largest tension and range.
-   subroutine check_law(c, law)
+   subroutine check_law(c, law, samples)
       type(checks_t), intent(in) :: c
       !> One of `law_...`.
       integer, intent(in) :: law
+      !> Gaps and tensions of a table; shape `(n, 2)`; not allocated without one.
+      real(dp), allocatable, intent(in) :: samples(:, :)
       integer, parameter :: table = before_attracted + mine%tension_table
+      character(:), allocatable :: text
       integer :: k
 
       if (law == law_table) then
          call c%need([table])
+         if (allocated(samples)) then
+            text = problem_of_table(samples)
+            call c%add(table, text, len(text) > 0)
+         end if
          do k = in%work_of_adhesion, in%lambda
             call c%add(k, 'has no meaning for law = ''table'', whose tension_table says it', c%has(k))
          end do
@@ -220,7 +222,7 @@ contains
          of_indenter = not_a_number()
          call self%indenter%solve_point(own, state, of_indenter, error_estimate, status, counts)
          results(:size(same_results)) = of_indenter(same_results)
-         if (.not. ieee_is_nan(results(out%pull_off_load))) results(out%pull_off_ratio) = 1
+         if (.not. ieee_is_nan(results(out%pull_off_load))) results(out%pull_off_excess) = 0
          return
       end if
       call make_body(found%case, law, self%table, found%body)
@@ -283,7 +285,7 @@ contains
             results(out%central_gap) = -case%given*height
             if (allocated(sample%state)) results(out%central_gap) = sample%state%central_gap*height
             call survey_curve(case%curve, case%control, dugdale)
-            if (dugdale%ends%is_converged) results(out%pull_off_ratio) = point%pull_off(1)/dugdale%ends%pull_off_load
+            if (dugdale%ends%is_converged) results(out%pull_off_excess) = point%pull_off(1)/dugdale%ends%pull_off_load - 1
          end associate
       end associate
       associate (unused => self)

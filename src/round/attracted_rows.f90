@@ -32,7 +32,7 @@ module adfric_round_attracted_rows
       !> Indices of the rows.
       integer :: load = 0, approach = 0, contact_radius = 0, contact_area = 0, mean_pressure = 0, contact_stiffness = 0, &
          & elastic_energy = 0, pull_off_load = 0, pull_off_approach = 0, jump_outward_load = 0, jump_outward_approach = 0, &
-         & stable = 0, adhesion_radius = 0, base_approach = 0, adhesion_energy = 0, central_gap = 0, pull_off_ratio = 0
+         & stable = 0, adhesion_radius = 0, base_approach = 0, adhesion_energy = 0, central_gap = 0, pull_off_excess = 0
    end type attracted_output_t
    type(attracted_output_t), parameter, public :: attracted_output = transfer(counting, attracted_output_t())
    integer, parameter, public :: n_attracted_results = storage_size(attracted_output)/storage_size(1)
@@ -84,8 +84,8 @@ contains
          r(out%adhesion_energy) = result_row(name='adhesion_energy', unit='J', long_name='energy of the attraction, below 0')
          r(out%central_gap) = result_row(name='central_gap', unit='m', long_name='gap on the axis; 0 in contact, below 0 where '// &
             & 'a law without a wall pushes')
-         r(out%pull_off_ratio) = result_row(name='pull_off_ratio', unit='-', long_name='pull-off load over that of Dugdale''s '// &
-            & 'law with the same work of adhesion and largest tension')
+         r(out%pull_off_excess) = result_row(name='pull_off_excess', unit='-', long_name='pull-off load beyond that of Dugdale''s '// &
+            & 'law with the same work of adhesion and largest tension, over the latter')
       end associate
    end function get_attracted_results
 
