@@ -84,8 +84,8 @@ contains
          r(out%adhesion_energy) = result_row(name='adhesion_energy', unit='J', long_name='energy of the attraction, below 0')
          r(out%central_gap) = result_row(name='central_gap', unit='m', long_name='gap on the axis; 0 in contact, below 0 where '// &
             & 'a law without a wall pushes')
-         r(out%pull_off_excess) = result_row(name='pull_off_excess', unit='-', long_name='pull-off load beyond that of Dugdale''s '// &
-            & 'law with the same work of adhesion and largest tension, over the latter')
+         r(out%pull_off_excess) = result_row(name='pull_off_excess', unit='-', long_name='pull-off load beyond that of '// &
+            & 'Dugdale''s law with the same work of adhesion and largest tension, over the latter')
       end associate
    end function get_attracted_results
 
