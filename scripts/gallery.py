@@ -76,7 +76,7 @@ AREAS = {
     "Tips and punches of any shape": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_polynomial"),
         one("indenter_rounded_punch"), one("indenter_rounded_cone"), one("indenter_flat_cone"), one("indenter_pull_off"),
-        one("indenter_range"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"),
+        one("indenter_range"), one("pull_off_of_laws"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"),
         one("indenter_peeling", options="--y contact_radius tangential_displacement")),
     "Soft samples in time": (
         one("soft_dwell"), one("soft_creep"), one("soft_oscillation"),

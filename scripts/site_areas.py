@@ -37,6 +37,7 @@ AREAS = {
         "Columns: material": "docs/theory/columns_material.md",
         "Round contacts": "docs/theory/round_contact.md",
         "Round contacts that adhere": "docs/theory/round_adhesion.md",
+        "Round contacts with any law of attraction": "docs/theory/round_attraction.md",
         "Branches and pull-off": "docs/theory/round_branches.md",
         "Adhesion along a path": "docs/theory/round_paths.md",
         "Round contacts in time": "docs/theory/round_time.md",

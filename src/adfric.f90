@@ -11,6 +11,7 @@ module adfric
    use adfric_plane_strip_load_model, only: strip_load_model_t, new_strip_load_model
    use adfric_plane_wave_model, only: wave_model_t, new_wave_model
    use adfric_round_adhesive_history_model, only: adhesive_indenter_history_t, new_adhesive_indenter_history
+   use adfric_round_attracted_model, only: attracted_indenter_t, new_attracted_indenter
    use adfric_round_history_model, only: indenter_history_t, new_indenter_history
    use adfric_round_model, only: indenter_model_t, new_indenter_model
    use adfric_round_timed_adhesion_model, only: adhesive_indenter_time_t, new_adhesive_indenter_time
@@ -29,7 +30,8 @@ module adfric
    !> Names of the models, separated by a blank.
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
       & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder '// &
-      & 'indenter_time adhesive_indenter_time surface_time adhesive_indenter_history wave_1d_elastic'
+      & 'indenter_time adhesive_indenter_time surface_time adhesive_indenter_history wave_1d_elastic '// &
+      & 'attracted_indenter'
 
 contains
 
@@ -45,6 +47,7 @@ contains
       type(sphere_model_t), allocatable :: sphere
       type(indenter_model_t), allocatable :: indenter
       type(indenter_history_t), allocatable :: indenter_history
+      type(attracted_indenter_t), allocatable :: attracted_indenter
       type(hertz_model_t), allocatable :: hertz
       type(hertz_history_t), allocatable :: hertz_history
       type(punch_model_t), allocatable :: punch
@@ -74,6 +77,10 @@ contains
          allocate (indenter)
          call new_indenter_model(indenter)
          call move_alloc(indenter, model)
+      case ('attracted_indenter')
+         allocate (attracted_indenter)
+         call new_attracted_indenter(attracted_indenter)
+         call move_alloc(attracted_indenter, model)
       case ('indenter_history')
          allocate (indenter_history)
          call new_indenter_history(indenter_history)

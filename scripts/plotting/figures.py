@@ -25,6 +25,7 @@ SLIP = ("stick_fraction", "tangential_displacement", "tangential_stiffness", "fr
 SHOWN = {
     ("hertz", "tangential_force"): SLIP,
     ("indenter", "tangential_force"): SLIP,
+    ("attracted_indenter", "lambda"): ("pull_off_load", "pull_off_excess"),
     ("wave_1d", "tangential_stress"): SLIP,
     ("wave_2d_elastic", "tangential_stress"): SLIP,
     ("surface_elastic", "tangential_stress"): SLIP,

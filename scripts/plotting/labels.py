@@ -82,6 +82,7 @@ SYMBOLS = {
 NAMES = {"area_left": "friction area", "contact_half_width": "half-width",
          "friction_stress_without_adhesion": "without adhesion", "friction_force_without_adhesion": "without adhesion", "lambda": "", "minor_half_width": "minor half-width",
          "position_x": "position", "position_y": "position", "position_z": "position", "pull_off_load": "pull-off load",
+         "pull_off_excess": "pull-off beyond Dugdale's",
          "pull_off_pressure": "pull-off pressure", "pull_off_tension": "pull-off tension", "r": "", "radius_1x": "principal radius",
          "radius_2y": "principal radius",
          "relative_area": "friction area", "relative_pull_off_load": "pull-off load", "relative_stick_radius": "stick radius",

@@ -37,7 +37,7 @@ module adfric_describe_scene_facts
    !> A fact, and the names that it follows from.
    character(*), parameter :: signs(*) = [character(200) :: &
       & 'adhesion adhesion%work_of_adhesion adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda '// &
-      & 'adhesion%tension_table job%units', &
+      & 'adhesion%law adhesion%tension_table job%units', &
       & 'work_given adhesion%work_of_adhesion', &
       & 'stress_given adhesion%adhesion_stress', &
       & 'range_given adhesion%adhesion_range', &

@@ -125,6 +125,7 @@ module adfric_describe_scene_rules
       & 'indenter loop_energy adhesion_hysteresis', &
       & 'indenter jump_in_base_approach,pull_off_base_approach,base_approach - !machine', &
       & 'indenter stress_zz,stress_rr - !position', &
+      & 'attracted_indenter base_approach - !machine', &
       & 'sphere theory_error - !adhesion', &
       & 'indenter_time storage_modulus,loss_modulus - !oscillates', &
       & 'adhesive_indenter_time storage_modulus,loss_modulus -', &
@@ -233,7 +234,8 @@ module adfric_describe_scene_rules
       & 'surface_sliding,surface_time surface%kind heights=profile profile', &
       & 'hertz,hertz_history contact%kind line=cylinder circular=paraboloid elliptical=ellipsoid', &
       & 'rigid_punch punch%kind flat=line_punch polynomial=line_polynomial', &
-      & 'indenter,indenter_history,indenter_time,adhesive_indenter_time,adhesive_indenter_history shape%kind flat=flat_punch', &
+      & 'indenter,indenter_history,indenter_time shape%kind flat=flat_punch', &
+      & 'adhesive_indenter_time,adhesive_indenter_history,attracted_indenter shape%kind flat=flat_punch', &
       & 'indenter model%theory none=hertz', &
       & 'indenter results%theory_used none=hertz', &
       & '* adhesion%branch approach=loading']

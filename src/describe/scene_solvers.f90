@@ -25,6 +25,7 @@ module adfric_describe_scene_solvers
       & 'paraboloid half_space adhesion press sphere exact', &
       & 'paraboloid half_space shear,adhesion+shear press,slide,tangential sphere exact', &
       & round//' half_space none,adhesion press indenter exact', &
+      & 'sphere,paraboloid,cone,power,polynomial half_space adhesion press attracted_indenter numerical', &
       & 'paraboloid half_space none press sphere exact', &
       & round//' half_space shear,adhesion+shear press,slide,tangential indenter exact', &
       & round//' half_space coulomb press,tangential indenter exact', &

@@ -16,11 +16,14 @@
 !> All but Lennard-Jones's fall with the gap. The exponential law, van der Waals's and the linear one are convex as well.
 module adfric_interface_attraction
    use adfric_base_kinds, only: dp
+   use adfric_base_unset, only: is_set
    implicit none (type, external)
    private
-   public :: attraction_t, attraction_by_stress, attraction_by_work, attraction_of_table, work_ratio
-   public :: law_dugdale, law_exponential, law_linear, law_van_der_waals, law_lennard_jones, law_table
+   public :: attraction_t, attraction_by_stress, attraction_by_work, attraction_of_two, attraction_of_table, work_ratio
+   public :: law_dugdale, law_exponential, law_linear, law_van_der_waals, law_lennard_jones, law_table, law_words
 
+   !> Words of the laws, in the order of their indices.
+   character(*), parameter :: law_words = 'dugdale exponential linear van_der_waals lennard_jones table'
    !> Indices of the laws.
    integer, parameter :: law_dugdale = 1, law_exponential = 2, law_linear = 3, law_van_der_waals = 4, law_lennard_jones = 5, &
       & law_table = 6
@@ -38,6 +41,10 @@ module adfric_interface_attraction
       procedure :: slope
       procedure :: work_from
       procedure :: reach
+      procedure :: reach_of_work
+      procedure :: has_end
+      procedure :: has_wall
+      procedure :: gap_of_largest
       procedure :: in_units
    end type attraction_t
 
@@ -83,6 +90,22 @@ contains
       self%work = work
       self%stress = work/(work_ratio(law)*range)
    end function attraction_by_work
+
+   !> A law by two of its largest tension, work and range.
+   pure type(attraction_t) function attraction_of_two(law, stress, work, range) result(self)
+      !> One of `law_...` but the table's.
+      integer, intent(in) :: law
+      !> Largest tension, work of adhesion, range; two of them > 0, the third one `unset`.
+      real(dp), intent(in) :: stress, work, range
+
+      if (.not. is_set(stress)) then
+         self = attraction_by_work(law, work, range)
+      else if (is_set(range)) then
+         self = attraction_by_stress(law, stress, range)
+      else
+         self = attraction_by_work(law, work, work/(work_ratio(law)*stress))
+      end if
+   end function attraction_of_two
 
    !> A law by tensions at gaps; its range is the last gap.
    pure type(attraction_t) function attraction_of_table(gaps, tensions) result(self)
@@ -197,6 +220,47 @@ contains
          reach = self%range
       end select
    end function reach
+
+   !> Gap behind which less than a share of the work is left.
+   pure real(dp) function reach_of_work(self, share) result(reach)
+      class(attraction_t), intent(in) :: self
+      !> Share of the work, above 0 and below 1.
+      real(dp), intent(in) :: share
+
+      select case (self%law)
+      case (law_exponential)
+         reach = -self%range*log(share)
+      case (law_van_der_waals)
+         reach = self%range*(1/sqrt(share) - 1)
+      case (law_lennard_jones)
+         ! without its repulsion the law is larger, so this is behind the gap that is sought
+         reach = self%range*(sqrt(4/(3*share)) - 1)
+      case default
+         reach = self%range
+      end select
+   end function reach_of_work
+
+   !> Does the attraction end at the range?
+   pure logical function has_end(self)
+      class(attraction_t), intent(in) :: self
+
+      has_end = .not. any(self%law == [law_exponential, law_van_der_waals, law_lennard_jones])
+   end function has_end
+
+   !> Is there a hard wall at the gap 0? A law without one pushes by itself.
+   pure logical function has_wall(self)
+      class(attraction_t), intent(in) :: self
+
+      has_wall = self%law /= law_lennard_jones
+   end function has_wall
+
+   !> Gap at which the tension is largest.
+   pure real(dp) function gap_of_largest(self) result(gap)
+      class(attraction_t), intent(in) :: self
+
+      gap = 0
+      if (self%law == law_lennard_jones) gap = self%range*(3.0_dp**(1.0_dp/6) - 1)
+   end function gap_of_largest
 
    !> The same law with stresses and lengths in other units.
    pure type(attraction_t) function in_units(self, stress, length) result(other)

@@ -6,14 +6,15 @@ module adfric_interface_attraction_rows
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
    use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion, has_adhesion, n_adhesion_rows, resolve_adhesion
-   use adfric_interface_attraction, only: attraction_by_stress, attraction_by_work, attraction_of_table, attraction_t, &
-      & law_dugdale, law_exponential, law_linear, law_table, law_van_der_waals, work_ratio
+   use adfric_interface_attraction, only: attraction_of_table, attraction_of_two, attraction_t, law_dugdale, law_exponential, &
+      & law_linear, law_table, law_van_der_waals, work_ratio
    use adfric_describe_rows, only: choice, columns_row, dataset
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
    public :: given_attraction_t, set_attraction_rows, check_attraction, has_attraction, is_dugdale
    public :: largest_tension, resolve_attraction, n_attraction_rows
+   public :: law_row, table_row, problem_of_table
 
    !> Indices among the rows of adhesion.
    integer, parameter :: stress = 1, energy = 2, range = 3
@@ -43,13 +44,28 @@ contains
       type(variable_t), intent(out) :: rows(:)
       character(*), parameter :: group = 'adhesion'
 
-      rows(law - n_adhesion_rows) = choice(group=group, name='law', choices=words, default='dugdale', &
-         & meaning='tension over gap g, with range r: constant up to r; exp(-g/r); 1 - g/r; (1 + g/r)^-3; a table')
-      rows(table - n_adhesion_rows) = columns_row(group=group, name='tension_table', columns='gap tension', units='m Pa', &
-         & meaning='group with the tension over the gap, falling to 0, for the law table', least_count=2, lower=0.0_dp)
+      rows(law - n_adhesion_rows) = law_row(words)
+      rows(table - n_adhesion_rows) = table_row()
       rows(map - n_adhesion_rows) = dataset(group=group, name='work_map', unit='-', largest_rank=2, least_count=1, &
          & meaning='work of adhesion of each cell of the heights over work_of_adhesion; 1 if not given')
    end subroutine set_attraction_rows
+
+   !> The row of the law.
+   type(variable_t) function law_row(choices) result(row)
+      !> Words of the laws that a model has, separated by a blank.
+      character(*), intent(in) :: choices
+      character(:), allocatable :: meaning
+
+      meaning = 'tension over gap g, with range r: constant up to r; exp(-g/r); 1 - g/r; (1 + g/r)^-3; '
+      if (index(choices, 'lennard_jones') > 0) meaning = meaning//'(1 + g/r)^-3 - (1 + g/r)^-9; '
+      row = choice(group='adhesion', name='law', choices=choices, default='dugdale', meaning=meaning//'a table')
+   end function law_row
+
+   !> The row of the table of a law.
+   type(variable_t) function table_row() result(row)
+      row = columns_row(group='adhesion', name='tension_table', columns='gap tension', units='m Pa', &
+         & meaning='group with the tension over the gap, falling to 0, for the law table', least_count=2, lower=0.0_dp)
+   end function table_row
 
    !> Keep a dataset; nothing of another variable.
    subroutine take(self, index, values)
@@ -143,12 +159,8 @@ contains
       else if (law_of(values) == law_table) then
          if (.not. allocated(given%table)) return
          found = attraction_of_table(given%table(:, 1), given%table(:, 2))
-      else if (.not. is_set(values(stress))) then
-         found = attraction_by_work(law_of(values), values(energy), values(range))
-      else if (is_set(values(range))) then
-         found = attraction_by_stress(law_of(values), values(stress), values(range))
       else
-         found = attraction_by_work(law_of(values), values(energy), values(energy)/(work_ratio(law_of(values))*values(stress)))
+         found = attraction_of_two(law_of(values), values(stress), values(energy), values(range))
       end if
       rows(stress) = found%stress
       rows(energy) = found%work
@@ -157,6 +169,28 @@ contains
       allocate (adhesion%attraction, source=found)
       if (allocated(given%map)) allocate (adhesion%part, source=given%map)
    end subroutine resolve_attraction
+
+   !> What is wrong with the table of a law: gaps rise from 0, and tensions fall from above 0 to 0. Empty if nothing is.
+   pure function problem_of_table(samples) result(text)
+      !> Gaps and tensions; shape `(n, 2)`.
+      real(dp), intent(in) :: samples(:, :)
+      character(:), allocatable :: text
+      integer :: n
+
+      text = ''
+      n = size(samples, 1)
+      if (abs(samples(1, 1)) > 0) then
+         text = 'does not begin with the gap 0'
+      else if (.not. all(samples(2:, 1) > samples(:n - 1, 1))) then
+         text = 'has gaps that do not rise'
+      else if (.not. samples(1, 2) > 0) then
+         text = 'has no tension in contact'
+      else if (any(samples(2:, 2) > samples(:n - 1, 2))) then
+         text = 'has tensions that rise with the gap'
+      else if (samples(n, 2) > 0) then
+         text = 'does not end with the tension 0'
+      end if
+   end function problem_of_table
 
    !> Add to `problems` what is missing, stands beside another, or is wrong with the datasets.
    subroutine check_attraction(rows, values, given, problems)
@@ -169,6 +203,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: adhesion(n_adhesion_rows)
+      character(:), allocatable :: text
       integer :: k
 
       adhesion = with_stress(values)
@@ -179,7 +214,8 @@ contains
          if (.not. is_set(values(table))) then
             call add(table, 'is missing; law = ''table'' needs it')
          else if (allocated(given%table)) then
-            call check_table(given%table)
+            text = problem_of_table(given%table)
+            if (len(text) > 0) call add(table, text)
          end if
          adhesion(stress:range) = [1.0_dp, 1.0_dp, unset]
       else if (is_set(values(table))) then
@@ -196,34 +232,14 @@ contains
 
    contains
 
-      !> Gaps rise from 0, and tensions fall from above 0 to 0.
-      subroutine check_table(samples)
-         !> Gaps and tensions.
-         real(dp), intent(in) :: samples(:, :)
-         integer :: n
-
-         n = size(samples, 1)
-         if (abs(samples(1, 1)) > 0) then
-            call add(table, 'does not begin with the gap 0')
-         else if (.not. all(samples(2:, 1) > samples(:n - 1, 1))) then
-            call add(table, 'has gaps that do not rise')
-         else if (.not. samples(1, 2) > 0) then
-            call add(table, 'has no tension in contact')
-         else if (any(samples(2:, 2) > samples(:n - 1, 2))) then
-            call add(table, 'has tensions that rise with the gap')
-         else if (samples(n, 2) > 0) then
-            call add(table, 'does not end with the tension 0')
-         end if
-      end subroutine check_table
-
       !> Add a problem of one row to the list.
-      subroutine add(index, text)
+      subroutine add(row, problem)
          !> Index of the variable among the rows.
-         integer, intent(in) :: index
+         integer, intent(in) :: row
          !> What is wrong with the variable.
-         character(*), intent(in) :: text
+         character(*), intent(in) :: problem
 
-         call problems%add(rows(index)%group, rows(index)%name, text)
+         call problems%add(rows(row)%group, rows(row)%name, problem)
       end subroutine add
 
    end subroutine check_attraction

@@ -57,7 +57,11 @@ contains
             if (v%largest_rank > 1 .and. .not. is_line) n_y = counts(which)
             if (v%n_columns() > 0) n_y = v%n_columns()
             allocate (list(n)%values(min(n_x, v%most_count), n_y))
-            call draw_shape(v, dice, list(n)%values)
+            if (v%name == 'tension_table') then
+               call draw_law(dice, list(n)%values)
+            else
+               call draw_shape(v, dice, list(n)%values)
+            end if
             if (.not. v%lower < 0) list(n)%values = abs(list(n)%values)
             if (v%lower > 0 .or. (v%lower_open .and. .not. v%lower < 0)) list(n)%values = list(n)%values + 1
             do j = 1, n_y
@@ -116,6 +120,24 @@ contains
       call dice%happens(share_far, is_far)
       if (is_far) values = values + how_far
    end subroutine draw_shape
+
+   !> A law of attraction: gaps that rise from 0, and tensions that fall to 0.
+   subroutine draw_law(dice, values)
+      type(dice_t), intent(inout) :: dice
+      !> Receives gaps and tensions; shape `(n, 2)`.
+      real(dp), intent(out) :: values(:, :)
+      real(dp) :: steps(2)
+      integer :: i, n
+
+      n = size(values, 1)
+      values = 0
+      do i = 2, n
+         call dice%decades(-2.0_dp, 0.0_dp, steps(1))
+         call dice%decades(-2.0_dp, 0.0_dp, steps(2))
+         values(i, 1) = values(i - 1, 1) + steps(1)
+         values(n + 1 - i, 2) = values(n + 2 - i, 2) + steps(2)
+      end do
+   end subroutine draw_law
 
    !> Give datasets to a model.
    subroutine give_data(model, list, is_taken)
