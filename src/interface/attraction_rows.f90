@@ -5,7 +5,8 @@ module adfric_interface_attraction_rows
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_approach, check_adhesion, has_adhesion, n_adhesion_rows, resolve_adhesion
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_approach, check_adhesion, has_adhesion, n_adhesion_rows, &
+      & resolve_adhesion
    use adfric_interface_attraction, only: attraction_by_stress, attraction_by_work, attraction_of_table, attraction_t, &
       & law_dugdale, law_exponential, law_linear, law_table, law_van_der_waals, work_ratio
    use adfric_describe_rows, only: above_zero, choice, columns_row, dataset

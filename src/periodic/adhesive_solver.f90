@@ -13,7 +13,7 @@ module adfric_periodic_adhesive_solver
    use adfric_base_error, only: error_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_adhered
    use adfric_periodic_adhesive_contact, only: solve_adhesive_contact, widen_share
-   use adfric_periodic_cohesion, only: new_cohesion
+   use adfric_periodic_cohesion, only: cohesion_t, new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_grids, only: coarsen
    use adfric_periodic_sliding_steps, only: solve_by_steps
@@ -22,7 +22,8 @@ module adfric_periodic_adhesive_solver
       & set_solution, start_from_coarse, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range
    implicit none (type, external)
    private
-   public :: adhesion_in_units, periodic_adhesion_t, set_opening_loss, solve_adhesive_layer, solve_adhesive_load, solve_adhesive_state
+   public :: adhesion_in_units, periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load, solve_adhesive_state
+   public :: set_opening_loss
 
    !> Adhesion of Maugis and Dugdale, and which of the states is wanted.
    type :: periodic_adhesion_t

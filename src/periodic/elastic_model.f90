@@ -208,8 +208,8 @@ contains
       type(periodic_surface_t) :: surface
 
       if (problems%count() > 0) return
-      if (.not. is_dugdale(adhesion_values(self, values)) .and. is_set(values(self%before_prescribed + in%penetration))) call problems%add('operating', 'penetration', &
-         & 'is prescribed with the law dugdale alone; give the mean pressure')
+      if (.not. is_dugdale(adhesion_values(self, values)) .and. is_set(values(self%before_prescribed + in%penetration))) &
+         & call problems%add('operating', 'penetration', 'is prescribed with the law dugdale alone; give the mean pressure')
       if (.not. allocated(self%given_attraction%map)) return
       call self%get_cells(values, surface)
       if (surface%is_quarter) then
