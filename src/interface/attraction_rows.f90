@@ -228,8 +228,8 @@ contains
             call add(opening, 'has no meaning for branch = ''approach'', which does not open')
          else if (problems%count() == n_before) then
             call resolve_attraction(values, given, found)
-            if (found%stress > 0 .and. values(opening) < (1 - rounding)*found%stress*found%range) call add(opening, 'is below '//rows(energy)%name &
-               & //', which closing gives')
+            if (found%stress > 0 .and. values(opening) < (1 - rounding)*found%stress*found%range) &
+               & call add(opening, 'is below '//rows(energy)%name//', which closing gives')
          end if
       end subroutine check_opening
 
