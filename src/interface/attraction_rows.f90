@@ -211,27 +211,12 @@ contains
          call add(table, 'has no meaning without law = ''table''')
       end if
       call check_adhesion(rows(:n_adhesion_rows), adhesion, problems)
-      if (is_set(values(opening))) call check_opening()
+      if (is_set(values(opening)) .and. problems%count() == n_before) call check_opening(rows, values, given, problems)
       if (.not. (is_set(values(map)) .and. allocated(given%map))) return
       if (any(given%map < 0)) call add(map, 'has works below 0')
       if (.not. any(given%map > 0)) call add(map, 'has no work above 0')
 
    contains
-
-      !> Opening takes no less than closing gives, and comes after closing.
-      subroutine check_opening()
-         type(adhesion_law_t) :: found
-
-         if (.not. has_attraction(values)) then
-            call add(opening, 'has no meaning without a stress of adhesion')
-         else if (nint(values(branch)) == branch_approach) then
-            call add(opening, 'has no meaning for branch = ''approach'', which does not open')
-         else if (problems%count() == n_before) then
-            call resolve_attraction(values, given, found)
-            if (found%stress > 0 .and. values(opening) < (1 - rounding)*found%stress*found%range) &
-               & call add(opening, 'is below '//rows(energy)%name//', which closing gives')
-         end if
-      end subroutine check_opening
 
       !> Gaps rise from 0, and tensions fall from above 0 to 0.
       subroutine check_table(samples)
@@ -264,5 +249,30 @@ contains
       end subroutine add
 
    end subroutine check_attraction
+
+   !> Add to `problems` a work of opening that is less than closing gives, or without a closing before it.
+   subroutine check_opening(rows, values, given, problems)
+      !> Rows of adhesion and attraction; their names are part of the messages.
+      type(variable_t), intent(in) :: rows(:)
+      !> Their values, nothing else of which is wrong.
+      real(dp), intent(in) :: values(:)
+      !> Table of the law.
+      type(given_attraction_t), intent(in) :: given
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(adhesion_law_t) :: law
+
+      associate (row => rows(opening))
+         if (.not. has_attraction(values)) then
+            call problems%add(row%group, row%name, 'has no meaning without a stress of adhesion')
+         else if (nint(values(branch)) == branch_approach) then
+            call problems%add(row%group, row%name, 'has no meaning for branch = ''approach'', which does not open')
+         else
+            call resolve_attraction(values, given, law)
+            if (law%stress > 0 .and. values(opening) < (1 - rounding)*law%stress*law%range) &
+               & call problems%add(row%group, row%name, 'is below '//rows(energy)%name//', which closing gives')
+         end if
+      end associate
+   end subroutine check_opening
 
 end module adfric_interface_attraction_rows

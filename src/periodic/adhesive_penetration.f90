@@ -19,6 +19,8 @@
 !> A body that slides over a viscoelastic solid has ordered branches where its order margin is not below 0 (`adfric_solid_order_margin`).
 !> Elsewhere the same search is made, and its state is one of slow parting or approach at the velocity of the point. Where the search
 !> does not end, time stepping at the mean gap decides (`adfric_periodic_sliding_steps`).
+!>
+!> The file is long by the search through loads, whose steps share a window.
 module adfric_periodic_adhesive_penetration
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
