@@ -105,7 +105,8 @@ AREAS = {
         one("wave_1d"), one("wave_1d_pressure"), one("wave_2d_elastic"), one("wave_2d_contact"),
         one("lecture_wave_cuts", options="--cut y=0 y=x"), one("surface_elastic")),
     "Waves and rough surfaces: adhesion": (
-        one("surface_adhesion_maps"), one("surface_work_map"), one("surface_stickiness"), one("surface_adhesion_friction"),
+        one("surface_adhesion_maps"), one("surface_work_map"), one("surface_stickiness"), one("surface_opening", options="--y pull_off_pressure contact_fraction"),
+        one("surface_adhesion_friction"),
         one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
         one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"), one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
         one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),

@@ -40,6 +40,7 @@ module adfric_describe_scene_facts
       & 'adhesion%law adhesion%tension_table job%units', &
       & 'work_given adhesion%work_of_adhesion', &
       & 'stress_given adhesion%adhesion_stress', &
+      & 'opens adhesion%opening_work_of_adhesion', &
       & 'range_given adhesion%adhesion_range', &
       & 'range adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda job%units', &
       & 'shear friction%shear_strength friction%law', &

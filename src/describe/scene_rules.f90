@@ -192,6 +192,7 @@ module adfric_describe_scene_rules
       & 'wave_1d zone_trailing,friction_stress_without_adhesion,adhesive_friction_stress - !relaxing', &
       & 'wave_1d adhesive_friction_stress,hysteresis_loss - !adhesion', &
       & on_cells//' cells_per_zone - !adhesion', &
+      & on_cells//' opening_loss - !opens', &
       & 'wave_1d hysteresis_loss adhesion_hysteresis', &
       & 'wave_1d elastic_energy - slides', &
       & periodic//' friction_stress,friction_coefficient - !interface', &

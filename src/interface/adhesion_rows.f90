@@ -37,8 +37,10 @@ module adfric_interface_adhesion_rows
       real(dp), allocatable :: turning_pressure
       !> Another law than Dugdale's [Pa, m]; not allocated: Dugdale's.
       type(attraction_t), allocatable :: attraction
-      !> Work of adhesion of the cells over that of the law; shape of the cells; not allocated: 1. Beside an attraction alone.
+      !> Work of adhesion of the cells over that of the law; shape of the cells; not allocated: 1.
       real(dp), allocatable :: part(:, :)
+      !> Work that opening takes over that which closing gives, >= 1.
+      real(dp) :: opening = 1
    end type adhesion_law_t
 
 contains

@@ -46,6 +46,7 @@ module adfric_interface_attraction
       procedure :: has_wall
       procedure :: gap_of_largest
       procedure :: in_units
+      procedure :: stretched
    end type attraction_t
 
 contains
@@ -275,6 +276,15 @@ contains
       if (allocated(self%gaps)) allocate (other%gaps, source=self%gaps/length)
       if (allocated(self%tensions)) allocate (other%tensions, source=self%tensions/stress)
    end function in_units
+
+   !> The law with the same largest tension and all gaps larger by a factor, so that its work is.
+   pure type(attraction_t) function stretched(self, factor) result(other)
+      class(attraction_t), intent(in) :: self
+      !> The factor, > 0.
+      real(dp), intent(in) :: factor
+
+      other = self%in_units(1.0_dp, 1/factor)
+   end function stretched
 
    !> The segment of a table that begins at a gap or before it.
    pure integer function segment_of(gaps, gap) result(k)

@@ -5,10 +5,11 @@ module adfric_interface_attraction_rows
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, check_adhesion, has_adhesion, n_adhesion_rows, resolve_adhesion
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_approach, check_adhesion, has_adhesion, n_adhesion_rows, &
+      & resolve_adhesion
    use adfric_interface_attraction, only: attraction_of_table, attraction_of_two, attraction_t, law_dugdale, law_exponential, &
       & law_linear, law_table, law_van_der_waals, work_ratio
-   use adfric_describe_rows, only: choice, columns_row, dataset
+   use adfric_describe_rows, only: above_zero, choice, columns_row, dataset
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
@@ -17,11 +18,14 @@ module adfric_interface_attraction_rows
    public :: law_row, table_row, problem_of_table
 
    !> Indices among the rows of adhesion.
-   integer, parameter :: stress = 1, energy = 2, range = 3
+   integer, parameter :: stress = 1, energy = 2, range = 3, branch = 4
+   !> Part by which a work of opening may be below that of closing by round-off.
+   real(dp), parameter :: rounding = 1.0e-12_dp
    !> Indices behind them.
-   integer, parameter :: law = n_adhesion_rows + 1, table = n_adhesion_rows + 2, map = n_adhesion_rows + 3
+   integer, parameter :: law = n_adhesion_rows + 1, table = n_adhesion_rows + 2, map = n_adhesion_rows + 3, &
+      & opening = n_adhesion_rows + 4
    !> Number of the rows of this file.
-   integer, parameter :: n_attraction_rows = map - n_adhesion_rows
+   integer, parameter :: n_attraction_rows = opening - n_adhesion_rows
    !> The laws of the choice, and their indices.
    character(*), parameter :: words = 'dugdale exponential linear van_der_waals table'
    integer, parameter :: laws(5) = [law_dugdale, law_exponential, law_linear, law_van_der_waals, law_table]
@@ -48,6 +52,8 @@ contains
       rows(table - n_adhesion_rows) = table_row()
       rows(map - n_adhesion_rows) = dataset(group=group, name='work_map', unit='-', largest_rank=2, least_count=1, &
          & meaning='work of adhesion of each cell of the heights over work_of_adhesion; 1 if not given')
+      rows(opening - n_adhesion_rows) = above_zero(group=group, name='opening_work_of_adhesion', unit='J/m^2', &
+         & meaning='work of adhesion that opening takes, at the same stress; if not given that of closing')
    end subroutine set_attraction_rows
 
    !> The row of the law.
@@ -147,14 +153,33 @@ contains
       type(given_attraction_t), intent(in) :: given
       !> Receives the adhesion. Stress and range are those of Dugdale's law with the same largest tension and work.
       type(adhesion_law_t), intent(out) :: adhesion
+
+      if (is_dugdale(values)) then
+         call resolve_adhesion(with_stress(values), adhesion)
+      else
+         call resolve_law(values, given, adhesion)
+      end if
+      if (.not. adhesion%stress > 0) return
+      if (allocated(given%map)) allocate (adhesion%part, source=given%map)
+      if (.not. is_set(values(opening))) return
+      adhesion%opening = values(opening)/(adhesion%stress*adhesion%range)
+      ! equal works are one
+      if (adhesion%opening < 1 + rounding) adhesion%opening = 1
+   end subroutine resolve_attraction
+
+   !> The adhesion by another law than Dugdale's.
+   pure subroutine resolve_law(values, given, adhesion)
+      !> Values of the rows of adhesion and attraction.
+      real(dp), intent(in) :: values(:)
+      !> Table of the law.
+      type(given_attraction_t), intent(in) :: given
+      !> Receives the adhesion.
+      type(adhesion_law_t), intent(out) :: adhesion
       type(attraction_t) :: found
       real(dp) :: rows(n_adhesion_rows)
 
       rows = with_stress(values)
-      if (is_dugdale(values)) then
-         call resolve_adhesion(rows, adhesion)
-         return
-      else if (.not. has_attraction(values)) then
+      if (.not. has_attraction(values)) then
          return
       else if (law_of(values) == law_table) then
          if (.not. allocated(given%table)) return
@@ -167,8 +192,7 @@ contains
       rows(range) = unset
       call resolve_adhesion(rows, adhesion)
       allocate (adhesion%attraction, source=found)
-      if (allocated(given%map)) allocate (adhesion%part, source=given%map)
-   end subroutine resolve_attraction
+   end subroutine resolve_law
 
    !> What is wrong with the table of a law: gaps rise from 0, and tensions fall from above 0 to 0. Empty if nothing is.
    pure function problem_of_table(samples) result(text)
@@ -204,8 +228,9 @@ contains
       type(problems_t), intent(inout) :: problems
       real(dp) :: adhesion(n_adhesion_rows)
       character(:), allocatable :: text
-      integer :: k
+      integer :: k, n_before
 
+      n_before = problems%count()
       adhesion = with_stress(values)
       if (law_of(values) == law_table) then
          do k = stress, range
@@ -222,13 +247,10 @@ contains
          call add(table, 'has no meaning without law = ''table''')
       end if
       call check_adhesion(rows(:n_adhesion_rows), adhesion, problems)
-      if (.not. is_set(values(map))) return
-      if (is_dugdale(values)) then
-         call add(map, 'needs another law than dugdale: a share of a cell within the range has one range for all cells')
-      else if (allocated(given%map)) then
-         if (any(given%map < 0)) call add(map, 'has works below 0')
-         if (.not. any(given%map > 0)) call add(map, 'has no work above 0')
-      end if
+      if (is_set(values(opening)) .and. problems%count() == n_before) call check_opening(rows, values, given, problems)
+      if (.not. (is_set(values(map)) .and. allocated(given%map))) return
+      if (any(given%map < 0)) call add(map, 'has works below 0')
+      if (.not. any(given%map > 0)) call add(map, 'has no work above 0')
 
    contains
 
@@ -243,5 +265,30 @@ contains
       end subroutine add
 
    end subroutine check_attraction
+
+   !> Add to `problems` a work of opening that is less than closing gives, or without a closing before it.
+   subroutine check_opening(rows, values, given, problems)
+      !> Rows of adhesion and attraction; their names are part of the messages.
+      type(variable_t), intent(in) :: rows(:)
+      !> Their values, nothing else of which is wrong.
+      real(dp), intent(in) :: values(:)
+      !> Table of the law.
+      type(given_attraction_t), intent(in) :: given
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(adhesion_law_t) :: law
+
+      associate (row => rows(opening))
+         if (.not. has_attraction(values)) then
+            call problems%add(row%group, row%name, 'has no meaning without a stress of adhesion')
+         else if (nint(values(branch)) == branch_approach) then
+            call problems%add(row%group, row%name, 'has no meaning for branch = ''approach'', which does not open')
+         else
+            call resolve_attraction(values, given, law)
+            if (law%stress > 0 .and. values(opening) < (1 - rounding)*law%stress*law%range) &
+               & call problems%add(row%group, row%name, 'is below '//rows(energy)%name//', which closing gives')
+         end if
+      end associate
+   end subroutine check_opening
 
 end module adfric_interface_attraction_rows

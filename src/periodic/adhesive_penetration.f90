@@ -19,12 +19,14 @@
 !> A body that slides over a viscoelastic solid has ordered branches where its order margin is not below 0 (`adfric_solid_order_margin`).
 !> Elsewhere the same search is made, and its state is one of slow parting or approach at the velocity of the point. Where the search
 !> does not end, time stepping at the mean gap decides (`adfric_periodic_sliding_steps`).
+!>
+!> The file is long by the search through loads, whose steps share a window.
 module adfric_periodic_adhesive_penetration
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_periodic_adhesive_contact, only: find_state
    use adfric_periodic_adhesive_path, only: follow_state, penetration_of
-   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_state
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, set_opening_loss, solve_adhesive_state
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_grids, only: coarsen
@@ -70,6 +72,8 @@ module adfric_periodic_adhesive_penetration
       logical :: is_of_load = .false.
       !> States of a turn on all grids, once they are known.
       type(contact_state_t), allocatable :: turned(:)
+      !> Gap of the turn; not allocated before it is known.
+      real(dp), allocatable :: gap_of_turn(:, :)
       !> Has the last load told something?
       logical :: is_known = .true.
    end type window_t
@@ -112,7 +116,13 @@ contains
       if (allocated(error)) return
       if (.not. (window%state%is_converged .or. (branch%has_turned .and. window%is_adhered))) &
          & call step_on(self, shape, branch, tolerance, window, solution)
-      if (window%state%is_converged) call collect(self, window%state, tolerance, solution)
+      if (.not. window%state%is_converged) return
+      call collect(self, window%state, tolerance, solution)
+      if (allocated(window%gap_of_turn)) then
+         call set_opening_loss(window%state%cohesion, adhesion, solution, window%gap_of_turn)
+      else
+         call set_opening_loss(window%state%cohesion, adhesion, solution)
+      end if
    end subroutine solve_adhesive_penetration
 
    !> Find the load without adhesion at the penetration.
@@ -149,7 +159,12 @@ contains
       if (.not. (branch%is_adhered .and. branch%has_turned)) return
       call look(self, shape, branch%turning_pressure, branch, tolerance, window, solution, error)
       if (allocated(error)) return
-      if (window%has_state) return
+      if (window%has_state) then
+         ! from here on contact opens
+         window%gap_of_turn = window%state%gap
+         call window%state%cohesion%open_by(branch%opening, window%state%gap)
+         return
+      end if
       branch%is_adhered = .false.
       window%is_adhered = .false.
       window%has_state = .false.
@@ -203,9 +218,10 @@ contains
       window%state = contact_state_t()
       associate (state => window%state)
          allocate (state%cohesion)
-         call new_cohesion(state%cohesion, branch%stress, branch%range, self%grids(size(self%grids))%operator%is_quarter)
+         call new_cohesion(state%cohesion, branch%stress, branch%first_range(), self%grids(size(self%grids))%operator%is_quarter)
+         if (allocated(branch%part)) state%cohesion%part = branch%part
          state%shape = shape
-         state%gap = shape - minval(shape) + branch%range*(1 + epsilon(1.0_dp))
+         state%gap = shape - minval(shape) + state%cohesion%range*(1 + epsilon(1.0_dp))
          state%pressure = 0*shape
          allocate (state%is_open(size(shape, 1), size(shape, 2)), source=.true.)
          call state%cohesion%set_share(state%gap)
@@ -385,6 +401,8 @@ contains
       coarse%has_fixed_mean = .true.
       allocate (coarse%cohesion)
       call new_cohesion(coarse%cohesion, fine%cohesion%stress, fine%cohesion%range, is_quarter)
+      if (allocated(fine%cohesion%part)) coarse%cohesion%part = coarsen(fine%cohesion%part)
+      if (allocated(fine%cohesion%beyond)) coarse%cohesion%beyond = coarsen(fine%cohesion%beyond)
       call coarse%cohesion%set_share(coarse%gap)
    end subroutine set_coarse
 

@@ -9,7 +9,7 @@
 !> - On the last part, next to the state, slopes are those of the state itself.
 module adfric_periodic_adhesive_secants
    use adfric_base_kinds, only: dp
-   use adfric_periodic_cohesion, only: cohesion_t, line_integrals, shares_in_square, triangles, weight_of_triangle
+   use adfric_periodic_cohesion, only: cohesion_t, line_integrals, triangles, weight_of_triangle
    use adfric_periodic_contact, only: contact_state_t
    implicit none (type, external)
    private
@@ -26,7 +26,8 @@ module adfric_periodic_adhesive_secants
       real(dp) :: range = 0
       !> Numbers of the cells of each square, round it; shape `(4, n_squares)`.
       integer, allocatable :: corners(:, :)
-      !> Weights of the squares: a mirror halves them; shape `(n_squares)`.
+      !> Weights of the squares: a mirror halves them; shape `(n_squares)`. Works of adhesion below the largest one, and what had not closed
+      !> at a turn, only make slopes smaller than their bounds.
       real(dp), allocatable :: weight(:)
       !> Gap of the state, and its change along the path, in the unit of the gap; shape `(n_cells)`.
       real(dp), allocatable :: start(:), direction(:)
@@ -64,7 +65,7 @@ contains
       call get_bound(band, bound)
       allocate (is_beyond, source=bound > band%limit)
       where (.not. is_beyond) band%slope = bound
-      call raise_slope(band, 1.0_dp, nearest_part, 1, touching(band, [(i, i=1, size(band%weight))], is_beyond), is_beyond)
+      call raise_slope(band, law, 1.0_dp, nearest_part, 1, touching(band, [(i, i=1, size(band%weight))], is_beyond), is_beyond)
       do j = 1, size(slope, 2)
          do i = 1, size(slope, 1)
             if (number(i, j) > 0) slope(i, j) = band%slope(number(i, j))
@@ -126,13 +127,15 @@ contains
       call pick(path, number, self%direction)
       call pick(at_state, number, self%slope)
       allocate (self%limit(n), source=self%slope + cost)
-      call sum_shares(self, [(k, k=1, law%n_squares)], 0.0_dp, self%here)
+      call sum_shares(self, law, [(k, k=1, law%n_squares)], 0.0_dp, self%here)
    end subroutine set_band
 
    !> Raise the slopes of some cells to the largest of their secants, from the state to all positions in a part of the path. Where that is
    !> beyond the limit, the part is taken in smaller ones.
-   recursive subroutine raise_slope(band, far, near, depth, squares, is_wanted)
+   recursive subroutine raise_slope(band, law, far, near, depth, squares, is_wanted)
       type(band_t), intent(inout) :: band
+      !> The law with the squares of the band.
+      type(cohesion_t), intent(in) :: law
       !> Ends of the part of the path, of all of it.
       real(dp), intent(in) :: far, near
       !> How often parts have been taken in smaller ones, with that of the whole path.
@@ -152,14 +155,14 @@ contains
       ratio = (near/far)**(1.0_dp/n_parts(depth))
       do k = 1, n_parts(depth)
          ends = far*ratio**[k - 1, k]
-         call sum_shares(band, squares, ends(1), there)
+         call sum_shares(band, law, squares, ends(1), there)
          secant(:) = abs(there - band%here)/ends(2)
          is_beyond(:) = is_wanted .and. secant > band%limit
          if (depth == size(n_parts) .or. .not. any(is_beyond)) then
             where (is_wanted) band%slope = max(band%slope, secant)
          else
             where (is_wanted .and. .not. is_beyond) band%slope = max(band%slope, secant)
-            call raise_slope(band, ends(1), ends(2), depth + 1, touching(band, squares, is_beyond), is_beyond)
+            call raise_slope(band, law, ends(1), ends(2), depth + 1, touching(band, squares, is_beyond), is_beyond)
          end if
       end do
    end subroutine raise_slope
@@ -253,8 +256,10 @@ contains
    end subroutine pick
 
    !> What some squares of the band add to the shares of their cells.
-   pure subroutine sum_shares(band, squares, part, share)
+   pure subroutine sum_shares(band, law, squares, part, share)
       type(band_t), intent(in) :: band
+      !> The law with the squares of the band.
+      type(cohesion_t), intent(in) :: law
       !> Numbers of the squares; shape `(n)`.
       integer, intent(in), contiguous :: squares(:)
       !> How far along the path, of all of it.
@@ -267,7 +272,8 @@ contains
       share(:) = 0
       do k = 1, size(squares)
          associate (cells => band%corners(:, squares(k)))
-            shares = band%weight(squares(k))*shares_in_square(band%range, band%start(cells) + part*band%direction(cells))
+            shares = band%weight(squares(k)) &
+               & *law%shares_of(law%squares(squares(k)), band%start(cells) + part*band%direction(cells))
             do i = 1, 4
                share(cells(i)) = share(cells(i)) + shares(i)
             end do

@@ -13,7 +13,7 @@ module adfric_periodic_adhesive_solver
    use adfric_base_error, only: error_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_adhered
    use adfric_periodic_adhesive_contact, only: solve_adhesive_contact, widen_share
-   use adfric_periodic_cohesion, only: new_cohesion
+   use adfric_periodic_cohesion, only: cohesion_t, new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_grids, only: coarsen
    use adfric_periodic_sliding_steps, only: solve_by_steps
@@ -23,6 +23,7 @@ module adfric_periodic_adhesive_solver
    implicit none (type, external)
    private
    public :: adhesion_in_units, periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load, solve_adhesive_state
+   public :: set_opening_loss
 
    !> Adhesion of Maugis and Dugdale, and which of the states is wanted.
    type :: periodic_adhesion_t
@@ -34,9 +35,23 @@ module adfric_periodic_adhesive_solver
       logical :: has_turned = .false.
       !> Mean pressure from which the load falls [E*], >= 0.
       real(dp) :: turning_pressure = 0
+      !> Work that opening takes over that which closing gives, >= 1, at the same stress.
+      real(dp) :: opening = 1
+      !> Work of adhesion of each cell over the largest one, which is stress times range; not allocated: 1. Shape of the cells.
+      real(dp), allocatable :: part(:, :)
+   contains
+      procedure :: first_range
    end type periodic_adhesion_t
 
 contains
+
+   !> Range before a turn: what unloads from full contact opens, what is loaded closes.
+   pure real(dp) function first_range(self) result(range)
+      class(periodic_adhesion_t), intent(in) :: self
+
+      range = self%range
+      if (self%is_adhered .and. .not. self%has_turned) range = self%opening*range
+   end function first_range
 
    !> An adhesion with stresses in the unit of the contact.
    pure type(periodic_adhesion_t) function adhesion_in_units(law, modulus) result(adhesion)
@@ -50,6 +65,10 @@ contains
       adhesion%is_adhered = law%branch == branch_adhered
       adhesion%has_turned = allocated(law%turning_pressure)
       if (allocated(law%turning_pressure)) adhesion%turning_pressure = law%turning_pressure/modulus
+      adhesion%opening = law%opening
+      if (.not. allocated(law%part)) return
+      adhesion%stress = maxval(law%part)*adhesion%stress
+      adhesion%part = law%part/maxval(law%part)
    end function adhesion_in_units
 
    !> Solve under a mean pressure with adhesion.
@@ -73,9 +92,36 @@ contains
          if (solution%status == contact_out_of_range .or. .not. allocated(states(n)%gap)) return
          call set_full_pressure(self%grids(n)%operator, shape, solution)
          call set_solution(states, self%grids(n)%operator, solution)
+         if (allocated(turned)) then
+            call set_opening_loss(states(n)%cohesion, adhesion, solution, turned(n)%gap)
+         else
+            call set_opening_loss(states(n)%cohesion, adhesion, solution)
+         end if
          call set_friction(self, states, shape, solution)
       end associate
    end subroutine solve_adhesive_load
+
+   !> Energy that opening has taken beyond what closing gave, beside the energy of adhesion by the law of closing.
+   subroutine set_opening_loss(cohesion, adhesion, solution, turned)
+      !> The law of opening, or that of closing where nothing has opened.
+      type(cohesion_t), intent(in) :: cohesion
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> In: with the gap. Out: with the energies.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Gap of the turn; shape of the cells. Not given: all has been in contact.
+      real(dp), intent(in), optional :: turned(:, :)
+      type(cohesion_t) :: closing
+      real(dp), allocatable :: start(:, :)
+
+      if (.not. cohesion%range > adhesion%range) return
+      call new_cohesion(closing, adhesion%stress, adhesion%range, cohesion%is_quarter)
+      if (allocated(cohesion%part)) closing%part = cohesion%part
+      allocate (start, source=0*solution%gap)
+      if (present(turned)) start(:, :) = turned
+      solution%adhesion_energy = closing%energy_of(solution%gap)
+      solution%opening_loss = (cohesion%energy_of(solution%gap) - solution%adhesion_energy) &
+         & - (cohesion%energy_of(start) - closing%energy_of(start))
+   end subroutine set_opening_loss
 
    !> Solve at a penetration of a layer, which resists a constant: with its mean compliance C the penetration D is a load D/C on a solid
    !> whose constants are as stiff as it is. So rounds end in the least or the most adhered state at D, and there is no load to be sought.
@@ -225,6 +271,9 @@ contains
             end do
             call pass_grids(self, turned, .false., tolerance, solution)
          end if
+         do k = 1, n
+            if (allocated(turned(k)%gap)) call states(k)%cohesion%open_by(adhesion%opening, turned(k)%gap)
+         end do
          solution%status = contact_out_of_range
          if (allocated(turned(n)%gap)) solution%status = merge(contact_solved, contact_not_converged, turned(n)%is_converged)
          if (solution%status == contact_solved) call pass_grids(self, states, .true., tolerance, solution, turned)
@@ -251,7 +300,14 @@ contains
       do k = n, 1, -1
          if (k < n) allocate (states(k)%shape, source=coarsen(states(k + 1)%shape))
          allocate (states(k)%cohesion)
-         call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%range, self%grids(k)%operator%is_quarter)
+         call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%first_range(), self%grids(k)%operator%is_quarter)
+         if (allocated(adhesion%part)) then
+            if (k == n) then
+               states(k)%cohesion%part = adhesion%part
+            else
+               states(k)%cohesion%part = coarsen(states(k + 1)%cohesion%part)
+            end if
+         end if
          states(k)%mean_pressure = mean_pressure
       end do
    end subroutine set_states
@@ -328,6 +384,11 @@ contains
       type(contact_state_t) :: touch
 
       bound(:, :) = merge(1, 0, is_adhered)
+      if (is_adhered .and. allocated(state%cohesion%part)) then
+         touch = state
+         call touch%cohesion%set_share(0*state%shape)
+         bound(:, :) = touch%cohesion%share
+      end if
       if (is_adhered .or. state%resists_mean .or. state%mean_pressure > 0) return
       touch = state
       call touch%cohesion%set_share(state%shape)

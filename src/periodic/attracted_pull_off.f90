@@ -57,6 +57,7 @@ contains
             if (.not. (has_state .and. state%is_converged)) return
             start(:, :) = state%gap
          end if
+         call cells%open_by(attraction%opening, .not. start > 0)
          ! no state carries more than the whole tension
          largest = sum(cells%tension(start))/size(start)
          without = -largest*(1 + wanted_error/2)

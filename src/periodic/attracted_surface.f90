@@ -29,6 +29,8 @@ module adfric_periodic_attracted_surface
       logical :: has_turned = .false.
       !> Mean pressure from which the load falls [E*], >= 0.
       real(dp) :: turning_pressure = 0
+      !> Work that cells that have been in contact take to open over that which closing gives, >= 1.
+      real(dp) :: opening = 1
    contains
       procedure :: in_length
    end type periodic_attraction_t
@@ -47,6 +49,7 @@ contains
       attraction%is_adhered = adhesion%branch == branch_adhered
       attraction%has_turned = allocated(adhesion%turning_pressure)
       if (allocated(adhesion%turning_pressure)) attraction%turning_pressure = adhesion%turning_pressure/modulus
+      attraction%opening = adhesion%opening
    end function attraction_in_units
 
    !> The same with lengths in another unit.
@@ -60,6 +63,7 @@ contains
       other%is_adhered = self%is_adhered
       other%has_turned = self%has_turned
       other%turning_pressure = self%turning_pressure
+      other%opening = self%opening
    end function in_length
 
    !> Solve under a mean pressure.
@@ -97,8 +101,16 @@ contains
          allocate (turned, source=states)
          turned%mean_pressure = attraction%turning_pressure
          call pass_grids(self, turned, cells, .true., tolerance, solution)
+         do k = 1, n
+            if (allocated(turned(k)%gap)) call cells(k)%open_by(attraction%opening, .not. turned(k)%gap > 0)
+         end do
          if (solution%status == contact_solved) call pass_grids(self, states, cells, .false., tolerance, solution, turned)
       else
+         ! without a turn all has been in contact
+         do k = 1, n
+            if (attraction%is_adhered .and. .not. attraction%has_turned) call cells(k)%open_by(attraction%opening, &
+               & .not. states(k)%shape < 0)
+         end do
          call pass_grids(self, states, cells, attraction%has_turned .or. .not. attraction%is_adhered, tolerance, solution)
       end if
       if (solution%status == contact_out_of_range .or. .not. allocated(states(n)%gap)) return
@@ -187,6 +199,7 @@ contains
       solution%pressure(:, :) = solution%pressure - tension
       solution%share = tension/cells%law%stress
       solution%adhesion_energy = cells%energy(solution%gap)
+      solution%opening_loss = cells%opening_loss(solution%gap)
       solution%elastic_energy = sum((solution%gap - states(n)%shape)*(solution%pressure - load))/(2*size(tension))
       call set_friction(self, states, states(n)%shape, solution)
    end subroutine collect

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The attraction of the cells of a surface: a law for all, and how much of it each cell has. Its chords bound the law between gaps.
+!> The attraction of the cells of a surface: a law for all, how much of it each cell has, and a law of opening for those that have been in
+!> contact. Chords bound the laws between gaps.
 module adfric_periodic_attraction_cells
    use adfric_base_kinds, only: dp
    use adfric_interface_attraction, only: attraction_t, law_table
@@ -16,7 +17,13 @@ module adfric_periodic_attraction_cells
       type(attraction_t) :: law
       !> Work of adhesion of each cell over that of the law, >= 0; not allocated: 1. Shape of the cells.
       real(dp), allocatable :: part(:, :)
+      !> Has the cell been in contact, so that it opens by `opening`? Shape of the cells; not allocated: none counts.
+      logical, allocatable :: has_touched(:, :)
+      !> The law of these cells: the same largest tension at longer gaps.
+      type(attraction_t) :: opening
    contains
+      procedure :: open_by
+      procedure :: opening_loss
       procedure :: tension
       procedure :: slope
       procedure :: largest_chord
@@ -26,6 +33,33 @@ module adfric_periodic_attraction_cells
 
 contains
 
+   !> Let the cells that have been in contact open with more work than closing gave.
+   pure subroutine open_by(self, factor, has_touched)
+      class(attraction_cells_t), intent(inout) :: self
+      !> Work of opening over that of closing, >= 1; nothing is done where it is 1.
+      real(dp), intent(in) :: factor
+      !> Has the cell been in contact? Shape of the cells.
+      logical, intent(in) :: has_touched(:, :)
+
+      if (.not. factor > 1) return
+      self%has_touched = has_touched
+      self%opening = self%law%stretched(factor)
+   end subroutine open_by
+
+   !> Energy over area that opening has taken beyond what closing gave [E* times the unit of the gap].
+   pure real(dp) function opening_loss(self, gap) result(loss)
+      class(attraction_cells_t), intent(in) :: self
+      !> Gaps, >= 0; shape of the cells.
+      real(dp), intent(in) :: gap(:, :)
+      real(dp) :: losses(size(gap, 1), size(gap, 2))
+
+      loss = 0
+      if (.not. allocated(self%has_touched)) return
+      losses = (self%opening%work - self%law%work) - (self%opening%work_from(gap) - self%law%work_from(gap))
+      if (allocated(self%part)) losses = self%part*losses
+      loss = sum(losses, mask=self%has_touched)/size(gap)
+   end function opening_loss
+
    !> Tensions at gaps [E*].
    pure function tension(self, gap) result(tensions)
       class(attraction_cells_t), intent(in) :: self
@@ -34,6 +68,7 @@ contains
       real(dp) :: tensions(size(gap, 1), size(gap, 2))
 
       tensions = self%law%tension(gap)
+      if (allocated(self%has_touched)) tensions = merge(self%opening%tension(gap), tensions, self%has_touched)
       if (allocated(self%part)) tensions = self%part*tensions
    end function tension
 
@@ -45,6 +80,7 @@ contains
       real(dp) :: slopes(size(gap, 1), size(gap, 2))
 
       slopes = self%law%slope(gap)
+      if (allocated(self%has_touched)) slopes = merge(self%opening%slope(gap), slopes, self%has_touched)
       if (allocated(self%part)) slopes = self%part*slopes
    end function slope
 
@@ -56,6 +92,7 @@ contains
       real(dp) :: chords(size(from, 1), size(from, 2))
 
       chords = chord_of(self%law, from, to, .true.)
+      if (allocated(self%has_touched)) chords = merge(chord_of(self%opening, from, to, .true.), chords, self%has_touched)
       if (allocated(self%part)) chords = self%part*chords
    end function largest_chord
 
@@ -67,10 +104,12 @@ contains
       real(dp) :: chords(size(from, 1), size(from, 2))
 
       chords = chord_of(self%law, from, to, .false.)
+      if (allocated(self%has_touched)) chords = merge(chord_of(self%opening, from, to, .false.), chords, self%has_touched)
       if (allocated(self%part)) chords = self%part*chords
    end function smallest_chord
 
-   !> Energy over area, 0 far apart: the mean of what it takes to part the cells, below 0 [E* times the unit of the gap].
+   !> Energy over area by the law of closing, 0 far apart: the mean of what it takes to part the cells, below 0 [E* times the unit of the
+   !> gap].
    pure real(dp) function energy(self, gap)
       class(attraction_cells_t), intent(in) :: self
       !> Gaps, >= 0; shape of the cells.

@@ -15,13 +15,18 @@
 !>   diagonal, a smaller gap (`adfric_periodic_adhesive_contact`).
 !> - -d t_i/d g_j = integral of H_i H_j/|grad g| along the line g = h0, symmetric; where the gap is flat, no width is spread over it.
 !>
+!> Two things may differ from cell to cell. The work of adhesion is one: each triangle has the mean of its corners, as a part of the
+!> stress. The other one is what had closed at a turn: opening may have a longer range than closing, and what had not come within the
+!> range of closing by then has no tension. Both only weigh the integrals over g, so that all of the above stays.
+!>
 !> The file is long by shares and slopes, which are integrals over the same triangles.
 module adfric_periodic_cohesion
    use adfric_base_kinds, only: dp
+   use adfric_periodic_cut_triangle, only: cut_depth, cut_line, cut_shares
    use adfric_periodic_maps, only: sum_of
    implicit none (type, external)
    private
-   public :: cohesion_t, new_cohesion, line_integrals, shares_in_square, triangles, weight_of_triangle
+   public :: cohesion_t, new_cohesion, line_integrals, triangles, weight_of_triangle
 
    !> A square between the middles of four cells.
    type :: square_t
@@ -37,9 +42,14 @@ module adfric_periodic_cohesion
       real(dp) :: stress = 0, range = 0
       !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
       logical :: is_quarter = .false.
+      !> Work of adhesion of each cell over the largest one, 0 to 1; not allocated: 1. Shape of the cells.
+      real(dp), allocatable :: part(:, :)
+      !> Gap at a turn less the range of closing; where it is above 0 there is no tension. Not allocated: there was no turn that counts.
+      !> Shape of the cells.
+      real(dp), allocatable :: beyond(:, :)
       !> Do the shares change with the gap as `corners` and `slopes` say? Else they are held.
       logical :: is_linear = .false.
-      !> Shares t of the cells within the range, 0 to 1; shape of the cells.
+      !> Shares t of the cells within the range, 0 to 1, each part of a cell with its work; shape of the cells.
       real(dp), allocatable :: share(:, :)
       !> Number of triangles that the edge of the zone passes.
       integer :: n_triangles = 0
@@ -53,6 +63,9 @@ module adfric_periodic_cohesion
       type(square_t), allocatable :: squares(:)
    contains
       procedure :: set_share
+      procedure :: shares_of
+      procedure :: area_share
+      procedure :: open_by
       procedure :: move_cell
       procedure :: follow
       procedure :: set_band
@@ -100,10 +113,37 @@ contains
       do j = first, size(gap, 2)
          do i = first, size(gap, 1)
             square = square_at(i, j, shape(gap), self%is_quarter)
-            call add_shares(self%range, gap, square, self%share)
+            call add_shares(self, gap, square, self%share)
          end do
       end do
    end subroutine set_share
+
+   !> Shares of the cells' areas within the range, whatever the work of adhesion there is.
+   function area_share(self, gap) result(share)
+      class(cohesion_t), intent(in) :: self
+      real(dp), intent(in), contiguous :: gap(:, :)
+      real(dp), allocatable :: share(:, :)
+      type(cohesion_t) :: law
+
+      call new_cohesion(law, self%stress, self%range, self%is_quarter)
+      if (allocated(self%beyond)) law%beyond = self%beyond
+      call law%set_share(gap)
+      call move_alloc(law%share, share)
+   end function area_share
+
+   !> Let what is within the range at a gap open with more work than closing gives: up to a longer range. What is outside of it by then has
+   !> no tension any more. The shares of the gap itself stay.
+   pure subroutine open_by(self, factor, gap)
+      class(cohesion_t), intent(inout) :: self
+      !> Work of opening over that of closing, >= 1; nothing is done where it is 1.
+      real(dp), intent(in) :: factor
+      !> Gap at the turn; shape of the cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+
+      if (.not. factor > 1) return
+      self%beyond = gap - self%range
+      self%range = factor*self%range
+   end subroutine open_by
 
    !> Find the shares of a gap, and let them change with it in a straight line from there.
    subroutine follow(self, gap)
@@ -160,7 +200,7 @@ contains
 
       share(:, :) = 0
       do k = 1, self%n_squares
-         call add_shares(self%range, gap, self%squares(k), share)
+         call add_shares(self, gap, self%squares(k), share)
       end do
    end subroutine get_band_share
 
@@ -191,9 +231,8 @@ contains
    end function square_at
 
    !> Add what a square has within the range to the shares of its corners.
-   pure subroutine add_shares(range, gap, square, share)
-      !> Range h0.
-      real(dp), intent(in) :: range
+   pure subroutine add_shares(self, gap, square, share)
+      class(cohesion_t), intent(in) :: self
       real(dp), intent(in), contiguous :: gap(:, :)
       type(square_t), intent(in) :: square
       !> Receives the shares; shape of the cells.
@@ -201,9 +240,62 @@ contains
       real(dp) :: corner(4)
 
       corner = corners_of(gap, square)
-      if (min(corner(1), corner(2), corner(3), corner(4)) > range) return
-      call add_to_cells(square, shares_in_square(range, corner), share)
+      if (min(corner(1), corner(2), corner(3), corner(4)) > self%range) return
+      call add_to_cells(square, self%shares_of(square, corner), share)
    end subroutine add_shares
+
+   !> What a square gives its corners as shares, but for its weight.
+   pure function shares_of(self, square, corner) result(shares)
+      class(cohesion_t), intent(in) :: self
+      type(square_t), intent(in) :: square
+      !> Gap at the corners, round the square.
+      real(dp), intent(in) :: corner(4)
+      real(dp) :: shares(4), part(4), beyond(4)
+      integer :: k
+
+      if (.not. (allocated(self%part) .or. allocated(self%beyond))) then
+         shares = shares_in_square(self%range, corner)
+         return
+      end if
+      shares = 0
+      call get_parts(self, square, part, beyond)
+      do k = 1, size(triangles, 2)
+         associate (of => triangles(:, k))
+            shares(of) = shares(of) + weight_of_triangle*sum(part(of))/3*shares_in_triangle(self%range, corner(of), beyond(of))
+         end associate
+      end do
+   end function shares_of
+
+   !> Works of the corners of a square over the largest one, and what their gaps at the turn were beyond the range.
+   pure subroutine get_parts(self, square, part, beyond)
+      class(cohesion_t), intent(in) :: self
+      type(square_t), intent(in) :: square
+      !> Receive the values, round the square; 1 and -1 where there are none.
+      real(dp), intent(out) :: part(4), beyond(4)
+
+      part = 1
+      beyond = -1
+      if (allocated(self%part)) part = corners_of(self%part, square)
+      if (allocated(self%beyond)) beyond = corners_of(self%beyond, square)
+   end subroutine get_parts
+
+   !> Integrals of the hat functions over what holds of a triangle, in units of its area.
+   pure function shares_in_triangle(range, corner, beyond) result(shares)
+      !> Range h0.
+      real(dp), intent(in) :: range
+      !> Gap, and its excess over the range of closing at the turn, at the corners.
+      real(dp), intent(in) :: corner(3), beyond(3)
+      real(dp) :: shares(3)
+
+      shares = 0
+      if (minval(beyond) > 0) return
+      if (maxval(beyond) > 0) then
+         shares = cut_shares(corner - range, beyond)
+      else
+         call add_triangle(range, corner(1), corner(2), corner(3), shares(1), shares(2), shares(3))
+         shares = shares/weight_of_triangle
+      end if
+   end function shares_in_triangle
 
    !> Add to the four cells of a square.
    pure subroutine add_to_cells(square, values, field)
@@ -271,9 +363,9 @@ contains
          do k = merge(2, 1, x(1) == x(2)), 2
             square = square_at(x(k), y(l), shape(gap), self%is_quarter)
             gap(i, j) = before
-            old = shares_in_square(self%range, corners_of(gap, square))
+            old = self%shares_of(square, corners_of(gap, square))
             gap(i, j) = before + step
-            new = shares_in_square(self%range, corners_of(gap, square)) - old
+            new = self%shares_of(square, corners_of(gap, square)) - old
             if (.not. any(abs(new) > 0)) cycle
             call add_to_cells(square, new, self%share)
             call add_to_cells(square, self%stress*new, tension)
@@ -383,18 +475,20 @@ contains
       type(cohesion_t), intent(inout) :: self
       real(dp), intent(in), contiguous :: gap(:, :)
       type(square_t), intent(in) :: square
-      real(dp) :: corner(4)
+      real(dp) :: corner(4), part(4), beyond(4)
       integer :: cells(4), k
 
       corner = corners_of(gap, square)
+      call get_parts(self, square, part, beyond)
       cells = square%x([1, 2, 2, 1]) + size(gap, 1)*(square%y([1, 1, 2, 2]) - 1)
       do k = 1, 4
          associate (of => triangles(:, k))
-            if (minval(corner(of)) > self%range .or. maxval(corner(of)) <= self%range) cycle
+            if (minval(corner(of)) > self%range .or. maxval(corner(of)) <= self%range .or. minval(beyond(of)) > 0) cycle
             if (self%n_triangles == size(self%corners, 2)) call make_space(self)
             self%n_triangles = self%n_triangles + 1
             self%corners(:, self%n_triangles) = cells(of)
-            self%slopes(:, self%n_triangles) = square%weight*weight_of_triangle*self%stress*slopes_of(corner(of), self%range)
+            self%slopes(:, self%n_triangles) = square%weight*weight_of_triangle*self%stress &
+               & *(sum(part(of))/3)*slopes_of(corner(of), self%range, beyond(of))
          end associate
       end do
    end subroutine add_slopes
@@ -416,11 +510,13 @@ contains
 
    !> Integrals of products of hat functions along the line, over the gradient of the gap, in units of the triangle's area; pairs
    !> as in `line_integrals`.
-   pure function slopes_of(corner, range) result(slopes)
+   pure function slopes_of(corner, range, beyond) result(slopes)
       !> Gap at the corners, not all on one side of the range.
       real(dp), intent(in) :: corner(3)
       real(dp), intent(in) :: range
-      real(dp) :: slopes(6), part(2), rate
+      !> What the line is cut to: where this function of the corners is not above 0.
+      real(dp), intent(in) :: beyond(3)
+      real(dp) :: slopes(6), part(2), rate, length
       real(dp) :: ends(3, 2)
       integer :: order(3)
 
@@ -442,6 +538,10 @@ contains
             ends(order(2), 2) = part(2)
          end if
       end associate
+      if (maxval(beyond) > 0) then
+         call cut_line(beyond, ends(:, 1), ends(:, 2), length)
+         rate = rate*length
+      end if
       slopes = rate*line_integrals(ends(:, 1), ends(:, 2))
    end function slopes_of
 
@@ -494,7 +594,7 @@ contains
       class(cohesion_t), intent(in) :: self
       real(dp), intent(in), contiguous :: gap(:, :)
       type(square_t) :: square
-      real(dp) :: corner(4), total
+      real(dp) :: corner(4), part(4), beyond(4), total
       integer :: first, i, j, k
 
       first = merge(0, 1, self%is_quarter)
@@ -503,8 +603,11 @@ contains
          do i = first, size(gap, 1)
             square = square_at(i, j, shape(gap), self%is_quarter)
             corner = corners_of(gap, square)
+            call get_parts(self, square, part, beyond)
             do k = 1, 4
-               total = total + square%weight*weight_of_triangle*depth_of(corner(triangles(:, k)), self%range)
+               associate (of => triangles(:, k))
+                  total = total + square%weight*weight_of_triangle*(sum(part(of))/3)*depth_of(corner(of), self%range, beyond(of))
+               end associate
             end do
          end do
       end do
@@ -512,13 +615,19 @@ contains
    end function energy_of
 
    !> Mean of the way from the gap up to the range, over a triangle.
-   pure real(dp) function depth_of(corner, range) result(depth)
+   pure real(dp) function depth_of(corner, range, beyond) result(depth)
       real(dp), intent(in) :: corner(3)
       real(dp), intent(in) :: range
+      !> Where this function of the corners is above 0 nothing is counted.
+      real(dp), intent(in) :: beyond(3)
       integer :: order(3)
 
       depth = 0
-      if (minval(corner) > range) return
+      if (minval(corner) > range .or. minval(beyond) > 0) return
+      if (maxval(beyond) > 0) then
+         depth = cut_depth(corner - range, beyond)
+         return
+      end if
       depth = range - sum(corner)/3
       if (maxval(corner) <= range) return
       order = order_of(corner)

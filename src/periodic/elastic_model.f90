@@ -200,16 +200,16 @@ contains
       end associate
    end subroutine check_solid
 
-   !> Add to `problems` what a law other than Dugdale's does not have, and a map that is not one of the cells.
+   !> Add to `problems` a penetration by a law other than Dugdale's, and a map that is not one of the cells.
    subroutine check_law(self, values, problems)
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
       type(periodic_surface_t) :: surface
 
-      if (is_dugdale(adhesion_values(self, values)) .or. problems%count() > 0) return
-      if (is_set(values(self%before_prescribed + in%penetration))) call problems%add('operating', 'penetration', &
-         & 'is prescribed with the law dugdale alone; give the mean pressure')
+      if (problems%count() > 0) return
+      if (.not. is_dugdale(adhesion_values(self, values)) .and. is_set(values(self%before_prescribed + in%penetration))) &
+         & call problems%add('operating', 'penetration', 'is prescribed with the law dugdale alone; give the mean pressure')
       if (.not. allocated(self%given_attraction%map)) return
       call self%get_cells(values, surface)
       if (surface%is_quarter) then
@@ -349,6 +349,8 @@ contains
 
       if (allocated(law%attraction)) then
          tension = law%stress*(sum(solution%share, mask=solution%gap > 0)/size(solution%gap))
+      else if (allocated(solution%weighted_share)) then
+         tension = maxval(law%part)*law%stress*(sum(solution%weighted_share, mask=solution%gap > 0)/size(solution%gap))
       else
          tension = law%stress*adhesion_fraction_of(solution)
       end if
@@ -385,6 +387,7 @@ contains
          if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)
          if (.not. law%stress > 0) return
          results(out%cells_per_zone) = cells_per_zone(law, surface)
+         if (law%opening > 1) results(out%opening_loss) = modulus*solution%opening_loss
          if (solution%pull_off < huge(1.0_dp) .and. results(out%cells_per_zone) >= least_cells) &
             & results(out%pull_off_pressure) = modulus*solution%pull_off
          if (any(solution%share > 0) .and. any(solution%share < 1)) &

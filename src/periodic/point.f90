@@ -160,6 +160,7 @@ contains
       if (allocated(solution%gap)) solution%gap = solution%gap*unit
       solution%elastic_energy = solution%elastic_energy*unit
       solution%adhesion_energy = solution%adhesion_energy*unit
+      solution%opening_loss = solution%opening_loss*unit
    end subroutine solve_periodic
 
    !> Find the contacts of a solution at velocities a little off, as far as they are found.

@@ -29,13 +29,16 @@ contains
       type(periodic_pull_off_t), intent(out) :: pull_off
       type(error_t), allocatable, intent(out) :: error
       type(search_t) :: search
+      real(dp), allocatable :: parts(:)
       real(dp) :: found(4)
       logical :: is_known
 
       found = 0
+      allocate (parts(0))
+      if (allocated(adhesion%part)) parts = pack(adhesion%part, .true.)
       call look_up(table, [adhesion%stress, adhesion%range, merge(adhesion%turning_pressure, -1.0_dp, adhesion%has_turned), &
-         & tolerance, solid, real(size(shape, 1), dp), merge(1.0_dp, 0.0_dp, solver%grids(1)%operator%is_quarter)], shape, found, &
-         & is_known, search)
+         & adhesion%opening, tolerance, solid, parts, real(size(shape, 1), dp), &
+         & merge(1.0_dp, 0.0_dp, solver%grids(1)%operator%is_quarter)], shape, found, is_known, search)
       if (is_known) then
          pull_off = periodic_pull_off_t(found(1), found(2), found(3), found(4) > 0)
          return

@@ -54,6 +54,8 @@ module adfric_periodic_solver
       real(dp) :: full_pressure = 0
       !> Shares of the cells within the range of adhesion, not allocated without; shape of the cells.
       real(dp), allocatable :: share(:, :)
+      !> The same, each part of a cell with its work of adhesion over the largest one; not allocated where works do not differ.
+      real(dp), allocatable :: weighted_share(:, :)
       !> Flash temperatures of a surface that slides [K], not allocated without heat; shape of the cells.
       real(dp), allocatable :: flash(:, :)
       !> Contacts at velocities a little off, in the order of `near_steps`; none where the velocity does not count; not allocated where
@@ -61,6 +63,8 @@ module adfric_periodic_solver
       type(near_contact_t), allocatable :: near(:)
       !> Energy of an elastic solid, and of adhesion below 0, per area [E* times the unit of the gap].
       real(dp) :: elastic_energy = 0, adhesion_energy = 0
+      !> Energy per area that opening has taken beyond what closing gave [E* times the unit of the gap].
+      real(dp) :: opening_loss = 0
       !> Pull-off, where it was sought and found [E*]; else the largest number.
       real(dp) :: pull_off = huge(1.0_dp)
       !> Friction in full contact on these cells, along x and along y [E*].
@@ -390,6 +394,10 @@ contains
       type(periodic_solution_t), intent(inout) :: solution
 
       solution%share = cohesion%share
+      if (allocated(cohesion%part)) then
+         solution%weighted_share = cohesion%share
+         solution%share = cohesion%area_share(solution%gap)
+      end if
       solution%pressure(:, :) = solution%pressure - cohesion%stress*cohesion%share
       solution%adhesion_energy = cohesion%energy_of(solution%gap)
    end subroutine take_tension

@@ -40,7 +40,7 @@ module adfric_periodic_variables
          & elastic_energy = 0, adhesion_energy = 0, pull_off_pressure = 0, cells_per_zone = 0, friction_stress = 0, &
          & friction_coefficient = 0, friction_force = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0, &
-         & velocity_slope = 0, coupling_left_out = 0
+         & velocity_slope = 0, coupling_left_out = 0, opening_loss = 0
    end type periodic_output_t
    type(periodic_output_t), parameter, public :: periodic_output = transfer(counting, periodic_output_t())
    integer, parameter, public :: n_periodic_results = periodic_output%contact_violation
@@ -135,7 +135,9 @@ contains
          & long_name='friction stress of a shear strength on the area that varies smoothly')
       r(periodic_output%smooth_friction)%has_bends = .true.
       r(periodic_output%velocity_slope:periodic_output%velocity_slope) = last_of_rows(total_friction_results('stress', 'Pa'))
-      r(periodic_output%coupling_left_out:) = last_of_rows(coupling_results())
+      r(periodic_output%coupling_left_out:periodic_output%coupling_left_out) = last_of_rows(coupling_results())
+      r(periodic_output%opening_loss) = result_row(name='opening_loss', unit='J/m^2', &
+         & long_name='energy that opening has taken beyond what closing gave, over nominal area')
    end function get_elastic_results
 
    !> The last one of some results: of friction as a sum the slope over the velocity, of a coupling what is left out.

@@ -65,6 +65,18 @@ class AdhesionInputs(InputRuns):
         self.assertIs(figures.choose_figure(results), adhesion.draw_stickiness)
         adhesion.draw_stickiness(results)
 
+    def test_opening(self):
+        """A preload makes a surface hold more where opening takes more work, up to full contact. With equal works it need not."""
+        self.make_surface("surface_opening", 32)
+        found = self.solve("surface_opening", **{"count = 13": "count = 3", "adhesion_stress = 1.2e5": "adhesion_stress = 6.0e4"})
+        tension = -found["pull_off_pressure"]
+        self.assertEqual(tension.shape, (3, 3))
+        # to the step with which a pull-off is sought
+        self.assertTrue(np.all(tension[1:] >= 0.99 * tension[:-1]))
+        self.assertTrue(np.all(tension[:, 1:] >= 0.99 * tension[:, :-1]))
+        self.assertTrue(np.all(np.isnan(found["opening_loss"][0])))
+        self.assertTrue(np.all(found["opening_loss"][1:] >= 0))
+
     def test_maps(self):
         """Without the load of the contacts alone: rims of tension, whose pressure is that of adhesion, balance it."""
         self.make_surface("surface_adhesion_maps", 64)
