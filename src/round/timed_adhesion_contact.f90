@@ -15,7 +15,7 @@ module adfric_round_timed_adhesion_contact
    use adfric_round_timed_adhesion_memory, only: prepare_step, reserve_nodes, spring_memory_t, start_memory, stored_energy, &
       & take_step
    use adfric_round_timed_adhesion_search, only: find_jump, find_near, near
-   use adfric_round_timed_adhesion_zone, only: sum_up, zone_energy, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: set_edge, set_shape, sum_up, zone_energy, zone_problem_t, zone_state_t
    use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
@@ -102,12 +102,17 @@ contains
       type(timed_leg_t), intent(in) :: legs(:)
       integer, parameter :: first_nodes = 256
 
-      allocate (self%problem%shape, source=shape)
+      call set_shape(self%problem, shape)
       self%problem%stress = stress
       self%problem%range = range
       self%problem%cell = cell
       self%control = control
       self%legs = legs
+      associate (face => self%problem%face)
+         ! approaches up to the largest one are as long as the face
+         if (face < huge(face)) self%problem%face_scale = (max(maxval(abs(legs%begin)), maxval(abs(legs%end))) &
+            & /(control%by_approach + 2*face*control%by_load) + range)/face + 2*stress
+      end associate
       allocate (self%jumps(8))
       call start_memory(self%memory, solid, self%problem, first_nodes)
       self%state%approach = not_a_number()
@@ -208,7 +213,9 @@ contains
          span = self%legs(self%leg)%span*(end - self%phase)
          prescribed = prescribed_at(self%legs(self%leg), end)
          call prepare_step(self%memory, span, self%problem)
-         call sum_up(self%problem, self%state%c, self%state%a, self%moved/(2*self%problem%cell), .true.)
+         call set_edge(self%problem, self%state)
+         call sum_up(self%problem, self%problem%adhesion_radius(self%state%c), self%state%a, self%moved/(2*self%problem%cell), &
+            & .true.)
          call find_near(self%problem, self%control, self%state, prescribed, reach, state, verdict)
          moved = abs(state%c - self%state%c)
          if (max(state%a, self%state%a) > 2*reach) moved = max(moved, abs(state%a - self%state%a))
@@ -225,7 +232,9 @@ contains
       if (verdict /= near) return
       is_solved = .true.
       if (abs(state%c - self%state%c) > 6*reach .or. .not. state%c > 0 .and. self%state%c > 0) is_jump = .true.
-      if (state%a > 0) self%narrowest = min(self%narrowest, (state%c - state%a)/self%problem%cell)
+      ! at the edge of a flat punch a zone of any width has all digits
+      if (state%a > 0 .and. .not. state%c > self%problem%face) self%narrowest = min(self%narrowest, &
+         & (state%c - state%a)/self%problem%cell)
       self%moved = merge(0.0_dp, state%c - self%state%c, is_jump)
       call account(self, state, self%legs(self%leg)%clock + self%legs(self%leg)%span*end, is_jump)
       self%state = state

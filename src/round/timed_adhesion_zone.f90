@@ -8,6 +8,14 @@
 !>
 !> For a given c the first equation has one a, since its right side falls as a rises. Where it is too small at a = 0, nothing
 !> touches: delta then comes from the gap at c, and the second equation is not needed.
+!>
+!> Under a flat punch of radius b, g = 0 and c <= b. Its curve of states goes on where c = b and the gap there is below h: a zone
+!> begins at the edge, or the whole face is pressed. There the approach d is the parameter. So c stands for b + (d - d_b)/k, where d_b
+!> is the approach of the state with c = b that obeys the first equation, and k a scale. With x = b cos(t), the second one is
+!>
+!>     w(b cos(t)) - d = (2 S b/E) sin(t),   0 < t < pi/2
+!>
+!> whose left side falls with t, since w rises with x. Where d > w(b) the face touches as a whole, and only the load is needed.
 module adfric_round_timed_adhesion_zone
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
@@ -17,7 +25,7 @@ module adfric_round_timed_adhesion_zone
    use adfric_round_timed_adhesion_sums, only: expand_far_cells, far_cells_t, is_near, move_sum, zone_sum_t
    implicit none (type, external)
    private
-   public :: zone_problem_t, zone_state_t, sum_up, solve_zone, shift_state, zone_energy
+   public :: zone_problem_t, zone_state_t, set_shape, set_edge, sum_up, solve_zone, shift_state, zone_energy
 
    !> The elastic problem of an instant, in units of the contact.
    type :: zone_problem_t
@@ -35,13 +43,21 @@ module adfric_round_timed_adhesion_zone
       real(dp) :: anchor_sum = 0
       !> Cells of the zone far from its edge, where they are summed up for all radii of a step.
       type(far_cells_t) :: far
+      !> Radius b of a flat punch; enormous for other shapes.
+      real(dp) :: face = huge(1.0_dp)
+      !> Change of approach over that of the parameter beyond the radius of a flat punch, and approach of the state there.
+      real(dp) :: face_scale = 1, edge_approach = 0
+      !> Was the state there found?
+      logical :: has_edge = .true.
    contains
       procedure :: depth_at
+      procedure :: adhesion_radius
+      procedure :: node_below
    end type zone_problem_t
 
    !> A state.
    type :: zone_state_t
-      !> Radii c of adhesion and a of contact, approach and load; no adhesion where c = 0.
+      !> Radii c of adhesion (beyond a flat punch a parameter) and a of contact, approach and load; no adhesion where c = 0.
       real(dp) :: c = 0, a = 0, approach = 0, load = 0
       !> Derivatives by c of a, approach and load along the curve of states; those of approach and load serve searches only.
       real(dp) :: a_slope = 0, approach_slope = 0, load_slope = 0
@@ -63,11 +79,59 @@ contains
       real(dp), intent(in) :: radius
       type(spot_t) :: spot
 
+      depth = 0
+      if (self%face < huge(depth)) return
       depth = huge(depth)
       if (.not. radius < within_edge*self%shape%edge) return
       call self%shape%evaluate(self%shape%unknown_of(radius), .not. radius < self%shape%corner, spot)
       depth = spot%depth
    end function depth_at
+
+   !> The radius of adhesion of a parameter c.
+   pure real(dp) function adhesion_radius(self, c) result(radius)
+      class(zone_problem_t), intent(in) :: self
+      real(dp), intent(in) :: c
+
+      radius = min(c, self%face)
+   end function adhesion_radius
+
+   !> The last node up to a radius or a parameter c. The edge of a flat punch is a node.
+   pure integer function node_below(self, c) result(node)
+      class(zone_problem_t), intent(in) :: self
+      real(dp), intent(in) :: c
+
+      if (c < self%face) then
+         node = int(c/self%cell)
+      else
+         node = nint(self%face/self%cell)
+      end if
+   end function node_below
+
+   !> The shape of a problem.
+   pure subroutine set_shape(self, shape)
+      !> Receives the shape.
+      class(zone_problem_t), intent(inout) :: self
+      class(shape_t), intent(in) :: shape
+
+      allocate (self%shape, source=shape)
+      if (shape%has_face .and. shape%n_pieces == 0) self%face = shape%corner
+   end subroutine set_shape
+
+   !> Where the zone of a flat punch leaves its edge, with the present memory; and the parameter of a state there.
+   pure subroutine set_edge(self, state)
+      !> The problem.
+      class(zone_problem_t), intent(inout) :: self
+      !> In: radius of contact and approach of a state. Out: with its parameter in this problem.
+      type(zone_state_t), intent(inout) :: state
+      type(zone_state_t) :: edge
+
+      if (.not. self%face < huge(self%face)) return
+      call solve_zone(self, self%face, state%a, edge)
+      self%has_edge = edge%is_found
+      if (.not. self%has_edge) return
+      self%edge_approach = edge%approach
+      if (.not. state%c < self%face) state%c = self%face + max(0.0_dp, (state%approach - edge%approach)/self%face_scale)
+   end subroutine set_edge
 
    !> Sum up the cells far from the edge of the zone, unless sums of the same memory hold at a radius.
    pure subroutine sum_up(self, c, a, onwards, is_new)
@@ -83,7 +147,7 @@ contains
       if (.not. is_new) then
          if (is_near(self%far, self%cell, c)) return
       end if
-      call expand_far_cells(self%memory, self%cell, c + onwards*self%cell, int(a/self%cell) + 2, self%far)
+      call expand_far_cells(self%memory, self%cell, self%adhesion_radius(c + onwards*self%cell), int(a/self%cell) + 2, self%far)
    end subroutine sum_up
 
    !> The state of a given radius of adhesion.
@@ -109,9 +173,13 @@ contains
          state%approach = self%memory(0) - self%range
          return
       end if
+      if (c > self%face) then
+         call solve_face(self, c, guess, state)
+         return
+      end if
       state%is_found = c < within_edge*self%shape%edge
       if (.not. state%is_found) return
-      total%high = int(c/self%cell)
+      total%high = self%node_below(c)
       total%low = total%high + 1
       narrowest = c*(1 - least_gap)
       low = 0
@@ -166,6 +234,79 @@ contains
       state%is_found = .not. ieee_is_nan(state%load)
    end subroutine solve_zone
 
+   !> The state of a flat punch whose zone ends at its edge, where the gap is below the range.
+   pure subroutine solve_face(self, c, guess, state)
+      type(zone_problem_t), intent(in) :: self
+      !> The parameter, above the radius of the face.
+      real(dp), intent(in) :: c
+      !> Where the search for a begins.
+      real(dp), intent(in) :: guess
+      !> Receives the state; `c` is set.
+      type(zone_state_t), intent(inout) :: state
+      integer, parameter :: most_steps = 100
+      real(dp), parameter :: small_step = 1.0e-14_dp
+      real(dp) :: t, low, high, stretch, value, slope, step, memory, rise, sums
+      integer :: k
+
+      state%approach = self%edge_approach + (c - self%face)*self%face_scale
+      state%approach_slope = self%face_scale
+      state%is_found = self%has_edge
+      if (.not. state%is_found) return
+      stretch = 2*self%stress*self%face/self%modulus
+      if (.not. state%approach > self%memory(0) - stretch) then
+         ! nothing touches
+         state%load = -pi*self%stress*self%face**2
+         return
+      end if
+      t = 0
+      call interpolate(self, self%face, memory, rise)
+      if (state%approach < memory) then
+         low = 0
+         high = half_pi
+         t = acos(min(max(guess/self%face, 0.0_dp), 1.0_dp))
+         do k = 1, most_steps
+            call interpolate(self, self%face*cos(t), memory, rise)
+            value = memory - stretch*sin(t) - state%approach
+            if (value > 0) then
+               low = t
+            else
+               high = t
+            end if
+            slope = rise*self%face*sin(t) + stretch*cos(t)
+            step = (low + high)/2 - t
+            if (abs(value) < slope*(high - low)) then
+               if (t + value/slope > low .and. t + value/slope < high) step = value/slope
+            end if
+            t = t + step
+            if (abs(step) <= small_step .or. high - low <= small_step) exit
+         end do
+         state%is_found = k <= most_steps
+      end if
+      associate (a => state%a, b => self%face)
+         a = b*cos(t)
+         call interpolate(self, a, memory, rise)
+         slope = rise*b*sin(t) + stretch*cos(t)
+         if (t > 0 .and. slope > 0) state%a_slope = self%face_scale*b*sin(t)/slope
+         call get_memory(self, a, memory, sums)
+         state%load = 2*self%modulus*(a*state%approach - sums) - 2*self%stress*b*b*(t - sin(t)*cos(t))
+         state%load_slope = 2*self%modulus*a*self%face_scale
+         state%is_found = state%is_found .and. .not. ieee_is_nan(state%load)
+      end associate
+   end subroutine solve_face
+
+   !> The memory under a face, and its slope.
+   pure subroutine interpolate(self, x, memory, slope)
+      type(zone_problem_t), intent(in) :: self
+      !> A radius up to that of the face.
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: memory, slope
+      integer :: cell
+
+      cell = min(int(x/self%cell), nint(self%face/self%cell) - 1)
+      slope = (self%memory(cell + 1) - self%memory(cell))/self%cell
+      memory = self%memory(cell) + slope*(x - cell*self%cell)
+   end subroutine interpolate
+
    !> Go along the curve of states by a change of c that is small beside a cell.
    pure subroutine shift_state(state, change)
       !> The state.
@@ -190,7 +331,7 @@ contains
       real(dp) :: s, t, memory, sums, by_a
 
       associate (a => state%a, c => state%c)
-         call self%shape%evaluate(self%shape%unknown_of(a), .not. a < self%shape%corner, spot)
+         if (.not. self%face < huge(a)) call self%shape%evaluate(self%shape%unknown_of(a), .not. a < self%shape%corner, spot)
          s = sqrt((c - a)*(c + a))
          t = atan2(s, a)
          call get_memory(self, a, memory, sums)
@@ -217,9 +358,13 @@ contains
 
       s = sqrt((c - a)*(c + a))
       t = atan2(s, a)
-      is_beyond = .not. a < self%shape%corner
-      call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
-      call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
+      opening = 0
+      intensity = 0
+      if (.not. self%face < huge(a)) then
+         is_beyond = .not. a < self%shape%corner
+         call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
+         call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
+      end if
       cell = min(int(a/self%cell), total%high)
       call move_sum(self%memory, self%cell, self%far, c, cell + 1, total)
       memory_slope = (self%memory(cell + 1) - self%memory(cell))/self%cell
@@ -265,22 +410,26 @@ contains
       type(zone_problem_t), intent(in) :: self
       type(zone_state_t), intent(in) :: state
       type(spot_t) :: spot
-      real(dp) :: s, t, opening, intensity, moment, memory, sums, taken, low, high, first, slope
+      real(dp) :: c, s, t, opening, intensity, moment, memory, sums, taken, low, high, first, slope
       integer :: k
       logical :: is_beyond
 
       energy = 0
       if (.not. state%c > 0) return
-      associate (a => state%a, c => state%c)
+      c = self%adhesion_radius(state%c)
+      associate (a => state%a)
          s = sqrt((c - a)*(c + a))
          t = atan2(s, a)
-         is_beyond = .not. a < self%shape%corner
-         call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
-         call get_annulus(self%shape, spot, is_beyond, s, opening, intensity, moment)
+         moment = 0
+         if (.not. self%face < huge(a)) then
+            is_beyond = .not. a < self%shape%corner
+            call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
+            call get_annulus(self%shape, spot, is_beyond, s, opening, intensity, moment)
+         end if
          call get_memory(self, a, memory, sums)
          taken = moment + (spot%depth + memory - state%approach)*(c*c*t - a*s)/2 &
             & - 2*self%stress/self%modulus*(c - a)**2*(2*c + a)/3
-         do k = int(a/self%cell), int(c/self%cell)
+         do k = self%node_below(a), self%node_below(c)
             low = max(a, k*self%cell)
             high = min(c, (k + 1)*self%cell)
             slope = (self%memory(k + 1) - self%memory(k))/self%cell
