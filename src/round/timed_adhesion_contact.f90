@@ -101,6 +101,7 @@ contains
       type(timed_control_t), intent(in) :: control
       type(timed_leg_t), intent(in) :: legs(:)
       integer, parameter :: first_nodes = 256
+      integer :: n_nodes
 
       call set_shape(self%problem, shape)
       self%problem%stress = stress
@@ -114,7 +115,9 @@ contains
             & /(control%by_approach + 2*face*control%by_load) + range)/face + 2*stress
       end associate
       allocate (self%jumps(8))
-      call start_memory(self%memory, solid, self%problem, first_nodes)
+      n_nodes = first_nodes
+      if (self%problem%face < huge(cell)) n_nodes = max(n_nodes, nint(self%problem%face/cell) + 4)
+      call start_memory(self%memory, solid, self%problem, n_nodes)
       self%state%approach = not_a_number()
       if (control%by_approach > 0) self%state%approach = prescribed_at(legs(1), 0.0_dp)/control%by_approach
    end subroutine start_adhesive_contact
