@@ -312,7 +312,7 @@ class AdhesionInTime(SolverRuns):
         self.refuse(scene.replace(", adhesion_stress = 0.5", ""), "has no range, which adhesion in time needs")
         # lambda is a number of powers of r
         self.refuse(scene.replace(BALL, PUNCH).replace("adhesion_stress = 0.5", "lambda = 1"), "lambda")
-        self.refuse(scene.replace(BALL, "&surface kind = 'flat_punch', radius = 1 /\n"), "face_radius")
+        self.refuse(scene.replace(BALL, "&surface kind = 'flat_punch' /\n"), "face_radius")
         self.refuse(scene.replace("modulus = 0.75", "modulus = 0"), "modulus")
         self.refuse(scene.replace("adhesion_stress = 0.5", "adhesion_stress = 1e3"), "has so short a range")
         self.refuse(scene.replace("&numerics ", "&numerics cells = 5, "), "which needs 6; give")
