@@ -14,8 +14,9 @@ module adfric_round_timed_adhesion_contact
    use adfric_round_shape, only: shape_t
    use adfric_round_timed_adhesion_memory, only: prepare_step, reserve_nodes, spring_memory_t, start_memory, stored_energy, &
       & take_step
+   use adfric_round_timed_adhesion_problem, only: set_shape, zone_problem_t, zone_state_t
    use adfric_round_timed_adhesion_search, only: find_jump, find_near, near
-   use adfric_round_timed_adhesion_zone, only: set_edge, set_shape, sum_up, zone_energy, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: set_edge, sum_up, zone_energy
    use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)

@@ -15,7 +15,8 @@ module adfric_round_timed_adhesion_limits
    use adfric_round_curve, only: control_load
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_survey, only: survey_t, survey_curve
-   use adfric_round_timed_adhesion_zone, only: set_shape, solve_zone, sum_up, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_problem, only: set_shape, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: solve_zone, sum_up
    use adfric_round_timed_path, only: timed_control_t
    implicit none (type, external)
    private

@@ -11,7 +11,7 @@
 !> y is the spring's force: -2 S sqrt(c^2 - x^2) in the zone, 0 beyond it; in contact th is the approach less g.
 module adfric_round_timed_adhesion_memory
    use adfric_base_kinds, only: dp
-   use adfric_round_timed_adhesion_zone, only: zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_problem, only: zone_problem_t, zone_state_t
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
    private

@@ -5,7 +5,8 @@ module adfric_round_timed_adhesion_search
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_timed_adhesion_memory, only: reserve_nodes, spring_memory_t
-   use adfric_round_timed_adhesion_zone, only: shift_state, solve_zone, sum_up, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_problem, only: zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: shift_state, solve_zone, sum_up
    use adfric_round_timed_path, only: timed_control_t
    implicit none (type, external)
    private

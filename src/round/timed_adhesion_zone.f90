@@ -8,62 +8,19 @@
 !>
 !> For a given c the first equation has one a, since its right side falls as a rises. Where it is too small at a = 0, nothing
 !> touches: delta then comes from the gap at c, and the second equation is not needed.
-!>
-!> Under a flat punch of radius b, g = 0 and c <= b. Its curve of states goes on where c = b and the gap there is below h: a zone
-!> begins at the edge, or the whole face is pressed. There the approach d is the parameter. So c stands for b + (d - d_b)/k, where d_b
-!> is the approach of the state with c = b that obeys the first equation, and k a scale. With x = b cos(t), the second one is
-!>
-!>     w(b cos(t)) - d = (2 S b/E) sin(t),   0 < t < pi/2
-!>
-!> whose left side falls with t, since w rises with x. Where d > w(b) the face touches as a whole, and only the load is needed.
+!> Beyond the edge of a flat punch states go on with another parameter: `adfric_round_timed_adhesion_face`.
 module adfric_round_timed_adhesion_zone
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi, pi
    use adfric_round_annulus, only: get_annulus
-   use adfric_round_shape, only: shape_t, spot_t, within_edge
-   use adfric_round_timed_adhesion_sums, only: expand_far_cells, far_cells_t, is_near, move_sum, zone_sum_t
+   use adfric_round_shape, only: spot_t, within_edge
+   use adfric_round_timed_adhesion_face, only: solve_face
+   use adfric_round_timed_adhesion_problem, only: get_memory, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_sums, only: expand_far_cells, is_near, move_sum, zone_sum_t
    implicit none (type, external)
    private
-   public :: zone_problem_t, zone_state_t, set_shape, set_edge, sum_up, solve_zone, shift_state, zone_energy
-
-   !> The elastic problem of an instant, in units of the contact.
-   type :: zone_problem_t
-      !> The shape, and where its profile ends.
-      class(shape_t), allocatable :: shape
-      !> Stress S of adhesion, its range h, and the modulus E; all > 0.
-      real(dp) :: stress = 1, range = 1, modulus = 1
-      !> Distance of the nodes.
-      real(dp) :: cell = 1
-      !> The memory w at the nodes; shape `(0:n_nodes)`.
-      real(dp), allocatable :: memory(:)
-      !> A node beside the edge of contact.
-      integer :: anchor = 0
-      !> The integral of the memory from the axis up to it.
-      real(dp) :: anchor_sum = 0
-      !> Cells of the zone far from its edge, where they are summed up for all radii of a step.
-      type(far_cells_t) :: far
-      !> Radius b of a flat punch; enormous for other shapes.
-      real(dp) :: face = huge(1.0_dp)
-      !> Change of approach over that of the parameter beyond the radius of a flat punch, and approach of the state there.
-      real(dp) :: face_scale = 1, edge_approach = 0
-      !> Was the state there found?
-      logical :: has_edge = .true.
-   contains
-      procedure :: depth_at
-      procedure :: adhesion_radius
-      procedure :: node_below
-   end type zone_problem_t
-
-   !> A state.
-   type :: zone_state_t
-      !> Radii c of adhesion (beyond a flat punch a parameter) and a of contact, approach and load; no adhesion where c = 0.
-      real(dp) :: c = 0, a = 0, approach = 0, load = 0
-      !> Derivatives by c of a, approach and load along the curve of states; those of approach and load serve searches only.
-      real(dp) :: a_slope = 0, approach_slope = 0, load_slope = 0
-      !> Was it found?
-      logical :: is_found = .true.
-   end type zone_state_t
+   public :: set_edge, sum_up, solve_zone, shift_state, zone_energy
 
    !> The gap at c above the range as a function of a and c.
    type :: zone_gap_t
@@ -72,50 +29,6 @@ module adfric_round_timed_adhesion_zone
    end type zone_gap_t
 
 contains
-
-   !> g at a radius; enormous where the profile has ended.
-   pure real(dp) function depth_at(self, radius) result(depth)
-      class(zone_problem_t), intent(in) :: self
-      real(dp), intent(in) :: radius
-      type(spot_t) :: spot
-
-      depth = 0
-      if (self%face < huge(depth)) return
-      depth = huge(depth)
-      if (.not. radius < within_edge*self%shape%edge) return
-      call self%shape%evaluate(self%shape%unknown_of(radius), .not. radius < self%shape%corner, spot)
-      depth = spot%depth
-   end function depth_at
-
-   !> The radius of adhesion of a parameter c.
-   pure real(dp) function adhesion_radius(self, c) result(radius)
-      class(zone_problem_t), intent(in) :: self
-      real(dp), intent(in) :: c
-
-      radius = min(c, self%face)
-   end function adhesion_radius
-
-   !> The last node up to a radius or a parameter c. The edge of a flat punch is a node.
-   pure integer function node_below(self, c) result(node)
-      class(zone_problem_t), intent(in) :: self
-      real(dp), intent(in) :: c
-
-      if (c < self%face) then
-         node = int(c/self%cell)
-      else
-         node = nint(self%face/self%cell)
-      end if
-   end function node_below
-
-   !> The shape of a problem.
-   pure subroutine set_shape(self, shape)
-      !> Receives the shape.
-      class(zone_problem_t), intent(inout) :: self
-      class(shape_t), intent(in) :: shape
-
-      allocate (self%shape, source=shape)
-      if (shape%has_face .and. shape%n_pieces == 0) self%face = shape%corner
-   end subroutine set_shape
 
    !> Where the zone of a flat punch leaves its edge, with the present memory; and the parameter of a state there.
    pure subroutine set_edge(self, state)
@@ -152,13 +65,36 @@ contains
 
    !> The state of a given radius of adhesion.
    pure subroutine solve_zone(self, c, guess, state)
+      !> The problem, with its memory.
       type(zone_problem_t), intent(in) :: self
-      !> The radius c, >= 0.
+      !> The radius c, >= 0; beyond a flat punch its parameter.
       real(dp), intent(in) :: c
       !> Where the search for a begins.
       real(dp), intent(in) :: guess
       !> Receives the state.
       type(zone_state_t), intent(out) :: state
+
+      state%c = c
+      if (.not. c > 0) then
+         state%approach = self%memory(0) - self%range
+      else if (c > self%face) then
+         call solve_face(self, c, guess, state)
+      else if (c < within_edge*self%shape%edge) then
+         call find_contact_radius(self, c, guess, state)
+      else
+         state%is_found = .false.
+      end if
+   end subroutine solve_zone
+
+   !> The radius of contact of a given radius of adhesion by Newton's method, and its state.
+   pure subroutine find_contact_radius(self, c, guess, state)
+      type(zone_problem_t), intent(in) :: self
+      !> The radius c, > 0.
+      real(dp), intent(in) :: c
+      !> Where the search begins.
+      real(dp), intent(in) :: guess
+      !> Receives the state; `c` is set.
+      type(zone_state_t), intent(inout) :: state
       integer, parameter :: most_steps = 100
       ! a step of Newton's method leaves its square
       real(dp), parameter :: small_step = 1.0e-12_dp, fine_step = 1.0e-6_dp, least_gap = 1.0e-14_dp, near_axis = 0.6_dp
@@ -168,17 +104,6 @@ contains
       logical :: is_last, is_open, knows_low
       integer :: k
 
-      state%c = c
-      if (.not. c > 0) then
-         state%approach = self%memory(0) - self%range
-         return
-      end if
-      if (c > self%face) then
-         call solve_face(self, c, guess, state)
-         return
-      end if
-      state%is_found = c < within_edge*self%shape%edge
-      if (.not. state%is_found) return
       total%high = self%node_below(c)
       total%low = total%high + 1
       narrowest = c*(1 - least_gap)
@@ -232,80 +157,7 @@ contains
       state%a_slope = opening%by_c/opening%by_a
       call close_state(self, opening%rise, state)
       state%is_found = .not. ieee_is_nan(state%load)
-   end subroutine solve_zone
-
-   !> The state of a flat punch whose zone ends at its edge, where the gap is below the range.
-   pure subroutine solve_face(self, c, guess, state)
-      type(zone_problem_t), intent(in) :: self
-      !> The parameter, above the radius of the face.
-      real(dp), intent(in) :: c
-      !> Where the search for a begins.
-      real(dp), intent(in) :: guess
-      !> Receives the state; `c` is set.
-      type(zone_state_t), intent(inout) :: state
-      integer, parameter :: most_steps = 100
-      real(dp), parameter :: small_step = 1.0e-14_dp
-      real(dp) :: t, low, high, stretch, value, slope, step, memory, rise, sums
-      integer :: k
-
-      state%approach = self%edge_approach + (c - self%face)*self%face_scale
-      state%approach_slope = self%face_scale
-      state%is_found = self%has_edge
-      if (.not. state%is_found) return
-      stretch = 2*self%stress*self%face/self%modulus
-      if (.not. state%approach > self%memory(0) - stretch) then
-         ! nothing touches
-         state%load = -pi*self%stress*self%face**2
-         return
-      end if
-      t = 0
-      call interpolate(self, self%face, memory, rise)
-      if (state%approach < memory) then
-         low = 0
-         high = half_pi
-         t = acos(min(max(guess/self%face, 0.0_dp), 1.0_dp))
-         do k = 1, most_steps
-            call interpolate(self, self%face*cos(t), memory, rise)
-            value = memory - stretch*sin(t) - state%approach
-            if (value > 0) then
-               low = t
-            else
-               high = t
-            end if
-            slope = rise*self%face*sin(t) + stretch*cos(t)
-            step = (low + high)/2 - t
-            if (abs(value) < slope*(high - low)) then
-               if (t + value/slope > low .and. t + value/slope < high) step = value/slope
-            end if
-            t = t + step
-            if (abs(step) <= small_step .or. high - low <= small_step) exit
-         end do
-         state%is_found = k <= most_steps
-      end if
-      associate (a => state%a, b => self%face)
-         a = b*cos(t)
-         call interpolate(self, a, memory, rise)
-         slope = rise*b*sin(t) + stretch*cos(t)
-         if (t > 0 .and. slope > 0) state%a_slope = self%face_scale*b*sin(t)/slope
-         call get_memory(self, a, memory, sums)
-         state%load = 2*self%modulus*(a*state%approach - sums) - 2*self%stress*b*b*(t - sin(t)*cos(t))
-         state%load_slope = 2*self%modulus*a*self%face_scale
-         state%is_found = state%is_found .and. .not. ieee_is_nan(state%load)
-      end associate
-   end subroutine solve_face
-
-   !> The memory under a face, and its slope.
-   pure subroutine interpolate(self, x, memory, slope)
-      type(zone_problem_t), intent(in) :: self
-      !> A radius up to that of the face.
-      real(dp), intent(in) :: x
-      real(dp), intent(out) :: memory, slope
-      integer :: cell
-
-      cell = min(int(x/self%cell), nint(self%face/self%cell) - 1)
-      slope = (self%memory(cell + 1) - self%memory(cell))/self%cell
-      memory = self%memory(cell) + slope*(x - cell*self%cell)
-   end subroutine interpolate
+   end subroutine find_contact_radius
 
    !> Go along the curve of states by a change of c that is small beside a cell.
    pure subroutine shift_state(state, change)
@@ -383,27 +235,6 @@ contains
          gap%by_c = gap%by_c - 4*self%stress/(pi*self%modulus)
       end if
    end subroutine get_opening
-
-   !> The memory at a radius, and its integral from the axis.
-   pure subroutine get_memory(self, x, memory, sums)
-      type(zone_problem_t), intent(in) :: self
-      real(dp), intent(in) :: x
-      real(dp), intent(out) :: memory, sums
-      real(dp) :: share
-      integer :: cell, k
-
-      cell = int(x/self%cell)
-      share = x/self%cell - cell
-      memory = self%memory(cell) + share*(self%memory(cell + 1) - self%memory(cell))
-      sums = share*self%cell*(self%memory(cell) + memory)/2
-      do k = self%anchor, cell - 1
-         sums = sums + self%cell*(self%memory(k) + self%memory(k + 1))/2
-      end do
-      do k = cell, self%anchor - 1
-         sums = sums - self%cell*(self%memory(k) + self%memory(k + 1))/2
-      end do
-      sums = sums + self%anchor_sum
-   end subroutine get_memory
 
    !> Energy of adhesion of a state: minus the work of adhesion over the disc r < c, and what of it the gap has taken.
    pure real(dp) function zone_energy(self, state) result(energy)
