@@ -296,7 +296,8 @@ contains
 
       associate (leg => self%legs(self%leg), least => self%least)
          if (.not. leg%end < leg%begin .and. .not. abs(leg%amplitude) > 0) return
-         if (least%was_last .and. .not. is_jump .and. state%load >= self%state%load .and. self%n_before == 2) then
+         if (least%was_last .and. .not. is_jump .and. state%load >= self%state%load .and. self%n_before == 2 &
+            & .and. clock > self%times(2)) then
             ! P = P2 + q1 x + q2 x^2 with x from the middle step
             first = (self%loads(1) - self%state%load)/(self%times(1) - self%times(2))
             second = (state%load - self%state%load)/(clock - self%times(2))

@@ -167,7 +167,8 @@ contains
       real(dp), intent(in) :: change
 
       state%c = state%c + change
-      state%a = state%a + state%a_slope*change
+      ! beside the axis the slope has no bound
+      state%a = min(max(state%a + state%a_slope*change, 0.0_dp), max(state%c, 0.0_dp))
       state%approach = state%approach + state%approach_slope*change
       state%load = state%load + state%load_slope*change
    end subroutine shift_state
