@@ -101,7 +101,7 @@ contains
          ahead = reach
          if (-side*before*slope > 0 .and. abs(before) < abs(slope)*reach) ahead = abs(before/slope)
          if (moved > 0 .and. ahead <= enough*problem%cell) then
-            call shift_state(state, side*ahead)
+            call shift_state(problem, state, side*ahead)
             return
          end if
          moved = min(reach, moved + max(ahead, least*reach))
@@ -153,7 +153,7 @@ contains
          c = state%c + change
          if ((c - low%c)*(c - high%c) < 0) then
             if (abs(change) <= enough*problem%cell) then
-               call shift_state(state, change)
+               call shift_state(problem, state, change)
                exit
             end if
             if (modulo(k, 4) == 0) c = (low%c + high%c)/2

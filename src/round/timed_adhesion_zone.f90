@@ -160,7 +160,9 @@ contains
    end subroutine find_contact_radius
 
    !> Go along the curve of states by a change of c that is small beside a cell.
-   pure subroutine shift_state(state, change)
+   pure subroutine shift_state(self, state, change)
+      !> The problem.
+      type(zone_problem_t), intent(in) :: self
       !> The state.
       type(zone_state_t), intent(inout) :: state
       !> Change of c.
@@ -168,7 +170,7 @@ contains
 
       state%c = state%c + change
       ! beside the axis the slope has no bound
-      state%a = min(max(state%a + state%a_slope*change, 0.0_dp), max(state%c, 0.0_dp))
+      state%a = min(max(state%a + state%a_slope*change, 0.0_dp), max(self%adhesion_radius(state%c), 0.0_dp))
       state%approach = state%approach + state%approach_slope*change
       state%load = state%load + state%load_slope*change
    end subroutine shift_state
