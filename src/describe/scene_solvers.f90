@@ -33,8 +33,7 @@ module adfric_describe_scene_solvers
       & 'sphere,paraboloid,cone,power,flat_cone,flat_paraboloid,rounded_punch,rounded_cone,polynomial half_space adhesion '// &
       & 'path adhesive_indenter_history exact', &
       & round//' relaxing none path indenter_time exact', &
-      & 'sphere,paraboloid,cone,power,flat_cone,flat_paraboloid,rounded_punch,rounded_cone,polynomial relaxing adhesion '// &
-      & 'path adhesive_indenter_time numerical', &
+      & round//' relaxing adhesion path adhesive_indenter_time numerical', &
       & 'paraboloid,ellipsoid half_space none press hertz exact', &
       & 'paraboloid,ellipsoid half_space coulomb press,tangential hertz exact', &
       & 'paraboloid,ellipsoid half_space coulomb path hertz_history exact', &

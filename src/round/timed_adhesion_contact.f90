@@ -14,8 +14,9 @@ module adfric_round_timed_adhesion_contact
    use adfric_round_shape, only: shape_t
    use adfric_round_timed_adhesion_memory, only: prepare_step, reserve_nodes, spring_memory_t, start_memory, stored_energy, &
       & take_step
+   use adfric_round_timed_adhesion_problem, only: set_shape, zone_problem_t, zone_state_t
    use adfric_round_timed_adhesion_search, only: find_jump, find_near, near
-   use adfric_round_timed_adhesion_zone, only: sum_up, zone_energy, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: set_edge, sum_up, zone_energy
    use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
@@ -101,15 +102,23 @@ contains
       type(timed_control_t), intent(in) :: control
       type(timed_leg_t), intent(in) :: legs(:)
       integer, parameter :: first_nodes = 256
+      integer :: n_nodes
 
-      allocate (self%problem%shape, source=shape)
+      call set_shape(self%problem, shape)
       self%problem%stress = stress
       self%problem%range = range
       self%problem%cell = cell
       self%control = control
       self%legs = legs
+      associate (face => self%problem%face)
+         ! approaches up to the largest one are as long as the face
+         if (face < huge(face)) self%problem%face_scale = (max(maxval(abs(legs%begin)), maxval(abs(legs%end))) &
+            & /(control%by_approach + 2*face*control%by_load) + range)/face + 2*stress
+      end associate
       allocate (self%jumps(8))
-      call start_memory(self%memory, solid, self%problem, first_nodes)
+      n_nodes = first_nodes
+      if (self%problem%face < huge(cell)) n_nodes = max(n_nodes, nint(self%problem%face/cell) + 4)
+      call start_memory(self%memory, solid, self%problem, n_nodes)
       self%state%approach = not_a_number()
       if (control%by_approach > 0) self%state%approach = prescribed_at(legs(1), 0.0_dp)/control%by_approach
    end subroutine start_adhesive_contact
@@ -208,7 +217,9 @@ contains
          span = self%legs(self%leg)%span*(end - self%phase)
          prescribed = prescribed_at(self%legs(self%leg), end)
          call prepare_step(self%memory, span, self%problem)
-         call sum_up(self%problem, self%state%c, self%state%a, self%moved/(2*self%problem%cell), .true.)
+         call set_edge(self%problem, self%state)
+         call sum_up(self%problem, self%problem%adhesion_radius(self%state%c), self%state%a, self%moved/(2*self%problem%cell), &
+            & .true.)
          call find_near(self%problem, self%control, self%state, prescribed, reach, state, verdict)
          moved = abs(state%c - self%state%c)
          if (max(state%a, self%state%a) > 2*reach) moved = max(moved, abs(state%a - self%state%a))
@@ -225,7 +236,9 @@ contains
       if (verdict /= near) return
       is_solved = .true.
       if (abs(state%c - self%state%c) > 6*reach .or. .not. state%c > 0 .and. self%state%c > 0) is_jump = .true.
-      if (state%a > 0) self%narrowest = min(self%narrowest, (state%c - state%a)/self%problem%cell)
+      ! at the edge of a flat punch a zone of any width has all digits
+      if (state%a > 0 .and. .not. state%c > self%problem%face) self%narrowest = min(self%narrowest, &
+         & (state%c - state%a)/self%problem%cell)
       self%moved = merge(0.0_dp, state%c - self%state%c, is_jump)
       call account(self, state, self%legs(self%leg)%clock + self%legs(self%leg)%span*end, is_jump)
       self%state = state
@@ -283,7 +296,8 @@ contains
 
       associate (leg => self%legs(self%leg), least => self%least)
          if (.not. leg%end < leg%begin .and. .not. abs(leg%amplitude) > 0) return
-         if (least%was_last .and. .not. is_jump .and. state%load >= self%state%load .and. self%n_before == 2) then
+         if (least%was_last .and. .not. is_jump .and. state%load >= self%state%load .and. self%n_before == 2 &
+            & .and. clock > self%times(2)) then
             ! P = P2 + q1 x + q2 x^2 with x from the middle step
             first = (self%loads(1) - self%state%load)/(self%times(1) - self%times(2))
             second = (state%load - self%state%load)/(clock - self%times(2))

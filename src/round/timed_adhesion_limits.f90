@@ -15,7 +15,8 @@ module adfric_round_timed_adhesion_limits
    use adfric_round_curve, only: control_load
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_survey, only: survey_t, survey_curve
-   use adfric_round_timed_adhesion_zone, only: solve_zone, sum_up, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_problem, only: set_shape, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: solve_zone, sum_up
    use adfric_round_timed_path, only: timed_control_t
    implicit none (type, external)
    private
@@ -95,7 +96,7 @@ contains
       integer :: k
 
       load = not_a_number()
-      allocate (problem%shape, source=curve%shape)
+      call set_shape(problem, curve%shape)
       problem%stress = curve%stress
       ! displacements times r: a profile g on the relaxed modulus, and beyond the edge of contact what the memory lacks of it
       problem%range = ratio*curve%range

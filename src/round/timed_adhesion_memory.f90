@@ -11,7 +11,7 @@
 !> y is the spring's force: -2 S sqrt(c^2 - x^2) in the zone, 0 beyond it; in contact th is the approach less g.
 module adfric_round_timed_adhesion_memory
    use adfric_base_kinds, only: dp
-   use adfric_round_timed_adhesion_zone, only: zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_problem, only: zone_problem_t, zone_state_t
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
    private
@@ -31,6 +31,8 @@ module adfric_round_timed_adhesion_memory
       real(dp), allocatable :: decay(:), from_begin(:), from_end(:)
       !> What an arm loses over the step, see `weigh`; shape `(3, n_arms)`.
       real(dp), allocatable :: losses(:, :)
+      !> Node at the edge of a flat punch; none if below 0.
+      integer :: face_node = -1
       !> Last node that touches; 0 where none does.
       integer :: touching = 0
    end type spring_memory_t
@@ -49,6 +51,7 @@ contains
       integer, intent(in) :: n_nodes
 
       self%solid = solid
+      if (problem%face < huge(problem%face)) self%face_node = nint(problem%face/problem%cell)
       allocate (self%decay(size(solid%times)), self%from_begin(size(solid%times)), self%from_end(size(solid%times)), &
          & source=0.0_dp)
       allocate (self%losses(3, size(solid%times)), source=0.0_dp)
@@ -175,13 +178,14 @@ contains
       !> Energy that was lost, to which is added.
       real(dp), intent(inout) :: lost
       real(dp) :: before, change, factor, sums
-      real(dp) :: ends(0:max(self%last, int(state%c/problem%cell)))
+      real(dp) :: ends(0:max(self%last, problem%node_below(state%c))), c
       integer :: k, arm, last, touching, edge
 
+      c = problem%adhesion_radius(state%c)
       last = ubound(ends, 1)
       self%last = last
       touching = -1
-      if (state%c > 0) touching = int(state%a/problem%cell)
+      if (state%c > 0) touching = problem%node_below(state%a)
       if (.not. state%a > 0) touching = -1
       self%touching = max(touching, 0)
       !$omp simd
@@ -189,18 +193,23 @@ contains
          ends(k) = state%approach - self%depths(k)
       end do
       factor = 2*problem%stress/problem%modulus
-      edge = min(last, ceiling(state%c/problem%cell) - 1)
+      edge = min(last, ceiling(c/problem%cell) - 1)
       !$omp simd
       do k = touching + 1, edge
-         ends(k) = problem%memory(k) - factor*sqrt(max((state%c - k*problem%cell)*(state%c + k*problem%cell), 0.0_dp))
+         ends(k) = problem%memory(k) - factor*sqrt(max((c - k*problem%cell)*(c + k*problem%cell), 0.0_dp))
       end do
       ends(max(touching, edge) + 1:) = problem%memory(max(touching, edge) + 1:last)
       do arm = 1, size(self%solid%times)
          associate (e => self%decay(arm), b0 => self%from_begin(arm), b1 => self%from_end(arm), loss => self%losses(:, arm))
-            ! the spring on the axis stands for half a cell
+            ! the spring on the axis stands for half a cell, and so does that at the edge of a flat punch
             before = self%displacements(0) - self%arms(0, arm)
             change = ends(0) - self%displacements(0)
             sums = -(loss(1)*before*before + loss(2)*before*change + loss(3)*change*change)/2
+            if (last == self%face_node) then
+               before = self%displacements(last) - self%arms(last, arm)
+               change = ends(last) - self%displacements(last)
+               sums = sums - (loss(1)*before*before + loss(2)*before*change + loss(3)*change*change)/2
+            end if
             !$omp simd private(before, change) reduction(+:sums)
             do k = 0, last
                before = self%displacements(k) - self%arms(k, arm)
@@ -220,15 +229,19 @@ contains
       type(spring_memory_t), intent(in) :: self
       !> Distance of the nodes.
       real(dp), intent(in) :: cell
+      real(dp) :: at_edge
       integer :: arm, last
 
       last = self%last
       energy = 0
       if (last < 0) return
-      energy = self%solid%relaxed*(sum(self%displacements(:last)**2) - self%displacements(0)**2/2)
+      at_edge = merge(0.5_dp, 0.0_dp, last == self%face_node)
+      energy = self%solid%relaxed*(sum(self%displacements(:last)**2) - self%displacements(0)**2/2 &
+         & - at_edge*self%displacements(last)**2)
       do arm = 1, size(self%solid%times)
          energy = energy + self%solid%moduli(arm)*(sum((self%displacements(:last) - self%arms(:last, arm))**2) &
-            & - (self%displacements(0) - self%arms(0, arm))**2/2)
+            & - (self%displacements(0) - self%arms(0, arm))**2/2 &
+            & - at_edge*(self%displacements(last) - self%arms(last, arm))**2)
       end do
       energy = energy*cell
    end function stored_energy

@@ -28,7 +28,7 @@ module adfric_round_timed_adhesion_model
    use adfric_round_timed_rows, only: n_timed_results, out => timed_output, p_approach, p_area, p_load, p_radius, p_stiffness, &
       & p_time
    use adfric_round_timed_setting, only: before_history, n_timed_variables
-   use adfric_round_variables, only: get_indenter_variables, in => indenter_input, kind_flat, n_indenter_variables
+   use adfric_round_variables, only: get_indenter_variables, in => indenter_input, n_indenter_variables
    implicit none (type, external)
    private
    public :: adhesive_indenter_time_t, new_adhesive_indenter_time
@@ -147,9 +147,6 @@ contains
             & 'adhesion_stress, adhesion_range or lambda (a work that depends on speed is no model of it)')
          return
       end if
-      if (c%has(in%kind)) call c%add(in%kind, 'is ''flat_punch'', whose adhesion in time has no solver here: its zone stays '// &
-         & 'at the edge of the face until the gap there is the range; give a rounded_punch', &
-         & c%is_choice(in%kind, kind_flat))
       associate (path => before_history + timed_input%path)
          if (c%has(path)) call c%add(path, 'is ''sine'', whose moduli have no meaning with adhesion; give times and approaches', &
             & c%is_choice(path, path_sine))
@@ -324,7 +321,7 @@ contains
 
          associate (state => contact%state)
             outcome%steps(step, [c_time, c_approach, c_load, c_contact, c_adhesion]) = [clock, state%approach, state%load, &
-               & state%a, state%c]
+               & state%a, contact%problem%adhesion_radius(state%c)]
          end associate
       end subroutine note
 

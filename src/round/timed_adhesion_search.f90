@@ -5,7 +5,8 @@ module adfric_round_timed_adhesion_search
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_timed_adhesion_memory, only: reserve_nodes, spring_memory_t
-   use adfric_round_timed_adhesion_zone, only: shift_state, solve_zone, sum_up, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_problem, only: zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_zone, only: shift_state, solve_zone, sum_up
    use adfric_round_timed_path, only: timed_control_t
    implicit none (type, external)
    private
@@ -100,7 +101,7 @@ contains
          ahead = reach
          if (-side*before*slope > 0 .and. abs(before) < abs(slope)*reach) ahead = abs(before/slope)
          if (moved > 0 .and. ahead <= enough*problem%cell) then
-            call shift_state(state, side*ahead)
+            call shift_state(problem, state, side*ahead)
             return
          end if
          moved = min(reach, moved + max(ahead, least*reach))
@@ -152,7 +153,7 @@ contains
          c = state%c + change
          if ((c - low%c)*(c - high%c) < 0) then
             if (abs(change) <= enough*problem%cell) then
-               call shift_state(state, change)
+               call shift_state(problem, state, change)
                exit
             end if
             if (modulo(k, 4) == 0) c = (low%c + high%c)/2

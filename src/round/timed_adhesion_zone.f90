@@ -8,46 +8,19 @@
 !>
 !> For a given c the first equation has one a, since its right side falls as a rises. Where it is too small at a = 0, nothing
 !> touches: delta then comes from the gap at c, and the second equation is not needed.
+!> Beyond the edge of a flat punch states go on with another parameter: `adfric_round_timed_adhesion_face`.
 module adfric_round_timed_adhesion_zone
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi, pi
    use adfric_round_annulus, only: get_annulus
-   use adfric_round_shape, only: shape_t, spot_t, within_edge
-   use adfric_round_timed_adhesion_sums, only: expand_far_cells, far_cells_t, is_near, move_sum, zone_sum_t
+   use adfric_round_shape, only: spot_t, within_edge
+   use adfric_round_timed_adhesion_face, only: solve_face
+   use adfric_round_timed_adhesion_problem, only: get_memory, zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_sums, only: expand_far_cells, is_near, move_sum, zone_sum_t
    implicit none (type, external)
    private
-   public :: zone_problem_t, zone_state_t, sum_up, solve_zone, shift_state, zone_energy
-
-   !> The elastic problem of an instant, in units of the contact.
-   type :: zone_problem_t
-      !> The shape, and where its profile ends.
-      class(shape_t), allocatable :: shape
-      !> Stress S of adhesion, its range h, and the modulus E; all > 0.
-      real(dp) :: stress = 1, range = 1, modulus = 1
-      !> Distance of the nodes.
-      real(dp) :: cell = 1
-      !> The memory w at the nodes; shape `(0:n_nodes)`.
-      real(dp), allocatable :: memory(:)
-      !> A node beside the edge of contact.
-      integer :: anchor = 0
-      !> The integral of the memory from the axis up to it.
-      real(dp) :: anchor_sum = 0
-      !> Cells of the zone far from its edge, where they are summed up for all radii of a step.
-      type(far_cells_t) :: far
-   contains
-      procedure :: depth_at
-   end type zone_problem_t
-
-   !> A state.
-   type :: zone_state_t
-      !> Radii c of adhesion and a of contact, approach and load; no adhesion where c = 0.
-      real(dp) :: c = 0, a = 0, approach = 0, load = 0
-      !> Derivatives by c of a, approach and load along the curve of states; those of approach and load serve searches only.
-      real(dp) :: a_slope = 0, approach_slope = 0, load_slope = 0
-      !> Was it found?
-      logical :: is_found = .true.
-   end type zone_state_t
+   public :: set_edge, sum_up, solve_zone, shift_state, zone_energy
 
    !> The gap at c above the range as a function of a and c.
    type :: zone_gap_t
@@ -57,17 +30,21 @@ module adfric_round_timed_adhesion_zone
 
 contains
 
-   !> g at a radius; enormous where the profile has ended.
-   pure real(dp) function depth_at(self, radius) result(depth)
-      class(zone_problem_t), intent(in) :: self
-      real(dp), intent(in) :: radius
-      type(spot_t) :: spot
+   !> Where the zone of a flat punch leaves its edge, with the present memory; and the parameter of a state there.
+   pure subroutine set_edge(self, state)
+      !> The problem.
+      class(zone_problem_t), intent(inout) :: self
+      !> In: radius of contact and approach of a state. Out: with its parameter in this problem.
+      type(zone_state_t), intent(inout) :: state
+      type(zone_state_t) :: edge
 
-      depth = huge(depth)
-      if (.not. radius < within_edge*self%shape%edge) return
-      call self%shape%evaluate(self%shape%unknown_of(radius), .not. radius < self%shape%corner, spot)
-      depth = spot%depth
-   end function depth_at
+      if (.not. self%face < huge(self%face)) return
+      call solve_zone(self, self%face, state%a, edge)
+      self%has_edge = edge%is_found
+      if (.not. self%has_edge) return
+      self%edge_approach = edge%approach
+      if (.not. state%c < self%face) state%c = self%face + max(0.0_dp, (state%approach - edge%approach)/self%face_scale)
+   end subroutine set_edge
 
    !> Sum up the cells far from the edge of the zone, unless sums of the same memory hold at a radius.
    pure subroutine sum_up(self, c, a, onwards, is_new)
@@ -83,18 +60,41 @@ contains
       if (.not. is_new) then
          if (is_near(self%far, self%cell, c)) return
       end if
-      call expand_far_cells(self%memory, self%cell, c + onwards*self%cell, int(a/self%cell) + 2, self%far)
+      call expand_far_cells(self%memory, self%cell, self%adhesion_radius(c + onwards*self%cell), int(a/self%cell) + 2, self%far)
    end subroutine sum_up
 
    !> The state of a given radius of adhesion.
    pure subroutine solve_zone(self, c, guess, state)
+      !> The problem, with its memory.
       type(zone_problem_t), intent(in) :: self
-      !> The radius c, >= 0.
+      !> The radius c, >= 0; beyond a flat punch its parameter.
       real(dp), intent(in) :: c
       !> Where the search for a begins.
       real(dp), intent(in) :: guess
       !> Receives the state.
       type(zone_state_t), intent(out) :: state
+
+      state%c = c
+      if (.not. c > 0) then
+         state%approach = self%memory(0) - self%range
+      else if (c > self%face) then
+         call solve_face(self, c, guess, state)
+      else if (c < within_edge*self%shape%edge) then
+         call find_contact_radius(self, c, guess, state)
+      else
+         state%is_found = .false.
+      end if
+   end subroutine solve_zone
+
+   !> The radius of contact of a given radius of adhesion by Newton's method, and its state.
+   pure subroutine find_contact_radius(self, c, guess, state)
+      type(zone_problem_t), intent(in) :: self
+      !> The radius c, > 0.
+      real(dp), intent(in) :: c
+      !> Where the search begins.
+      real(dp), intent(in) :: guess
+      !> Receives the state; `c` is set.
+      type(zone_state_t), intent(inout) :: state
       integer, parameter :: most_steps = 100
       ! a step of Newton's method leaves its square
       real(dp), parameter :: small_step = 1.0e-12_dp, fine_step = 1.0e-6_dp, least_gap = 1.0e-14_dp, near_axis = 0.6_dp
@@ -104,14 +104,7 @@ contains
       logical :: is_last, is_open, knows_low
       integer :: k
 
-      state%c = c
-      if (.not. c > 0) then
-         state%approach = self%memory(0) - self%range
-         return
-      end if
-      state%is_found = c < within_edge*self%shape%edge
-      if (.not. state%is_found) return
-      total%high = int(c/self%cell)
+      total%high = self%node_below(c)
       total%low = total%high + 1
       narrowest = c*(1 - least_gap)
       low = 0
@@ -164,17 +157,20 @@ contains
       state%a_slope = opening%by_c/opening%by_a
       call close_state(self, opening%rise, state)
       state%is_found = .not. ieee_is_nan(state%load)
-   end subroutine solve_zone
+   end subroutine find_contact_radius
 
    !> Go along the curve of states by a change of c that is small beside a cell.
-   pure subroutine shift_state(state, change)
+   pure subroutine shift_state(self, state, change)
+      !> The problem.
+      type(zone_problem_t), intent(in) :: self
       !> The state.
       type(zone_state_t), intent(inout) :: state
       !> Change of c.
       real(dp), intent(in) :: change
 
       state%c = state%c + change
-      state%a = state%a + state%a_slope*change
+      ! beside the axis the slope has no bound
+      state%a = min(max(state%a + state%a_slope*change, 0.0_dp), max(self%adhesion_radius(state%c), 0.0_dp))
       state%approach = state%approach + state%approach_slope*change
       state%load = state%load + state%load_slope*change
    end subroutine shift_state
@@ -190,7 +186,7 @@ contains
       real(dp) :: s, t, memory, sums, by_a
 
       associate (a => state%a, c => state%c)
-         call self%shape%evaluate(self%shape%unknown_of(a), .not. a < self%shape%corner, spot)
+         if (.not. self%face < huge(a)) call self%shape%evaluate(self%shape%unknown_of(a), .not. a < self%shape%corner, spot)
          s = sqrt((c - a)*(c + a))
          t = atan2(s, a)
          call get_memory(self, a, memory, sums)
@@ -217,9 +213,13 @@ contains
 
       s = sqrt((c - a)*(c + a))
       t = atan2(s, a)
-      is_beyond = .not. a < self%shape%corner
-      call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
-      call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
+      opening = 0
+      intensity = 0
+      if (.not. self%face < huge(a)) then
+         is_beyond = .not. a < self%shape%corner
+         call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
+         call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
+      end if
       cell = min(int(a/self%cell), total%high)
       call move_sum(self%memory, self%cell, self%far, c, cell + 1, total)
       memory_slope = (self%memory(cell + 1) - self%memory(cell))/self%cell
@@ -239,48 +239,31 @@ contains
       end if
    end subroutine get_opening
 
-   !> The memory at a radius, and its integral from the axis.
-   pure subroutine get_memory(self, x, memory, sums)
-      type(zone_problem_t), intent(in) :: self
-      real(dp), intent(in) :: x
-      real(dp), intent(out) :: memory, sums
-      real(dp) :: share
-      integer :: cell, k
-
-      cell = int(x/self%cell)
-      share = x/self%cell - cell
-      memory = self%memory(cell) + share*(self%memory(cell + 1) - self%memory(cell))
-      sums = share*self%cell*(self%memory(cell) + memory)/2
-      do k = self%anchor, cell - 1
-         sums = sums + self%cell*(self%memory(k) + self%memory(k + 1))/2
-      end do
-      do k = cell, self%anchor - 1
-         sums = sums - self%cell*(self%memory(k) + self%memory(k + 1))/2
-      end do
-      sums = sums + self%anchor_sum
-   end subroutine get_memory
-
    !> Energy of adhesion of a state: minus the work of adhesion over the disc r < c, and what of it the gap has taken.
    pure real(dp) function zone_energy(self, state) result(energy)
       type(zone_problem_t), intent(in) :: self
       type(zone_state_t), intent(in) :: state
       type(spot_t) :: spot
-      real(dp) :: s, t, opening, intensity, moment, memory, sums, taken, low, high, first, slope
+      real(dp) :: c, s, t, opening, intensity, moment, memory, sums, taken, low, high, first, slope
       integer :: k
       logical :: is_beyond
 
       energy = 0
       if (.not. state%c > 0) return
-      associate (a => state%a, c => state%c)
+      c = self%adhesion_radius(state%c)
+      associate (a => state%a)
          s = sqrt((c - a)*(c + a))
          t = atan2(s, a)
-         is_beyond = .not. a < self%shape%corner
-         call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
-         call get_annulus(self%shape, spot, is_beyond, s, opening, intensity, moment)
+         moment = 0
+         if (.not. self%face < huge(a)) then
+            is_beyond = .not. a < self%shape%corner
+            call self%shape%evaluate(self%shape%unknown_of(a), is_beyond, spot)
+            call get_annulus(self%shape, spot, is_beyond, s, opening, intensity, moment)
+         end if
          call get_memory(self, a, memory, sums)
          taken = moment + (spot%depth + memory - state%approach)*(c*c*t - a*s)/2 &
             & - 2*self%stress/self%modulus*(c - a)**2*(2*c + a)/3
-         do k = int(a/self%cell), int(c/self%cell)
+         do k = self%node_below(a), self%node_below(c)
             low = max(a, k*self%cell)
             high = min(c, (k + 1)*self%cell)
             slope = (self%memory(k + 1) - self%memory(k))/self%cell

@@ -18,6 +18,7 @@ TABLES = Path(os.environ["ADFRIC_SOURCE"]) / "tests/reference"
 # moduli over E0 and times of the materials of the tables
 MATERIALS = {"A": ("9", "1"), "B": ("2, 3, 4", "0.1, 1, 10")}
 BALL = "&surface kind = 'paraboloid', radius = 1 /\n"
+PUNCH = "&surface kind = 'flat_punch', face_radius = 1 /\n"
 CONE = ("&surface kind = 'cone', slope = 0.6366197723675814 /\n&solid modulus = 1, moduli = 1, relaxation_times = 1 /\n"
         f"&adhesion adhesion_stress = {2/3}, adhesion_range = {2/math.pi!r} /\n"
         "&history path = 'triangle', largest_approach = 22, approach_rate = 0.05, dwell_time = 1000, ")
@@ -236,6 +237,70 @@ class AdhesionInTime(SolverRuns):
             self.assertLess(abs(found["pull_off_load"]/found["relaxed_pull_off_load"] - 1), 1e-3, surface)
             self.assertLess(abs(found["energy_imbalance"]), 5e-3, surface)
 
+    def punch(self, history, surface=PUNCH, moduli="9", stress=1.0):
+        """A flat punch, or another body, on a solid of relaxed contact modulus 1, whose zone is 1/40 of its radius."""
+        return self.solve(f"{surface}&solid modulus = 1, moduli = {moduli}, relaxation_times = 1 /\n&adhesion work_of_adhesion = 0.03, "
+                          f"adhesion_stress = {stress} /\n&numerics relative_tolerance = {TOLERANCE} /\n&history {history} /\n")
+
+    def test_flat_punch(self):
+        """A flat punch: its elastic pull-off, slow and fast retraction, the limit of bodies with a steep flank, and its energy."""
+        path = "path = 'triangle', largest_approach = 1, approach_rate = {}, dwell_time = {}, retraction_rate = {}"
+        wanted = self.punch(path.format(1, 1, 1), moduli="1e-9")
+        self.assertLess(abs(wanted["pull_off_load"]/wanted["relaxed_pull_off_load"] - 1), 1e-6)
+        # pressed and at rest, the load is that of the whole face, with E(t)
+        rest = self.punch("times = 0, 1e-6, 2, 2.1, approaches = 0, 1, 1, -1")
+        for k, time in ((1, 0.0), (2, 2.0)):
+            self.assertLess(abs(rest["load"][k]/(2*(1 + 9*math.exp(-time))) - 1), 1e-5)
+            self.assertEqual(rest["contact_radius"][k], 1)
+        loads = []
+        for approach, dwell, rate in ((1, 100, 1e-3), (1, 100, 0.1), (1, 100, 1.0), (1, 100, 1e3), (1e4, 0, 1e4)):
+            found = self.punch(path.format(approach, dwell, rate))
+            loads.append(found["pull_off_load"])
+            self.assertLess(abs(found["energy_imbalance"]), 1e-4)
+            self.assertEqual(found["frozen_pull_off_load"], found["glassy_pull_off_load"])
+        self.assertEqual(loads[:4], sorted(loads[:4], reverse=True))
+        self.assertLess(loads[0], found["relaxed_pull_off_load"])
+        # m is uniform under a face that has rested: fast retraction is glassy with a rest and without one
+        for load in loads[3:]:
+            self.assertLess(abs(load/found["glassy_pull_off_load"] - 1), 1e-3)
+        # a steep flank beyond the face pulls with a little more, in proportion to its width
+        excess = [self.punch(path.format(1, 100, 0.1), f"&surface kind = 'flat_paraboloid', face_radius = 1, radius = {radius} /\n")["pull_off_load"]/loads[1] - 1
+                  for radius in (0.3, 0.1)]
+        self.assertGreater(excess[1], 0)
+        self.assertLess(excess[1], 6e-3)
+        self.assertLess(excess[1], 0.4*excess[0])
+
+    def test_flat_punch_small(self):
+        """A punch that is small beside its range pulls with its whole face, at any rate; its stress is then the one number."""
+        for rate in (0.1, 10.0)[::EVERY]:
+            found = self.punch(f"path = 'triangle', largest_approach = 1, approach_rate = 1, dwell_time = 3, retraction_rate = {rate}", stress=0.1)
+            self.assertLess(abs(found["pull_off_load"]/(-0.1*math.pi) - 1), 1e-6)
+
+    def test_flat_punch_controls(self):
+        """A flat punch under a load and behind springs, soft ones near the load and stiff ones near the approach; and in other units."""
+        history = "times = 0, 1, 50, {}, {} = 0, 1, 1, {}"
+        load = self.punch(history.format(54, "loads", -3))
+        soft = self.punch(history.format(54, "base_approaches", -3).replace("0, 1, 1, -3", "0, 1e4, 1e4, -3e4") + " /\n&operating machine_stiffness = 1e-4")
+        self.assertLess(abs(soft["pull_off_load"]/load["pull_off_load"] - 1), 2e-3)
+        free = self.punch(history.format(52, "approaches", -1))
+        stiff = self.punch(history.format(52, "base_approaches", -1) + " /\n&operating machine_stiffness = 1e6")
+        self.assertLess(abs(stiff["pull_off_load"]/free["pull_off_load"] - 1), 2e-3)
+        for found in (load, soft, free, stiff):
+            self.assertLess(abs(found["energy_imbalance"]), 1e-3)
+            self.assertLess(found["pull_off_load"], found["relaxed_pull_off_load"])
+            self.assertGreater(found["pull_off_load"], found["glassy_pull_off_load"])
+        other = self.solve("&surface kind = 'flat_punch', face_radius = 1e-6 /\n&solid modulus = 1e3, moduli = 9e3, relaxation_times = 1e-2 /\n"
+                           f"&adhesion work_of_adhesion = 0.03e-3, adhesion_stress = 1e3 /\n&numerics relative_tolerance = {TOLERANCE} /\n"
+                           "&history times = 0, 0.01, 0.5, 0.52, approaches = 0, 1e-6, 1e-6, -1e-6 /\n")
+        for name, unit in (("pull_off_load", 1e-9), ("pull_off_approach", 1e-6), ("pull_off_time", 1e-2), ("jumps", 1)):
+            self.assertLess(abs(other[name]/(free[name]*unit) - 1), 1e-6, name)
+        # contact that ends and comes back, and an approach that never touches
+        again = self.punch("times = 0, 1, 3, 5, 7, approaches = -0.1, 0.3, -2, 0.3, -2")
+        self.assertEqual(again["jumps"], 4)
+        self.assertLess(abs(again["energy_imbalance"]), 1e-3)
+        apart = self.punch("times = 0, 1, 3, approaches = -2, -0.02, -2")
+        self.assertLess(apart["pull_off_load"], 0)
+
     def test_refused(self):
         """What has no meaning is refused in one line."""
         history = "&history path = 'triangle', largest_approach = 1, approach_rate = 1 /\n"
@@ -245,7 +310,9 @@ class AdhesionInTime(SolverRuns):
                      "".join(line for line in scene.replace(history, "").splitlines(True) if "&adhesion" not in line)):
             self.refuse(bare, "give &history times with what is prescribed, or a path")
         self.refuse(scene.replace(", adhesion_stress = 0.5", ""), "has no range, which adhesion in time needs")
-        self.refuse(scene.replace(BALL, "&surface kind = 'flat_punch', face_radius = 1 /\n"), "nothing solves flat_punch")
+        # lambda is a number of powers of r
+        self.refuse(scene.replace(BALL, PUNCH).replace("adhesion_stress = 0.5", "lambda = 1"), "lambda")
+        self.refuse(scene.replace(BALL, "&surface kind = 'flat_punch' /\n"), "face_radius")
         self.refuse(scene.replace("modulus = 0.75", "modulus = 0"), "modulus")
         self.refuse(scene.replace("adhesion_stress = 0.5", "adhesion_stress = 1e3"), "has so short a range")
         self.refuse(scene.replace("&numerics ", "&numerics cells = 5, "), "which needs 6; give")
