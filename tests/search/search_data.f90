@@ -38,17 +38,20 @@ contains
       type(drawn_data_t), allocatable, intent(out) :: list(:)
       !> Does the model accept all of them?
       logical, intent(out) :: is_taken
-      integer :: j, k, n, which, n_x, n_y
+      integer :: j, k, n, which, n_x, n_y, left_out
       logical :: is_line
 
-      allocate (list(count(model%variables%kind == kind_dataset)))
+      ! a map is that of the cells of given heights
+      left_out = 0
+      if (model%index_of('surface', 'heights') == 0) left_out = model%index_of('adhesion', 'work_map')
+      allocate (list(count(model%variables%kind == kind_dataset) - merge(1, 0, left_out > 0)))
       ! lists that belong together have as many values
       call dice%choose(size(counts), which)
       n_x = counts(which)
       n = 0
       do k = 1, size(model%variables)
          associate (v => model%variables(k))
-            if (v%kind /= kind_dataset) cycle
+            if (v%kind /= kind_dataset .or. k == left_out) cycle
             n = n + 1
             list(n)%position = k
             n_y = 1
@@ -56,7 +59,11 @@ contains
             call dice%choose(size(counts), which)
             if (v%largest_rank > 1 .and. .not. is_line) n_y = counts(which)
             if (v%n_columns() > 0) n_y = v%n_columns()
-            allocate (list(n)%values(min(n_x, v%most_count), n_y))
+            if (v%name == 'work_map') then
+               allocate (list(n)%values, mold=list(1)%values)
+            else
+               allocate (list(n)%values(min(n_x, v%most_count), n_y))
+            end if
             if (v%name == 'tension_table') then
                call draw_law(dice, list(n)%values)
             else
