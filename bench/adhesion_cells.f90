@@ -41,10 +41,10 @@ program adhesion_cells
 
    call print_heading('Zones of adhesion of few cells')
    table = open_table(text_argument(1, 'adhesion_cells.csv'), 'cells_per_zone,states,other,not_solved,below,area_median,' &
-      & //'area_largest,penetration_largest,pull_off_largest')
+      & //'area_largest,penetration_largest,pull_off_strong,pull_off_weak')
    print '(a)', 'the 1-D wave: states with an edge, another state, not solved, errors above their estimate; errors of area, ' &
-      & //'penetration, pull-off'
-   print '(a9, 4a8, 4a12)', 'cells', 'states', 'other', 'not s.', 'above', 'median', 'largest', 'penetration', 'pull-off'
+      & //'penetration, pull-off that is too strong and too weak'
+   print '(a9, 4a8, 5a12)', 'cells', 'states', 'other', 'not s.', 'above', 'median', 'largest', 'penetration', 'strong', 'weak'
    do k = 1, size(cells_per_zone)
       call measure_zone(cells_per_zone(k))
    end do
@@ -58,18 +58,18 @@ contains
       real(dp), intent(in) :: cells
       type(counts_t) :: counts
       type(spread_t) :: areas
-      real(dp) :: largest, pull_off
+      real(dp) :: largest, pull_off(2)
       integer :: i
 
       do i = 1, size(n_cells)
          call measure_states(n_cells(i), cells, counts)
       end do
-      pull_off = pull_off_error(cells)
+      pull_off = pull_off_errors(cells)
       areas = spread_of(counts%areas(:counts%n))
       largest = maxval(counts%penetrations(:counts%n))
       associate (c => counts)
-         print '(f9.2, 4i8, 4es12.1)', cells, c%n, c%other, c%not_solved, c%below, areas%median, areas%most, largest, pull_off
-         write (table, '(f0.2, 4(",", i0), 4(",", es9.2))') cells, c%n, c%other, c%not_solved, c%below, areas%median, areas%most, &
+         print '(f9.2, 4i8, 5es12.1)', cells, c%n, c%other, c%not_solved, c%below, areas%median, areas%most, largest, pull_off
+         write (table, '(f0.2, 4(",", i0), 5(",", es9.2))') cells, c%n, c%other, c%not_solved, c%below, areas%median, areas%most, &
             & largest, pull_off
       end associate
    end subroutine measure_zone
@@ -189,15 +189,16 @@ contains
       end if
    end subroutine keep
 
-   !> The largest relative error of pull-off after a turn at no load.
-   real(dp) function pull_off_error(cells) result(largest)
+   !> The largest relative errors of pull-off after a turn at no load: of those that are too strong, and of those that are too weak.
+   function pull_off_errors(cells) result(largest)
       real(dp), intent(in) :: cells
+      real(dp) :: largest(2)
       type(periodic_solver_t) :: solver
       type(periodic_adhesion_t) :: adhesion
       type(periodic_pull_off_t) :: pull_off
       type(adhesive_wave_t) :: wave
       type(error_t), allocatable :: error
-      real(dp) :: shape(cells_of_pull_off/2, 1), lowest
+      real(dp) :: shape(cells_of_pull_off/2, 1), lowest, excess
       logical :: is_found
       integer :: i
 
@@ -211,9 +212,11 @@ contains
          if (.not. wave%has_folds) cycle
          adhesion%has_turned = .true.
          call find_pull_off(solver, shape, adhesion, 1.0e-9_dp, pull_off, error)
-         if (pull_off%is_found) largest = max(largest, abs(pull_off%mean_pressure/(pi*wave%least_load) - 1))
+         if (.not. pull_off%is_found) cycle
+         excess = pull_off%mean_pressure/(pi*wave%least_load) - 1
+         largest = max(largest, [excess, -excess])
       end do
-   end function pull_off_error
+   end function pull_off_errors
 
    !> Pull-off of spheres in cells of 17 times their contact and more.
    subroutine measure_spheres()

@@ -353,8 +353,8 @@ def between(numbers, text):
 def adhesion_cells(folder):
     """What cells make of zones of few of them."""
     body = [[f"{float(row['cells_per_zone']):g}", row["other"], row["below"], error(row["area_median"]), error(row["area_largest"]),
-             error(row["penetration_largest"]), error(row["pull_off_largest"])] for row in rows_of(folder, "adhesion_cells")]
-    return table(["cells per zone", "another state", "error above estimate", "area, median", "largest", "penetration [D]", "pull-off"], body)
+             error(row["penetration_largest"]), error(row["pull_off_strong"]), error(row["pull_off_weak"])] for row in rows_of(folder, "adhesion_cells")]
+    return table(["cells per zone", "another state", "error above estimate", "area, median", "largest", "penetration [D]", "too strong", "weak"], body)
 
 
 def random_transients(folder):
