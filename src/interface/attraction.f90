@@ -43,6 +43,7 @@ module adfric_interface_attraction
       procedure :: reach
       procedure :: reach_of_work
       procedure :: has_end
+      procedure :: end_of_tension
       procedure :: has_wall
       procedure :: gap_of_largest
       procedure :: in_units
@@ -108,16 +109,18 @@ contains
       end if
    end function attraction_of_two
 
-   !> A law by tensions at gaps; its range is the last gap.
+   !> A law by tensions at gaps; its range is the first gap without tension.
    pure type(attraction_t) function attraction_of_table(gaps, tensions) result(self)
       !> Gaps, growing from 0, two at least; tensions there, falling, the last one 0. Same shape `(n)`.
       real(dp), intent(in) :: gaps(:), tensions(:)
+      integer :: n
 
+      n = findloc(tensions > 0, .false., 1)
       self%law = law_table
-      allocate (self%gaps(size(gaps)), source=gaps)
-      allocate (self%tensions(size(tensions)), source=tensions)
+      allocate (self%gaps(n), source=gaps(:n))
+      allocate (self%tensions(n), source=tensions(:n))
       self%stress = tensions(1)
-      self%range = gaps(size(gaps))
+      self%range = gaps(n)
       self%work = self%work_from(0.0_dp)
    end function attraction_of_table
 
@@ -247,6 +250,17 @@ contains
 
       has_end = .not. any(self%law == [law_exponential, law_van_der_waals, law_lennard_jones])
    end function has_end
+
+   !> Gap from which on there is no tension, or none that counts among numbers; `huge` where there always is one.
+   pure real(dp) function end_of_tension(self) result(gap)
+      class(attraction_t), intent(in) :: self
+      !> exp(-300) is 1e-130, the square of which is still a number.
+      real(dp), parameter :: ranges = 300
+
+      gap = huge(gap)
+      if (self%has_end()) gap = self%range
+      if (self%law == law_exponential) gap = ranges*self%range
+   end function end_of_tension
 
    !> Is there a hard wall at the gap 0? A law without one pushes by itself.
    pure logical function has_wall(self)

@@ -311,7 +311,7 @@ contains
       !> The axis r.
       type(profile_axis_t), intent(in) :: axes(:)
       real(dp), intent(inout) :: profiles(:, :, :)
-      real(dp) :: r, of_indenter(n_indenter_results)
+      real(dp) :: r, height, slope, of_indenter(n_indenter_results)
       integer :: k
 
       if (nint(values(before_attracted + mine%law)) == law_dugdale) then
@@ -323,10 +323,17 @@ contains
       type is (attracted_state_t)
          associate (case => state%case)
             if (.not. allocated(state%point)) return
-            if (.not. allocated(state%point%sample%state)) return
+            if (.not. (state%point%is_found .and. state%point%is_converged)) return
             do k = 1, size(profiles, 1)
                r = axes(1)%coordinates(k)/case%length_unit
                if (r >= state%body%shape%edge) cycle
+               if (.not. allocated(state%point%sample%state)) then
+                  ! bodies that are apart keep their shape
+                  call state%body%shape%get_profile(r, height, slope)
+                  profiles(k, 1, p_pressure) = 0
+                  profiles(k, 1, p_gap) = (height - state%point%sample%approach)*case%height_unit
+                  cycle
+               end if
                profiles(k, 1, p_pressure) = pressure_of(state%body, state%point%sample%state, r)*case%modulus &
                   & *(case%height_unit/case%length_unit)
                profiles(k, 1, p_gap) = gap_of(state%body, state%point%sample%state, r)*case%height_unit

@@ -115,6 +115,8 @@ contains
       real(dp), intent(in) :: tension
       integer :: k
 
+      t = state%t(1)
+      if (.not. tension > 0) return
       do k = ubound(state%t, 1) - 1, 0, -1
          if (state%tension(k) < tension) cycle
          associate (s => state%tension)
@@ -122,7 +124,6 @@ contains
          end associate
          return
       end do
-      t = state%t(1)
    end function outermost
 
    !> Innermost t with a given tension, or more; 0 if the axis has it.

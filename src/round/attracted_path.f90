@@ -51,7 +51,8 @@ contains
    !> Begin a path where the body is far away.
    subroutine begin_path(body, farthest, path)
       type(body_t), intent(in) :: body
-      !> Gap on the axis up to which states are wanted; at least it is one where next to nothing is attracted.
+      !> Gap on the axis up to which states are wanted, below the end of the law if it has one; at least it is one where next to
+      !> nothing is attracted.
       real(dp), intent(in) :: farthest
       type(path_t), intent(out) :: path
       type(node_grid_t) :: grid
@@ -65,11 +66,7 @@ contains
       path%body = body
       allocate (path%stops(most_stops))
       associate (law => body%law)
-         if (law%has_end()) then
-            gap = within_end*law%range
-         else
-            gap = max(law%reach(nothing), farthest)
-         end if
+         gap = max(merge(within_end*law%range, law%reach(nothing), law%has_end()), farthest)
          ! rigid pull in contact, 2 pi int s(f) r dr
          do k = 1, n_parts
             associate (r => body%shape%radius_of_height(20*law%range)*(k - 0.5_dp)/n_parts)

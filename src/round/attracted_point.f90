@@ -11,6 +11,7 @@ module adfric_round_attracted_point
    use adfric_round_attracted_search, only: find_folds, find_state, folds_t, found_t, slope_at, stop_before
    use adfric_round_attracted_nodes, only: attracted_t
    use adfric_round_case, only: indenter_case_t
+   use adfric_round_contact, only: branch_inner, branch_unstable
    use adfric_round_contact_state, only: contact_t
    use adfric_round_curve, only: control_approach, control_load, control_radius, control_spring
    use adfric_round_dugdale_curve, only: dugdale_curve_t
@@ -106,22 +107,33 @@ contains
       real(dp), intent(in) :: tolerance
       type(attracted_point_t), intent(out) :: point
       type(path_t) :: path
+      type(folds_t) :: folds
       type(found_t) :: found, last
       real(dp) :: farthest
-      integer :: grid, n
+      integer :: grid, n, trial
+      integer, parameter :: most_trials = 6
 
       point%is_converged = survey%path%is_certain .and. all(survey%folds%is_converged)
       if (.not. point%is_converged) return
       call take_ends(survey, point)
       path = survey%path
+      folds = survey%folds(2)
       call extend(case, path, farthest)
-      if (farthest > 0) call begin_again(farthest, path)
+      do trial = 1, most_trials
+         if (.not. farthest > 0) exit
+         call begin_again(farthest, path)
+         if (.not. path%is_certain .or. survey%path%body%law%has_end() .or. is_reached(case, path)) exit
+         ! the load of a blunt cone falls slowly
+         farthest = 10*farthest
+      end do
       point%is_converged = path%is_certain
       if (.not. point%is_converged) return
-      if (parts(case, path)) then
-         point%is_found = .true.
-         point%is_stable = .true.
-         point%sample%approach = case%given
+      ! a path that begins elsewhere has other steps
+      if (farthest > 0) call find_folds(path, 2*n_fine, folds)
+      point%is_converged = folds%is_converged
+      if (.not. point%is_converged) return
+      if (is_apart(case, path) .and. case%branch == branch_inner) then
+         call take_apart()
          return
       end if
       do grid = 1, n_grids
@@ -129,7 +141,7 @@ contains
          if (case%control == control_radius) then
             call take_radius(case, path, n, found)
          else
-            call find_state(path, survey%folds(2), case%given, case%branch, n, found)
+            call find_state(path, folds, case%given, case%branch, n, found)
          end if
          point%is_converged = found%is_converged
          if (.not. (found%is_found .and. found%is_converged)) exit
@@ -140,13 +152,22 @@ contains
          last = found
       end do
       point%is_found = found%is_found
-      if (.not. (point%is_found .and. point%is_converged)) return
+      ! the stable state is that of most contact, and bodies that are apart the last one
+      if (.not. point%is_found .and. case%branch /= branch_unstable .and. is_apart(case, path)) call take_apart()
+      if (.not. (point%is_found .and. point%is_converged) .or. .not. allocated(found%sample%state)) return
       point%is_converged = point%error <= tolerance
       point%sample = found%sample
       point%is_stable = found%is_stable
       call finish(path, found, case%control, point)
 
    contains
+
+      !> Bodies that are apart.
+      subroutine take_apart()
+         point%is_found = .true.
+         point%is_stable = .true.
+         point%sample%approach = case%given
+      end subroutine take_apart
 
       !> A path that begins farther away, up to where the other one ends.
       subroutine begin_again(gap, path)
@@ -175,7 +196,19 @@ contains
       if (control == control_radius) point%is_stable = load_slope > 0
    end subroutine finish
 
-   !> Follow a path to what is prescribed; or say from how far away another one must begin, 0: from nowhere else.
+   !> Does the first state of a path lie beyond what is prescribed?
+   pure logical function is_reached(case, path)
+      type(indenter_case_t), intent(in) :: case
+      type(path_t), intent(in) :: path
+
+      associate (first => path%stops(1))
+         is_reached = case%given <= first%load
+         if (case%control /= control_load) is_reached = case%given >= with_control(path%body, first%approach, first%load)
+      end associate
+   end function is_reached
+
+   !> Follow a path to what is prescribed; or say from how far away another one must begin, 0: from nowhere else. By a law with an end
+   !> that is next to it. Far apart the load falls as the work that is left, or more slowly.
    subroutine extend(case, path, farthest)
       type(indenter_case_t), intent(in) :: case
       type(path_t), intent(inout) :: path
@@ -188,24 +221,28 @@ contains
             call follow_path(path, 0.0_dp, 0.0_dp, case%radius)
          case (control_load)
             call follow_path(path, case%given, 0.0_dp, 0.0_dp)
-            if (case%given < 0 .and. case%given > first%load .and. .not. body%law%has_end()) &
-               & farthest = 2*body%law%reach(1.0e-4_dp*case%given/first%load)
+            if (.not. (case%given < 0 .and. case%given > first%load)) return
+            if (body%law%has_end()) then
+               farthest = body%law%range + first%z
+               farthest = body%law%range - farthest/2*(case%given/first%load)
+            else
+               farthest = 2*body%law%reach_of_work(case%given/first%load*body%law%work_from(-first%z)/body%law%work)
+            end if
          case default
             call follow_path(path, 0.0_dp, case%given, 0.0_dp)
-            if (case%given < with_control(body, first%approach, first%load) .and. .not. body%law%has_end()) &
-               & farthest = -2*case%given
+            if (is_reached(case, path) .or. is_apart(case, path)) return
+            farthest = min(-2*case%given, (body%law%end_of_tension() - case%given)/2)
          end select
       end associate
    end subroutine extend
 
-   !> Are the bodies apart, beyond the end of the attraction?
-   pure logical function parts(case, path)
+   !> May the bodies be apart, beyond the end of the attraction?
+   pure logical function is_apart(case, path)
       type(indenter_case_t), intent(in) :: case
       type(path_t), intent(in) :: path
 
-      parts = path%body%law%has_end() .and. any(case%control == [control_approach, control_spring]) &
-         & .and. case%given <= -path%body%law%range
-   end function parts
+      is_apart = any(case%control == [control_approach, control_spring]) .and. case%given <= -path%body%law%end_of_tension()
+   end function is_apart
 
    !> The state of a given radius.
    subroutine take_radius(case, path, n, found)

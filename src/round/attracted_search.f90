@@ -256,8 +256,8 @@ contains
       end do
       if (.not. root%is_found .or. .not. f_low*f_high <= 0) return
       do round = 1, most_rounds
-         z = low - f_low*(high - low)/(f_high - f_low)
-         if (.not. abs(f_high - f_low) > 0) z = low
+         z = low
+         if (abs(f_high - f_low) > 0) z = low - f_low*(high - low)/(f_high - f_low)
          call miss_at(z, f)
          if (.not. root%is_found) return
          is_converged = abs(f) <= at_rest*(abs(given) + with_control(path%body, path%approach_scale, path%load_scale)) .or. &

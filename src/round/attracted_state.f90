@@ -23,6 +23,7 @@
 module adfric_round_attracted_state
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_attraction, only: attraction_t
    use adfric_numerics_gauss, only: gauss_nodes_10, gauss_weights_10
    use adfric_numerics_lapack, only: dgesv
@@ -252,7 +253,7 @@ contains
    end subroutine sum_up
 
    !> What is behind the last node, where the body is as good as rigid: the gap is like a power of the radius, f'/f r, and the tension
-   !> like one of the gap.
+   !> like one of the gap. On a cone the energy of a law that falls as the third power of the gap has no bound: it has no value then.
    pure subroutine add_tail(shape, law, radius, state)
       class(shape_t), intent(in) :: shape
       type(attraction_t), intent(in) :: law
@@ -260,6 +261,8 @@ contains
       real(dp), intent(in) :: radius
       type(attracted_t), intent(inout) :: state
       real(dp) :: height, slope, gap, power, steepness
+      !> Power of the radius by which the work left falls beyond the area, below which most of the energy is far away.
+      real(dp), parameter :: least_fall = 0.5_dp
 
       if (radius >= within_edge*shape%edge .or. law%has_end()) return
       call shape%get_profile(radius, height, slope)
@@ -269,8 +272,11 @@ contains
          power = radius*slope/gap
          steepness = -law%slope(gap)*gap/state%tension(n)
          if (power*steepness > 2) state%load = state%load - two_pi*radius**2*state%tension(n)/(power*steepness - 2)
-         if (power*(steepness - 1) > 2) state%attraction_energy = state%attraction_energy &
-            & - two_pi*radius**2*law%work_from(gap)/(power*(steepness - 1) - 2)
+         if (power*(steepness - 1) - 2 > least_fall) then
+            state%attraction_energy = state%attraction_energy - two_pi*radius**2*law%work_from(gap)/(power*(steepness - 1) - 2)
+         else
+            state%attraction_energy = not_a_number()
+         end if
       end associate
    end subroutine add_tail
 

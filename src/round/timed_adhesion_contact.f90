@@ -72,7 +72,7 @@ module adfric_round_timed_adhesion_contact
       !> Least load of legs that retract.
       type(least_load_t) :: least
       !> The last steps of a leg, of which the first may be missing.
-      real(dp), private :: times(2) = 0, loads(2) = 0
+      real(dp), private :: times(2) = 0, loads(2) = 0, approaches(2) = 0
       !> How many of them there are.
       integer, private :: n_before = 0
       !> Change of the radius of adhesion in the last step.
@@ -292,7 +292,7 @@ contains
       type(zone_state_t), intent(in) :: state
       real(dp), intent(in) :: clock
       logical, intent(in) :: is_jump
-      real(dp) :: first, second, third, shift
+      real(dp) :: first, second, third, shift, rates(2)
 
       associate (leg => self%legs(self%leg), least => self%least)
          if (.not. leg%end < leg%begin .and. .not. abs(leg%amplitude) > 0) return
@@ -308,6 +308,11 @@ contains
                if (abs(shift) <= max(clock - self%times(2), self%times(2) - self%times(1))) then
                   least%load = self%state%load - first**2/(4*third)
                   least%clock = self%times(2) + shift
+                  ! the approach there by the parabola through the same steps
+                  rates = [self%approaches(1) - self%state%approach, state%approach - self%state%approach] &
+                     & /[self%times(1) - self%times(2), clock - self%times(2)]
+                  third = (rates(2) - rates(1))/(clock - self%times(1))
+                  least%approach = self%state%approach + (rates(1) - third*(self%times(1) - self%times(2)))*shift + third*shift**2
                end if
             end if
          end if
@@ -321,6 +326,7 @@ contains
          end if
          self%times = [self%times(2), clock]
          self%loads = [self%loads(2), state%load]
+         self%approaches = [self%approaches(2), state%approach]
          self%n_before = merge(0, min(2, self%n_before + 1), is_jump .or. .not. clock > self%times(1))
       end associate
    end subroutine find_least
