@@ -109,28 +109,12 @@ contains
       type(path_t) :: path
       type(folds_t) :: folds
       type(found_t) :: found, last
-      real(dp) :: farthest
-      integer :: grid, n, trial
-      integer, parameter :: most_trials = 6
+      integer :: grid, n
 
       point%is_converged = survey%path%is_certain .and. all(survey%folds%is_converged)
       if (.not. point%is_converged) return
       call take_ends(survey, point)
-      path = survey%path
-      folds = survey%folds(2)
-      call extend(case, path, farthest)
-      do trial = 1, most_trials
-         if (.not. farthest > 0) exit
-         call begin_again(farthest, path)
-         if (.not. path%is_certain .or. survey%path%body%law%has_end() .or. is_reached(case, path)) exit
-         ! the load of a blunt cone falls slowly
-         farthest = 10*farthest
-      end do
-      point%is_converged = path%is_certain
-      if (.not. point%is_converged) return
-      ! a path that begins elsewhere has other steps
-      if (farthest > 0) call find_folds(path, 2*n_fine, folds)
-      point%is_converged = folds%is_converged
+      call reach_out(case, survey, path, folds, point%is_converged)
       if (.not. point%is_converged) return
       if (is_apart(case, path) .and. case%branch == branch_inner) then
          call take_apart()
@@ -169,6 +153,40 @@ contains
          point%sample%approach = case%given
       end subroutine take_apart
 
+   end subroutine find_point
+
+   !> A path as far as what is prescribed, with its folds.
+   subroutine reach_out(case, survey, path, folds, is_certain)
+      type(indenter_case_t), intent(in) :: case
+      type(attracted_survey_t), intent(in) :: survey
+      type(path_t), intent(out) :: path
+      !> Folds on the second grid.
+      type(folds_t), intent(out) :: folds
+      !> Receives whether all steps were taken, and all folds found.
+      logical, intent(out) :: is_certain
+      real(dp) :: farthest
+      integer :: trial
+      integer, parameter :: most_trials = 6
+
+      path = survey%path
+      folds = survey%folds(2)
+      call extend(case, path, farthest)
+      is_certain = path%is_certain
+      if (.not. (is_certain .and. farthest > 0)) return
+      do trial = 1, most_trials
+         call begin_again(farthest, path)
+         is_certain = path%is_certain
+         if (.not. is_certain) return
+         if (path%body%law%has_end() .or. is_reached(case, path)) exit
+         ! the load of a blunt cone falls slowly
+         farthest = 10*farthest
+      end do
+      ! a path that begins elsewhere has other steps
+      call find_folds(path, 2*n_fine, folds)
+      is_certain = folds%is_converged
+
+   contains
+
       !> A path that begins farther away, up to where the other one ends.
       subroutine begin_again(gap, path)
          real(dp), intent(in) :: gap
@@ -182,7 +200,7 @@ contains
          path = longer
       end subroutine begin_again
 
-   end subroutine find_point
+   end subroutine reach_out
 
    !> Stiffness, and for a given radius stability.
    subroutine finish(path, found, control, point)
