@@ -68,7 +68,7 @@ class RoundLaws(SolverRuns):
             self.assertEqual([apart["load"], apart["contact_radius"]], [0, 0])
             np.testing.assert_array_equal(apart["pressure"], 0)
             np.testing.assert_allclose(apart["gap"], -approach + apart["r"]**2/(2*RADIUS), rtol=1e-12)
-        apart = self.solve(scene_of("linear", f"&operating approach = {2*adhered['pull_off_approach']!r} /\n", law))
+        apart = self.solve(scene_of("linear", f"&operating approach = {2*float(adhered['pull_off_approach'])!r} /\n", law))
         self.assertEqual([apart["load"], apart["contact_radius"]], [0, 0])
 
     def test_next_to_the_end(self):
