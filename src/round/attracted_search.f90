@@ -314,6 +314,7 @@ contains
       last = min(k + 1, path%n)
       step = small*(path%stops(last)%z - path%stops(max(last - 1, 1))%z)
       if (sample%z < 0) step = min(step, -sample%z/2)
+      if (sample%z < 0 .and. path%body%law%has_end()) step = min(step, (path%body%law%range + sample%z)/2)
       if (sample%z > 0) step = min(step, sample%z/2)
       do i = 1, 2
          call take_sample(path%body, sample%z + (2*i - 3)*step, path%stops(k)%grid, n, sample%state, sides(i))

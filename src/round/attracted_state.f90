@@ -73,6 +73,8 @@ contains
          call solve_on_nodes(shape, law, reach_of(shape, law, state), guess, state)
          return
       end if
+      ! bodies that the law does not reach are no state of it
+      if (-z >= law%range) return
       ! secants for the end of the attraction
       ends(2) = shape%radius_of_height(law%range)
       if (allocated(guess)) ends(2) = guess%t(ubound(guess%t, 1))
@@ -81,10 +83,12 @@ contains
          if (.not. state%is_found) return
          misses(2) = state%gap(n)/law%range - 1
          if (abs(misses(2)) <= at_rest) return
+         next = merge(ends(2)/2, 2*ends(2), misses(2) > 0)
          if (k == 1) then
-            next = ends(2) - misses(2)*law%range*(state%t(n) - state%t(n - 1))/max(state%gap(n) - state%gap(n - 1), 0.0_dp)
+            if (state%gap(n) > state%gap(n - 1)) next = ends(2) &
+               & - misses(2)*law%range*(state%t(n) - state%t(n - 1))/(state%gap(n) - state%gap(n - 1))
          else
-            next = ends(2) - misses(2)*(ends(2) - ends(1))/(misses(2) - misses(1))
+            if (abs(misses(2) - misses(1)) > 0) next = ends(2) - misses(2)*(ends(2) - ends(1))/(misses(2) - misses(1))
          end if
          ends(1) = ends(2)
          misses(1) = misses(2)
