@@ -2,6 +2,7 @@
 """Round bodies that laws of attraction draw: what a law is given by, bodies far apart and apart, and states beyond the end of a law."""
 
 import math
+import os
 import sys
 from pathlib import Path
 
@@ -12,8 +13,10 @@ from runs import SolverRuns, main  # noqa: E402
 
 MODULUS, RADIUS, WORK, RANGE = 1e9, 1e-6, 0.05, 1e-9
 BALL = f"&surface kind = 'paraboloid', radius = {RADIUS} /\n"
+# checks make states ten times slower
+IS_SLOW = float(os.environ.get("ADFRIC_RANDOM_CASES", "1")) < 1
 # work over largest tension and range
-RATIOS = {"exponential": 1, "linear": 1/2, "van_der_waals": 1/2, "lennard_jones": 9*math.sqrt(3)/16}
+RATIOS = {"van_der_waals": 1/2} if IS_SLOW else {"exponential": 1, "linear": 1/2, "van_der_waals": 1/2, "lennard_jones": 9*math.sqrt(3)/16}
 
 
 def scene_of(law, operating, adhesion=f"work_of_adhesion = {WORK}, adhesion_range = {RANGE}", surface=BALL):
@@ -56,13 +59,13 @@ class RoundLaws(SolverRuns):
         """Beyond the end of a law bodies may be apart, or still in contact, up to pull-off; a state by its approach and by its load is one."""
         law = "work_of_adhesion = 0.05, adhesion_stress = 3e8"
         end = 2*0.05/3e8
-        for approach in (-0.9*end, -1.1*end, -3*end):
+        for approach in (-3*end,) if IS_SLOW else (-0.9*end, -1.1*end, -3*end):
             adhered = self.solve(scene_of("linear", f"&operating approach = {approach!r} /\n", law))
             self.assertGreater(adhered["contact_radius"], 0)
             self.assertGreater(approach, adhered["pull_off_approach"])
             again = self.solve(scene_of("linear", f"&operating load = {float(adhered['load'])!r} /\n", law))
             self.assertAlmostEqual(float(again["approach"])/approach, 1, delta=1e-3)
-        for approach in (-1.1*end, -3*end):
+        for approach in (-1.1*end,) if IS_SLOW else (-1.1*end, -3*end):
             apart = self.solve(scene_of("linear", f"&operating approach = {approach!r}, branch = 'inner' /\n"
                                         "&output profiles = .true., r_max = 3e-7, n_r = 4 /\n", law))
             self.assertEqual([apart["load"], apart["contact_radius"]], [0, 0])
