@@ -71,7 +71,7 @@ contains
             end if
             if (.not. v%lower < 0) list(n)%values = abs(list(n)%values)
             if (v%lower > 0 .or. (v%lower_open .and. .not. v%lower < 0)) list(n)%values = list(n)%values + 1
-            do j = 1, n_y
+            do j = 1, size(list(n)%values, 2)
                list(n)%values(:, j) = list(n)%values(:, j) &
                   *10.0_dp**max(-60.0_dp, min(60.0_dp, dot_product(logarithm, dimensions_of(unit_of_column(v, j)))))
             end do
