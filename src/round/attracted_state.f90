@@ -187,7 +187,7 @@ contains
             matrix(:, j) = -influence(1:, j)*slopes(j)
             matrix(j, j) = matrix(j, j) + 1
          end do
-         ! the gap on the axis is unknown in place of the one that is given
+         ! the gap on the axis is unknown, and not the one that is given
          if (state%pinned > 0) matrix(:, state%pinned) = -1 - influence(1:, 0)*slopes(0)
          call dgesv(n, 1, matrix, n, pivots, step, n, info)
          if (info /= 0) return

@@ -292,27 +292,21 @@ contains
       type(zone_state_t), intent(in) :: state
       real(dp), intent(in) :: clock
       logical, intent(in) :: is_jump
-      real(dp) :: first, second, third, shift, rates(2)
+      real(dp) :: loads(2), approaches(2), shift
 
       associate (leg => self%legs(self%leg), least => self%least)
          if (.not. leg%end < leg%begin .and. .not. abs(leg%amplitude) > 0) return
          if (least%was_last .and. .not. is_jump .and. state%load >= self%state%load .and. self%n_before == 2 &
             & .and. clock > self%times(2)) then
             ! P = P2 + q1 x + q2 x^2 with x from the middle step
-            first = (self%loads(1) - self%state%load)/(self%times(1) - self%times(2))
-            second = (state%load - self%state%load)/(clock - self%times(2))
-            third = (second - first)/(clock - self%times(1))
-            if (third > 0) then
-               first = first - third*(self%times(1) - self%times(2))
-               shift = -first/(2*third)
+            loads = parabola_of([self%times, clock], [self%loads(1), self%state%load, state%load])
+            if (loads(2) > 0) then
+               shift = -loads(1)/(2*loads(2))
                if (abs(shift) <= max(clock - self%times(2), self%times(2) - self%times(1))) then
-                  least%load = self%state%load - first**2/(4*third)
+                  approaches = parabola_of([self%times, clock], [self%approaches(1), self%state%approach, state%approach])
+                  least%load = self%state%load - loads(1)**2/(4*loads(2))
+                  least%approach = self%state%approach + approaches(1)*shift + approaches(2)*shift**2
                   least%clock = self%times(2) + shift
-                  ! the approach there by the parabola through the same steps
-                  rates = [self%approaches(1) - self%state%approach, state%approach - self%state%approach] &
-                     & /[self%times(1) - self%times(2), clock - self%times(2)]
-                  third = (rates(2) - rates(1))/(clock - self%times(1))
-                  least%approach = self%state%approach + (rates(1) - third*(self%times(1) - self%times(2)))*shift + third*shift**2
                end if
             end if
          end if
@@ -330,5 +324,17 @@ contains
          self%n_before = merge(0, min(2, self%n_before + 1), is_jump .or. .not. clock > self%times(1))
       end associate
    end subroutine find_least
+
+   !> Slope and half the curvature, at the second of three samples, of the parabola through them.
+   pure function parabola_of(x, y) result(coefficients)
+      !> The samples, of which no two have the same x.
+      real(dp), intent(in) :: x(3), y(3)
+      real(dp) :: coefficients(2)
+      real(dp) :: slopes(2)
+
+      slopes = [(y(1) - y(2))/(x(1) - x(2)), (y(3) - y(2))/(x(3) - x(2))]
+      coefficients(2) = (slopes(2) - slopes(1))/(x(3) - x(1))
+      coefficients(1) = slopes(1) - coefficients(2)*(x(1) - x(2))
+   end function parabola_of
 
 end module adfric_round_timed_adhesion_contact
