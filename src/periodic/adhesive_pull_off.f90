@@ -31,8 +31,9 @@ module adfric_periodic_adhesive_pull_off
 
    !> Relative error that is small enough, and by how much more a tension is that must have no state.
    real(dp), parameter :: wanted_error = 1.0e-5_dp, beyond = 1.0e-2_dp
-   !> The most that it may be more, where rounds of a load nearer to it do not end.
-   real(dp), parameter :: farthest = 8*beyond
+   !> The most that it may be more, where rounds of a load nearer to it do not end, and the least, which is tried where they do: rough
+   !> surfaces have several folds within `beyond`.
+   real(dp), parameter :: farthest = 8*beyond, nearest = 1.0e-3_dp
    !> Loads and steps that are tried at most.
    integer, parameter :: most_loads = 40, most_steps = 60
    !> Attempts of Newton's method between states that enclose the lowest one, at most, but for one.
@@ -67,6 +68,7 @@ contains
       type(contact_state_t) :: state
       type(contact_state_t), allocatable :: turned(:), last
       real(dp) :: load, without, reach
+      logical :: is_near
       integer :: k
 
       branch = adhesion
@@ -87,21 +89,27 @@ contains
          if (solution%status == contact_out_of_range) then
             without = load
          else if (solution%status == contact_solved) then
-            reach = beyond
+            if (.not. pull_off%is_found) reach = beyond
             ! it bounds the states of all loads below
             last = state
             pull_off%mean_pressure = load
             pull_off%penetration = sum(shape - state%gap)/size(shape)
             if (any(state%is_open)) call go_down(solver, state, tolerance, pull_off)
+         else if (pull_off%is_found) then
+            ! rounds nearer to a fold than `beyond` do not end: it stays found
+            return
          else if (pull_off%mean_pressure < 0 .and. reach < farthest) then
             ! next to a fold rounds take long
             reach = 2*reach
          else if (pull_off%mean_pressure < 0 .or. k == most_loads) then
             return
          end if
-         pull_off%is_found = pull_off%mean_pressure - without <= max(1.1_dp*reach*abs(pull_off%mean_pressure), &
-            & least_part*adhesion%stress)
-         if (pull_off%is_found) return
+         is_near = pull_off%mean_pressure - without <= max(1.1_dp*reach*abs(pull_off%mean_pressure), least_part*adhesion%stress)
+         pull_off%is_found = pull_off%is_found .or. is_near
+         if (is_near) then
+            if (reach > beyond .or. reach <= nearest .or. abs(without) <= least_part*adhesion%stress) return
+            reach = nearest
+         end if
          if (pull_off%mean_pressure < 0) then
             load = max((1 + reach)*pull_off%mean_pressure, (pull_off%mean_pressure + without)/2)
          else if (solution%status == contact_out_of_range) then

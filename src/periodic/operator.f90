@@ -222,7 +222,7 @@ contains
    end subroutine apply_stiffness
 
    !> Pressures that a displacement of 1 in one cell makes in the cells around it, in a surface without mirrors. Waves of a symmetric
-   !> stiffness count as much along both directions of an axis.
+   !> stiffness count as much along both directions of an axis. Nothing varies along an axis of one cell, which has no mirrors there.
    pure subroutine get_influence(self, reach, influence)
       class(periodic_operator_t), intent(in) :: self
       !> How many cells away in each direction.
@@ -232,7 +232,7 @@ contains
       real(dp) :: rows(size(self%stiffness, 1), 0:reach(1)), row(0:reach(1)), weight, cosine
       integer :: n(2), i, j, k
 
-      n = self%n_cells*merge(2, 1, self%is_quarter)
+      n = self%n_cells*merge(2, 1, self%is_quarter .and. self%n_cells > 1)
       rows = 0
       do i = 1, size(self%stiffness, 2)
          weight = merge(1, 2, i == 1 .or. 2*(i - 1) == n(1))
