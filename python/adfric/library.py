@@ -3,6 +3,7 @@
 
 import ctypes
 import os
+from contextlib import contextmanager
 from ctypes import POINTER, c_char_p, c_double, c_int, c_int8, c_int32, c_int64, c_void_p
 from pathlib import Path
 
@@ -17,6 +18,10 @@ REAL, INTEGER, LOGICAL, WORD, ARRAY = 1, 2, 3, 4, 5
 COORDINATE, RESULT, PROFILE, PARAMETER, LIST, EXTRA, WORDS = 1, 2, 3, 4, 5, 6, 7
 
 Progress = ctypes.CFUNCTYPE(c_int, c_void_p, c_int64, c_int64)
+
+# How often a thread of OpenMP looks whether the others are done, before it sleeps. OpenMP's 300000 times cost milliseconds a wait where
+# cores have other work.
+LOOKS_BEFORE_SLEEP = {"GOMP_SPINCOUNT": "10000"}
 
 
 class ModelInfo(ctypes.Structure):
@@ -108,11 +113,24 @@ ARGUMENTS = {
 }
 
 
+@contextmanager
+def short_waits():
+    """Let an OpenMP that is loaded meanwhile sleep soon where it waits, if the environment says nothing of waiting."""
+    added = {} if any(name in os.environ for name in ("OMP_WAIT_POLICY", *LOOKS_BEFORE_SLEEP)) else LOOKS_BEFORE_SLEEP
+    os.environ.update(added)
+    try:
+        yield
+    finally:
+        for name in added:
+            del os.environ[name]
+
+
 def load_library():
     """The shared library of this package, or the one that ADFRIC_LIBRARY names."""
     path = os.environ.get("ADFRIC_LIBRARY") or Path(__file__).parent/"lib"/"libadfric.so"
     try:
-        library = ctypes.CDLL(str(path))
+        with short_waits():
+            library = ctypes.CDLL(str(path))
     except OSError as problem:
         raise ImportError(f"adfric: cannot load the library: {problem}") from None
     for name, arguments in ARGUMENTS.items():

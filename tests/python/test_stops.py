@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C, and what the caller's function raises, end a call; threads solve at once."""
+"""Ctrl-C, and what the caller's function raises, end a call; threads solve at once, and sleep where they wait."""
 
 import os
 import signal
+import subprocess
+import sys
 import time
 import threading
 import unittest
@@ -114,6 +116,19 @@ class Stops(unittest.TestCase):
         self.assertEqual(30, len(found))
         for one in found:
             xr.testing.assert_equal(expected, one)
+
+    def test_waits(self):
+        """Threads that wait sleep soon, unless the environment says how they wait; it is left as it was."""
+        program = "import os, adfric; print([name for name in os.environ if name.startswith('GOMP')])"
+        for policy, looks in ((None, "GOMP_SPINCOUNT = '10000'"), ("passive", "GOMP_SPINCOUNT = '0'")):
+            environment = {**os.environ, "OMP_DISPLAY_ENV": "verbose"}
+            for name in ("OMP_WAIT_POLICY", "GOMP_SPINCOUNT"):
+                environment.pop(name, None)
+            if policy:
+                environment["OMP_WAIT_POLICY"] = policy
+            told = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True)
+            self.assertIn(looks, told.stderr)
+            self.assertEqual("[]", told.stdout.strip())
 
 
 if __name__ == "__main__":
