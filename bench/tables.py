@@ -357,6 +357,14 @@ def adhesion_cells(folder):
     return table(["cells per zone", "another state", "error above estimate", "area, median", "largest", "penetration [D]", "too strong", "weak"], body)
 
 
+def adhesion_laws(folder):
+    """A wave that adheres by each law of attraction."""
+    body = [[f"`{row['law']}`", row["cells"], f"{time(row['ms_least'])} to {time(row['ms_most'])}",
+             f"{float(row['pairs_least']):.0f} to {float(row['pairs_most']):.0f}", error(row["contact_error"]), error(row["gap_error"]), row["above"]]
+            for row in rows_of(folder, "adhesion_laws")]
+    return table(["law", "cells along a period", "time [ms]", "pairs of transforms", "contact", "mean gap", "above its estimate"], body)
+
+
 def random_transients(folder):
     """Random waves that adhere while they slide, beside transients."""
     body = [[row["prescribed"], row["branch"], *(row[name] for name in ("waves", "judged", "friction_known", "apart", "restless", "not_converged",
@@ -396,7 +404,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, slip_public, sliding_public, adhesion_cells, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip)}
+    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_laws, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip)}
 
 
 def main():
