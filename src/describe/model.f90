@@ -45,6 +45,9 @@ module adfric_describe_model
       character(:), allocatable :: scene
       !> Names `group%name` that the choice of the solver has read already, separated by a blank; not allocated: none.
       character(:), allocatable :: scene_names
+      !> Variables of the input that this scene does not have, but another one: of each `group%name` and the nearest such scene, on a line
+      !> of its own. Not allocated: none.
+      character(:), allocatable :: of_other_scenes
       !> Whom points that take long ask whether the run shall end; null: nobody.
       class(watch_t), pointer :: watch => null()
    contains

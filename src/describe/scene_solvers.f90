@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The one table that says which solver answers which scene.
 module adfric_describe_scene_solvers
-   use adfric_base_words, only: get_word
+   use adfric_base_words, only: get_word, has_word
    implicit none (type, external)
    private
    public :: scenes, n_scenes, known_surfaces, known_tractions, known_extents, known_curves, word_length
@@ -123,15 +123,23 @@ contains
 
    !> The scene of the table that is nearest to one that no row has: with the fewest differences, the surface kept before the solid,
    !> the solid before the interface, and that before the operation.
-   pure subroutine find_nearest(words, nearest)
+   pure subroutine find_nearest(words, nearest, solvers)
       !> Surface, solid, interface and operation.
       character(*), intent(in) :: words(4)
       !> Receives those of the nearest scene.
       character(*), intent(out) :: nearest(4)
+      !> Names of solvers that may answer it, separated by a blank. Not given: all.
+      character(*), intent(in), optional :: solvers
       character(:), allocatable :: list
-      integer :: row, k
+      integer :: distances(n_scenes), row, k
 
-      row = minloc([(count_differences(k, words), k=1, n_scenes)], 1)
+      distances = [(count_differences(k, words), k=1, n_scenes)]
+      if (present(solvers)) then
+         do k = 1, n_scenes
+            if (.not. has_word(solvers, get_word(scenes(k), 5))) distances(k) = huge(1)
+         end do
+      end if
+      row = minloc(distances, 1)
       do k = 1, 4
          list = get_word(scenes(row), k)
          nearest(k) = words(k)

@@ -1,6 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> An input that names no model describes a scene: a surface on a solid, with an interface, in some operation. Here the solver that
 !> answers it is found.
+!>
+!> The file is long by what is said where no solver answers, or where another scene has what is given.
 module adfric_input_scene
    use adfric, only: known_models, new_model
    use adfric_base_error, only: error_t
@@ -105,7 +107,38 @@ contains
          least = n_unknown
          if (least == 0) exit
       end do
+      if (allocated(model) .and. least > 0) call note_other_scenes(scene, model)
    end subroutine find_solver
+
+   !> Note of each name that a scene gives and its solver does not know which scene has it.
+   subroutine note_other_scenes(scene, model)
+      type(scene_t), intent(in) :: scene
+      !> The solver; receives the nearest scenes.
+      class(model_t), intent(inout) :: model
+      class(model_t), allocatable :: other
+      character(word_length) :: nearest(4)
+      character(:), allocatable :: name, solver, solvers
+      integer :: k, m, percent
+
+      model%of_other_scenes = ''
+      name = ''
+      solver = ''
+      do k = 1, count_words(scene%names)
+         name = get_word(scene%names, k)
+         percent = index(name, '%')
+         if (percent == 0 .or. has_word(names_of_scene, name)) cycle
+         if (model%index_of(name(:percent - 1), name(percent + 1:)) > 0) cycle
+         solvers = ''
+         do m = 1, count_words(known_models)
+            solver = get_word(known_models, m)
+            call make_solver(solver, scene, other)
+            if (other%index_of(name(:percent - 1), name(percent + 1:)) > 0) solvers = solvers//' '//solver
+         end do
+         if (len(solvers) == 0) cycle
+         call find_nearest(words_of(scene), nearest, solvers)
+         model%of_other_scenes = model%of_other_scenes//name//' '//describe_scene(nearest)//new_line('a')
+      end do
+   end subroutine note_other_scenes
 
    !> Make a solver for a scene.
    subroutine make_solver(name, scene, model)

@@ -161,6 +161,24 @@ contains
          model%variables(k)%group//' '//model%variables(k)%name//' (adfric modernise writes such an input anew)'
    end function say_name_of_model
 
+   !> What to add about a variable that another scene has; empty if none does.
+   pure function say_other_scene(model, group, name) result(text)
+      class(model_t), intent(in) :: model
+      !> Group and name in the language of scenes.
+      character(*), intent(in) :: group, name
+      character(:), allocatable :: text, of_others
+      integer :: first, last
+
+      text = ''
+      if (.not. allocated(model%of_other_scenes)) return
+      of_others = new_line('a')//model%of_other_scenes
+      first = index(of_others, new_line('a')//group//'%'//name//' ')
+      if (first == 0) return
+      first = first + len(group) + len(name) + 3
+      last = first + index(of_others(first:), new_line('a')) - 2
+      text = '; the nearest scene that has it is '//of_others(first:last)
+   end function say_other_scene
+
    !> What to say of a variable that a group does not have; the model may have it elsewhere.
    pure function say_unknown_variable(model, group, name) result(text)
       class(model_t), intent(in) :: model
@@ -173,6 +191,12 @@ contains
 
       text = say_name_of_model(model, group, name)
       if (len(text) > 0) return
+      text = say_other_scene(model, group, name)
+      if (len(text) > 0) then
+         if (len(find_nearest(name, list_names_of(model, group))) > 0) text = ''
+         text = say_unknown_name(list_names_of(model, group), name)//text
+         return
+      end if
       home = list_groups_of(model, name)
       do k = 1, count_words(common_groups)
          if (len(home) == 0 .and. has_word(list_common_names(get_word(common_groups, k)), name)) home = get_word(common_groups, k)

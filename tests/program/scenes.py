@@ -114,6 +114,13 @@ class Scenes(Runs):
                         self.assertTrue(np.all(file["status"][()] == 0), f"{surface}, {column}")
                         self.assertNotIn("-", file)
 
+    def test_variable_of_another_scene(self):
+        """A variable that this scene does not have is refused with the nearest scene that has it."""
+        self.write(scene_of("wave_1d", 11).replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
+        _, errors = self.run_program("run", "run.nml", status=2)
+        self.assertRegex(errors, r"^run.nml: &adhesion law: unknown variable, allowed: .*; the nearest scene that has it is wave_1d on an elastic "
+                         r"half-space with adhesion, pressed \(line \d\)\n$")
+
     def test_readme(self):
         """README shows the same cells in three tables; surfaces with the same cells share a row, as far as a line of the page allows."""
         words = {"exact": "e", "numerical": "n", "": "-"}
