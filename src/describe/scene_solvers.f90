@@ -13,7 +13,7 @@ module adfric_describe_scene_solvers
    !> Words of `&surface kind`, of `&traction kind` and of `&solid extent`.
    character(*), parameter :: known_surfaces = 'sphere paraboloid cone power flat_cone flat_paraboloid '// &
       & 'rounded_punch rounded_cone polynomial flat_punch ellipsoid cylinder line_punch wedge line_polynomial '// &
-      & 'wave_1d wave_2d wave_product cosines profile heights'
+      & 'wave_1d wave_2d wave_product cosines profile heights spectrum'
    character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer foundation'
    !> Words of `&solid curve_modulus`: which modulus a master curve is one of.
    character(*), parameter :: known_curves = 'young contact'
@@ -64,6 +64,8 @@ module adfric_describe_scene_solvers
       & 'wave_1d,wave_product,cosines,profile,heights foundation shear,adhesion+shear press,slide wavy_sliding exact', &
       & 'cylinder,ellipsoid half_space shear slide hertz exact', &
       & 'wave_1d,wave_2d,profile,heights half_space shear press,slide surface_sliding numerical', &
+      & 'spectrum half_space none,adhesion press rough_theories exact', &
+      & 'spectrum relaxing none slide rough_theories exact', &
       & 'line half_space none press,tangential line_load exact', &
       & 'strip half_space none press strip_load exact', &
       & 'point half_space none press,tangential point_load exact']
