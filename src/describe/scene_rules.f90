@@ -96,30 +96,42 @@ module adfric_describe_scene_rules
       & 'strip_load operating% traction%']
 
    !> Results.
-   character(*), parameter :: result_rules(*) = [character(160) :: &
+   character(*), parameter :: result_rules(*) = [character(140) :: &
       & 'rough_theories contact_fraction_persson,mean_square_pressure_persson - adhesion', &
-      & 'rough_theories contact_fraction_yang_persson,contact_fraction_wang_mueser,contact_fraction_greenwood_williamson,contact_fraction_bush_gibson_thomas - adhesion', &
+      & 'rough_theories contact_fraction_yang_persson,contact_fraction_wang_mueser - adhesion', &
+      & 'rough_theories contact_fraction_greenwood_williamson,contact_fraction_bush_gibson_thomas - adhesion', &
       & 'rough_theories contact_fraction_greenwood_elliptic,contact_fraction_nayak_sphere - adhesion', &
-      & 'rough_theories contact_fraction_yang_persson,contact_fraction_wang_mueser,contact_fraction_greenwood_williamson,contact_fraction_bush_gibson_thomas - relaxing', &
+      & 'rough_theories contact_fraction_yang_persson,contact_fraction_wang_mueser - relaxing', &
+      & 'rough_theories contact_fraction_greenwood_williamson,contact_fraction_bush_gibson_thomas - relaxing', &
       & 'rough_theories contact_fraction_greenwood_elliptic,contact_fraction_nayak_sphere - relaxing', &
       & 'rough_theories mean_gap_persson,mean_gap_yang_persson,mean_gap_wang_mueser,mean_gap_greenwood_williamson - adhesion', &
       & 'rough_theories mean_gap_bush_gibson_thomas,mean_gap_greenwood_elliptic,mean_gap_nayak_sphere - adhesion', &
       & 'rough_theories mean_gap_persson,mean_gap_yang_persson,mean_gap_wang_mueser,mean_gap_greenwood_williamson - relaxing', &
       & 'rough_theories mean_gap_bush_gibson_thomas,mean_gap_greenwood_elliptic,mean_gap_nayak_sphere - relaxing', &
-      & 'rough_theories normal_stiffness_persson,normal_stiffness_yang_persson,normal_stiffness_wang_mueser,normal_stiffness_greenwood_williamson - adhesion', &
-      & 'rough_theories normal_stiffness_bush_gibson_thomas,normal_stiffness_greenwood_elliptic,normal_stiffness_nayak_sphere - adhesion', &
-      & 'rough_theories normal_stiffness_persson,normal_stiffness_yang_persson,normal_stiffness_wang_mueser,normal_stiffness_greenwood_williamson - relaxing', &
-      & 'rough_theories normal_stiffness_bush_gibson_thomas,normal_stiffness_greenwood_elliptic,normal_stiffness_nayak_sphere - relaxing', &
-      & 'rough_theories conductance_factor_persson,conductance_factor_yang_persson,conductance_factor_wang_mueser,conductance_factor_greenwood_williamson - adhesion', &
-      & 'rough_theories conductance_factor_bush_gibson_thomas,conductance_factor_greenwood_elliptic,conductance_factor_nayak_sphere - adhesion', &
-      & 'rough_theories conductance_factor_persson,conductance_factor_yang_persson,conductance_factor_wang_mueser,conductance_factor_greenwood_williamson - relaxing', &
-      & 'rough_theories conductance_factor_bush_gibson_thomas,conductance_factor_greenwood_elliptic,conductance_factor_nayak_sphere - relaxing', &
+      & 'rough_theories normal_stiffness_persson,normal_stiffness_yang_persson,normal_stiffness_wang_mueser - adhesion', &
+      & 'rough_theories normal_stiffness_greenwood_williamson - adhesion', &
+      & 'rough_theories normal_stiffness_bush_gibson_thomas,normal_stiffness_greenwood_elliptic - adhesion', &
+      & 'rough_theories normal_stiffness_nayak_sphere - adhesion', &
+      & 'rough_theories normal_stiffness_persson,normal_stiffness_yang_persson,normal_stiffness_wang_mueser - relaxing', &
+      & 'rough_theories normal_stiffness_greenwood_williamson - relaxing', &
+      & 'rough_theories normal_stiffness_bush_gibson_thomas,normal_stiffness_greenwood_elliptic - relaxing', &
+      & 'rough_theories normal_stiffness_nayak_sphere - relaxing', &
+      & 'rough_theories conductance_factor_persson,conductance_factor_yang_persson,conductance_factor_wang_mueser - adhesion', &
+      & 'rough_theories conductance_factor_greenwood_williamson - adhesion', &
+      & 'rough_theories conductance_factor_bush_gibson_thomas,conductance_factor_greenwood_elliptic - adhesion', &
+      & 'rough_theories conductance_factor_nayak_sphere - adhesion', &
+      & 'rough_theories conductance_factor_persson,conductance_factor_yang_persson,conductance_factor_wang_mueser - relaxing', &
+      & 'rough_theories conductance_factor_greenwood_williamson - relaxing', &
+      & 'rough_theories conductance_factor_bush_gibson_thomas,conductance_factor_greenwood_elliptic - relaxing', &
+      & 'rough_theories conductance_factor_nayak_sphere - relaxing', &
       & 'rough_theories elastic_energy_persson,elastic_energy_yang_persson,elastic_energy_wang_mueser - adhesion', &
       & 'rough_theories elastic_energy_persson,elastic_energy_yang_persson,elastic_energy_wang_mueser - relaxing', &
       & 'rough_theories mean_square_pressure_persson - relaxing', &
-      & 'rough_theories pull_off_pressure_yang_persson,pull_off_pressure_wang_mueser,pull_off_gap_yang_persson,pull_off_gap_wang_mueser - !adhesion', &
+      & 'rough_theories pull_off_pressure_yang_persson,pull_off_pressure_wang_mueser,pull_off_gap_yang_persson - !adhesion', &
+      & 'rough_theories pull_off_gap_wang_mueser - !adhesion', &
       & 'rough_theories pastewka_robbins_ratio,full_contact_work_ratio - !adhesion', &
-      & 'rough_theories friction_coefficient_persson,friction_coefficient_yang_persson,friction_coefficient_wang_mueser,full_contact_friction_coefficient - !relaxing', &
+      & 'rough_theories friction_coefficient_persson,friction_coefficient_yang_persson - !relaxing', &
+      & 'rough_theories friction_coefficient_wang_mueser,full_contact_friction_coefficient - !relaxing', &
       & 'wavy_sliding friction_force friction_stress', &
       & 'wavy_sliding load mean_pressure', &
       & 'wavy_sliding contact_area contact_fraction', &
