@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How far Persson's theory has been off: least and largest ratio of a theory over the numerical answer of `surface_elastic`, for twelve
-!> self-affine spectra at nine pressures.
+!> How far Persson's theory has been off: least and largest ratio of a theory over the numerical answer of `surface_elastic`, for
+!> twelve self-affine spectra at nine pressures.
 !>
-!> The spectra had Hurst exponents 0.3, 0.5 and 0.8, shortest waves of 1/64 to 1 of the roll-off, and Nayak's parameters from 1.5 to 118. They
-!> were solved on 512 by 512 cells with 8 seeds each; 1024 cells change the area by 2 % at most, the gap by 0.3 %. Nothing is said
-!> outside of this range.
+!> The spectra had Hurst exponents 0.3, 0.5 and 0.8, shortest waves of 1/64 to 1 of the roll-off, and Nayak's parameters from 1.5
+!> to 118. They were solved on 512 by 512 cells with 8 seeds each; 1024 cells change the area by 2 % at most, the gap by 0.3 %.
+!> Nothing is said outside of this range.
 module adfric_rough_atlas
    use adfric_base_kinds, only: dp
    use adfric_base_text, only: newline
@@ -95,8 +95,8 @@ contains
       call find_band(quantity_area, 1, pressure, spectrum%nayak_parameter(), least, largest, is_known)
       write (numbers(1), '(es9.2)') pressure
       if (.not. is_known) then
-         text = 'p/(E g) ='//numbers(1)//': theories were compared with surface_elastic for p/(E g) from 0.003 to 1.2 and Nayak''s '// &
-            & 'parameter from 1.5 to 118 alone'//newline
+         text = 'p/(E g) ='//numbers(1)//': theories were compared with surface_elastic for p/(E g) from 0.003 to 1.2 '// &
+            & 'and Nayak''s parameter from 1.5 to 118 alone'//newline
          return
       end if
       text = 'ratio to surface_elastic at p/(E g) ='//trim(numbers(1))//', of 12 self-affine spectra:'//newline

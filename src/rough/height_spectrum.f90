@@ -51,8 +51,8 @@ contains
       type(height_spectrum_t), intent(out) :: self
       !> Hurst exponent H, from 0 to 1.
       real(dp), intent(in) :: hurst_exponent
-      !> Wave numbers [rad/m] of the longest wave, of the roll-off, and of the shortest wave; `q_long <= q_rolloff <= q_short`, the first
-      !> less than the last.
+      !> Wave numbers [rad/m] of the longest wave, of the roll-off, and of the shortest wave; `q_long <= q_rolloff <= q_short`,
+      !> the first less than the last.
       real(dp), intent(in) :: q_long, q_rolloff, q_short
       real(dp), allocatable :: powers(:), q(:)
 

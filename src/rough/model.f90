@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The model `rough_theories`: what statistical theories say of a surface with a power spectral density, pressed on an elastic half-space,
-!> sliding over a viscoelastic one, or parting from an adhesive one. The file is long by its answers to `model_t`.
+!> The model `rough_theories`: what statistical theories say of a surface with a power spectral density, pressed on an elastic
+!> half-space, sliding over a viscoelastic one, or parting from an adhesive one. The file is long by its answers to `model_t`.
 module adfric_rough_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
@@ -90,8 +90,8 @@ contains
 
       self%name = 'rough_theories'
       self%summary = 'statistical theories of a surface with a power spectral density: area, gap, stiffness, pull-off, friction'
-      self%references = 'B. N. J. Persson, Phys. Rev. Lett. 99 (2007) 125502; C. Yang, B. N. J. Persson, J. Phys.: Condens. Matter 20 '// &
-         & '(2008) 215214; J. A. Greenwood, J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300; A. W. Bush, R. D. Gibson, '// &
+      self%references = 'B. N. J. Persson, Phys. Rev. Lett. 99 (2007) 125502; C. Yang, B. N. J. Persson, J. Phys.: Condens. '// &
+         & 'Matter 20 (2008) 215214; J. A. Greenwood, J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300; A. W. Bush, R. D. Gibson, '// &
          & 'T. R. Thomas, Wear 35 (1975) 87'
       self%variables = get_rough_variables()
       self%results = get_rough_results()
@@ -220,8 +220,8 @@ contains
          & spectrum%root_mean_square_curvature(), spectrum_sources)
       call add_derived(list, 'nayak_parameter', '-', 'm0 m4/m2^2 of the moments along a line', spectrum%nayak_parameter(), &
          & spectrum_sources)
-      if (.not. relaxes(values)) call add_derived(list, 'full_contact_energy', 'J/m^2', 'elastic energy of an area in full contact', &
-         & elastic_modulus(values)*spectrum%moment(1)/4)
+      if (.not. relaxes(values)) call add_derived(list, 'full_contact_energy', 'J/m^2', &
+         & 'elastic energy of an area in full contact', elastic_modulus(values)*spectrum%moment(1)/4)
    end function derive_quantities
 
    !> Contact modulus of an elastic solid [Pa].

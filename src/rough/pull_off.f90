@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Theories of the adhesion of rough surfaces with a tension p0 while the gap is at most r (Dugdale), w = p0 r.
 !>
-!> M. Ciavarella's model of the bearing area (BAM): heights are Gaussian, and the tension acts where the undeformed gap is within the
-!> range; the repulsion is that of Persson's theory at the same mean gap u,
+!> M. Ciavarella's model of the bearing area (BAM): heights are Gaussian, and the tension acts where the undeformed gap is within
+!> the range; the repulsion is that of Persson's theory at the same mean gap u,
 !>
 !>     net(u) = p(u) - (p0/2) [erfc((u - r)/(sqrt(2) h)) - erfc(u/(sqrt(2) h))]
 !>

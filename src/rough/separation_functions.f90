@@ -1,11 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Functions of Persson's theory that no spectrum enters, with the share W of the energy of full contact that waves have in a part A of
-!> the area, W = a_1 A + a_3 A^3 + a_5 A^5:
+!> Functions of Persson's theory that no spectrum enters, with the share W of the energy of full contact that waves have in a part
+!> A of the area, W = a_1 A + a_3 A^3 + a_5 A^5:
 !>
 !>     F_n(x) = int_x^inf erf(y)^n exp(-y^2) dy/y,   n = 0, 2, 4;   F_0 = E1(x^2)/2,
 !>     R(y) = int_y^inf (1/S(erf z) - 1 - exp(-z^2) (c + b z^2)) dz/z^3,   S = W/A.
 !>
-!> c and b are those of 1/S - 1 = c + (b - c) z^2 + ... , so R has no logarithm. Both are found once by quadrature, and are series then.
+!> c and b are those of 1/S - 1 = c + (b - c) z^2 + ... , so R has no logarithm. Both are found once by quadrature, and are series
+!> then.
 module adfric_rough_separation_functions
    use adfric_base_constants, only: pi
    use adfric_base_kinds, only: dp

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Moments of a Gaussian above a level: G_c(x) = int_x^inf (z - x)^c phi(z) dz, c = 1/2, 1, 3/2, phi the standard density.
 !>
-!> They are scaled by exp(x^2/2) where x > 0. In the middle those of c = 1/2 and 3/2 are series; outside, the asymptotic expansions for
-!> large |x| have all digits.
+!> They are scaled by exp(x^2/2) where x > 0. In the middle those of c = 1/2 and 3/2 are series; outside, the asymptotic
+!> expansions for large |x| have all digits.
 module adfric_rough_summit_loads
    use adfric_base_constants, only: pi
    use adfric_base_kinds, only: dp

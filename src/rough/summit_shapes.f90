@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Contacts of summits with the principal curvatures k (1 + s) and k (1 - s): area and load over those of a sphere of the curvature k.
+!> Contacts of summits with the principal curvatures k (1 + s) and k (1 - s): area and load over those of a sphere of the
+!> curvature k.
 !>
-!> Hertz's ellipse of the axes a > b has y = (b/a)^2 from R_D(0, y, 1)/R_D(0, 1, y) = (1 - s)/(1 + s) (B. C. Carlson's integrals), and with
-!> A = (2/3) R_D(0, y, 1)/(R_F(0, y, 1) (1 - s)) the area sqrt(y) A and the load (pi/2) sqrt(A)/R_F(0, y, 1). The integrals have no
-!> cancellation at the circle.
+!> Hertz's ellipse of the axes a > b has y = (b/a)^2 from R_D(0, y, 1)/R_D(0, 1, y) = (1 - s)/(1 + s) (B. C. Carlson's integrals),
+!> and with A = (2/3) R_D(0, y, 1)/(R_F(0, y, 1) (1 - s)) the area sqrt(y) A and the load (pi/2) sqrt(A)/R_F(0, y, 1). The
+!> integrals have no cancellation at the circle.
 module adfric_rough_summit_shapes
    use adfric_base_constants, only: pi
    use adfric_base_kinds, only: dp

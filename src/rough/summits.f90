@@ -7,8 +7,8 @@
 !>     p/(E g) = (sqrt(2)/(3 pi)) alpha^(3/4) int kappa^(7/2) w f v^(3/2) G_(3/2)(x) dkappa ds
 !>     w = sqrt(3/(4 pi)) exp(-3 kappa^2/4) 3 s (1 - s^2) exp(-3 kappa^2 s^2/2)
 !>
-!> with the area a and the load f of a summit over those of a sphere of the curvature k. Over s the integral is done once, whatever the
-!> surface. Greenwood and Williamson have one radius, the mean density of summits, and Gaussian heights of summits.
+!> with the area a and the load f of a summit over those of a sphere of the curvature k. Over s the integral is done once,
+!> whatever the surface. Greenwood and Williamson have one radius, the mean density of summits, and Gaussian heights of summits.
 module adfric_rough_summits
    use adfric_base_constants, only: pi
    use adfric_base_kinds, only: dp

@@ -196,16 +196,15 @@ contains
       type(height_spectrum_t), intent(out) :: spectrum
       !> Do the wavelengths rise, and are the moments within the numbers?
       logical, intent(out) :: is_possible
-      real(dp), parameter :: most = 1.0e120_dp, widest = 1.0e12_dp
+      real(dp), parameter :: most = 1.0e120_dp, farthest = 1.0e30_dp, widest = 1.0e12_dp
       real(dp) :: waves(3), factor
       real(dp), allocatable :: q(:), density(:)
 
       is_possible = .false.
       if (allocated(given%wave_numbers)) then
          allocate (q(size(given%wave_numbers)), density(size(given%wave_numbers)))
-         associate (last => given%wave_numbers(size(q)))
-            if (.not. (given%wave_numbers(1) > 1/most**0.25_dp .and. last < most**0.25_dp .and. last < widest*given%wave_numbers(1))) &
-               & return
+         associate (first => given%wave_numbers(1), last => given%wave_numbers(size(q)))
+            if (.not. (first > 1/farthest .and. last < farthest .and. last < widest*first)) return
          end associate
          if (.not. (minval(given%densities) > 1/most .and. maxval(given%densities) < most)) return
          call in_this_convention(nint(values(rough_input%convention)), given%wave_numbers, given%densities, q, density)
