@@ -91,8 +91,8 @@ contains
       self%name = 'rough_theories'
       self%summary = 'statistical theories of a surface with a power spectral density: area, gap, stiffness, pull-off, friction'
       self%references = 'B. N. J. Persson, Phys. Rev. Lett. 99 (2007) 125502; C. Yang, B. N. J. Persson, J. Phys.: Condens. '// &
-         & 'Matter 20 (2008) 215214; J. A. Greenwood, J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300; A. W. Bush, R. D. Gibson, '// &
-         & 'T. R. Thomas, Wear 35 (1975) 87'
+         & 'Matter 20 (2008) 215214; J. A. Greenwood, J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300; A. W. Bush, '// &
+         & 'R. D. Gibson, T. R. Thomas, Wear 35 (1975) 87'
       self%variables = get_rough_variables()
       self%results = get_rough_results()
       allocate (self%profiles(0), self%counts(0))
