@@ -346,9 +346,7 @@ module adfric_describe_scene_rules
       & 'wavy_sliding friction_force friction_coefficient contact_shift shear_stress hysteretic_friction_force '// &
       & 'interfacial_friction_force', &
       & 'surface_sliding friction_stress friction_coefficient lateral_stress full_contact_friction contact_shift '// &
-      & 'hysteretic_friction_stress interfacial_friction_stress friction_stress_without_adhesion shear_stress', &
-      & 'rough_theories friction_coefficient_persson friction_coefficient_yang_persson friction_coefficient_wang_mueser '// &
-      & 'full_contact_friction_coefficient']
+      & 'hysteretic_friction_stress interfacial_friction_stress friction_stress_without_adhesion shear_stress']
    !> Those among them whose profiles run along the motion, whatever its direction.
    character(*), parameter :: along_motion = 'wavy_sliding'
 

@@ -262,7 +262,7 @@ contains
       if (.not. relaxes(values)) return
       call make_spectrum(values, self%density, spectrum, is_possible)
       if (is_possible) text = doubt_spectrum(values(in%material(1):in%temperature), self%given, &
-         & values(in%velocity)*[spectrum%q(0), spectrum%q(size(spectrum%power))])
+         & abs(values(in%velocity))*[spectrum%q(0), spectrum%q(size(spectrum%power))])
    end function describe_doubts
 
    !> See `model_t`.
@@ -426,14 +426,16 @@ contains
       real(dp), intent(inout) :: results(:)
       type(prony_t) :: prony
       type(rubber_friction_t) :: friction
+      real(dp) :: direction
 
+      direction = sign(1.0_dp, values(in%velocity))
       call get_spectrum(values(in%material(1):in%temperature), self%given, prony)
       ! all times are those of the temperature, or the speed over their factor
-      call get_rubber_friction(surface%nodes, prony, values(in%mean_pressure), values(in%velocity) &
+      call get_rubber_friction(surface%nodes, prony, values(in%mean_pressure), abs(values(in%velocity)) &
          & *shift_factor_of(values(in%material(1):in%temperature), self%given), surface%shares, friction)
       results(out%contact_fraction(share_plain)) = friction%contact_fraction
-      results(out%friction_coefficient) = friction%coefficients
-      results(out%full_contact_friction_coefficient) = friction%full_contact
+      results(out%friction_coefficient) = direction*friction%coefficients
+      results(out%full_contact_friction_coefficient) = direction*friction%full_contact
    end subroutine solve_sliding
 
 end module adfric_rough_model

@@ -99,7 +99,7 @@ contains
          call set_spectrum_rows(v(in%material(1):in%temperature))
          v(in%material(1):in%temperature - 1)%has_bare_name = .not. is_of_solid(v(in%material(1):in%temperature - 1))
          v(in%velocity) = number(group='operating', name='velocity', unit='m/s', &
-            & meaning='speed of sliding over a solid that relaxes', lower=0.0_dp)
+            & meaning='sliding velocity over a solid that relaxes')
          v(in%mean_pressure) = positive(group='operating', name='mean_pressure', unit='Pa', meaning='load over the nominal area')
          call set_stress_rows(v(in%adhesion(1):in%adhesion(n_stress_rows)))
          v(in%yang_persson_constant) = any_number(group='estimates', name='yang_persson_constant', unit='-', &
@@ -132,7 +132,7 @@ contains
          end do
          do k = 1, n_shares
             r(out%elastic_energy(k)) = of_theory('elastic_energy', 'J/m^2', 'elastic energy of an area', k)
-            r(out%friction_coefficient(k)) = of_theory('friction_coefficient', '-', 'hysteretic friction over load', k)
+            r(out%friction_coefficient(k)) = of_theory('friction_coefficient', '-', 'hysteretic friction over load, with the sign of the velocity', k)
          end do
          do k = 2, n_shares
             r(out%pull_off_pressure(k)) = of_theory('pull_off_pressure', 'Pa', &
@@ -145,7 +145,7 @@ contains
          r(out%full_contact_work_ratio) = result_row(name='full_contact_work_ratio', unit='-', &
             & long_name='work of adhesion over the elastic energy of full contact', is_main=.true.)
          r(out%full_contact_friction_coefficient) = result_row(name='full_contact_friction_coefficient', unit='-', &
-            & long_name='hysteretic friction over load if contact were full')
+            & long_name='hysteretic friction over load if contact were full, with the sign of the velocity')
          ! the theories of the table at the end of a run
          r(out%contact_fraction(share_wang_mueser))%is_main = .true.
          r(out%contact_fraction(share_plain))%is_main = .true.
