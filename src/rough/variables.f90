@@ -132,7 +132,8 @@ contains
          end do
          do k = 1, n_shares
             r(out%elastic_energy(k)) = of_theory('elastic_energy', 'J/m^2', 'elastic energy of an area', k)
-            r(out%friction_coefficient(k)) = of_theory('friction_coefficient', '-', 'hysteretic friction over load, with the sign of the velocity', k)
+            r(out%friction_coefficient(k)) = of_theory('friction_coefficient', '-', &
+               & 'hysteretic friction over load, with the sign of the velocity', k)
          end do
          do k = 2, n_shares
             r(out%pull_off_pressure(k)) = of_theory('pull_off_pressure', 'Pa', &
