@@ -8,6 +8,7 @@
 module adfric_rough_atlas
    use adfric_base_kinds, only: dp
    use adfric_base_text, only: newline
+   use adfric_base_words, only: pad
    use adfric_rough_height_spectrum, only: height_spectrum_t
    use adfric_rough_variables, only: n_shares, suffixes
    implicit none (type, external)
@@ -21,6 +22,8 @@ module adfric_rough_atlas
    !> Pressures p/(E g) at which theories were compared.
    integer, parameter :: n_pressures = 9
    real(dp), parameter :: pressures(n_pressures) = [0.003_dp, 0.01_dp, 0.02_dp, 0.05_dp, 0.1_dp, 0.2_dp, 0.4_dp, 0.8_dp, 1.2_dp]
+   !> A pressure that is so near to one of them is that one.
+   real(dp), parameter :: same = 1.0e-6_dp
    !> Least and largest Nayak's parameter.
    real(dp), parameter :: least_nayak = 1.5_dp, largest_nayak = 118
    !> Ratios of the theories, `persson`, `yang_persson`, `wang_mueser`.
@@ -60,24 +63,26 @@ contains
       real(dp), intent(out) :: least, largest
       !> Has it been measured there?
       logical, intent(out) :: is_known
-      integer :: k
+      integer :: k, last
 
       least = 1
       largest = 1
-      is_known = pressure >= pressures(1) .and. pressure <= pressures(n_pressures) .and. nayak >= least_nayak &
+      is_known = pressure >= pressures(1)*(1 - same) .and. pressure <= pressures(n_pressures)*(1 + same) .and. nayak >= least_nayak &
          & .and. nayak <= largest_nayak
       if (.not. is_known) return
-      k = min(n_pressures - 1, count(pressures <= pressure))
+      k = max(1, count(pressures <= pressure*(1 + same)))
+      last = min(n_pressures, k + 1)
+      if (abs(pressure - pressures(k)) <= same*pressure) last = k
       select case (quantity)
       case (quantity_area)
-         least = minval(least_area(k:k + 1, share))
-         largest = maxval(largest_area(k:k + 1, share))
+         least = minval(least_area(k:last, share))
+         largest = maxval(largest_area(k:last, share))
       case (quantity_gap)
-         least = minval(least_gap(k:k + 1, share))
-         largest = maxval(largest_gap(k:k + 1, share))
+         least = minval(least_gap(k:last, share))
+         largest = maxval(largest_gap(k:last, share))
       case default
-         least = minval(least_stiffness(k:k + 1, share))
-         largest = maxval(largest_stiffness(k:k + 1, share))
+         least = minval(least_stiffness(k:last, share))
+         largest = maxval(largest_stiffness(k:last, share))
       end select
    end subroutine find_band
 
@@ -87,6 +92,7 @@ contains
       !> p/(E g).
       real(dp), intent(in) :: pressure
       character(:), allocatable :: text
+      integer, parameter :: column = 34
       character(12) :: numbers(2)
       real(dp) :: least, largest
       logical :: is_known
@@ -103,8 +109,8 @@ contains
       do quantity = 1, size(names)
          do share = 1, n_shares
             call find_band(quantity, share, pressure, spectrum%nayak_parameter(), least, largest, is_known)
-            write (numbers, '(f5.2)') least, largest
-            text = text//'   '//trim(names(quantity))//'_'//trim(suffixes(share))//' '//trim(numbers(1))//' to '// &
+            write (numbers, '(f4.2)') least, largest
+            text = text//pad('  '//trim(names(quantity))//'_'//trim(suffixes(share)), column)//trim(numbers(1))//' to '// &
                & trim(numbers(2))//within(max(1 - least, largest - 1))//newline
          end do
       end do
