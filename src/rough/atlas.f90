@@ -67,8 +67,8 @@ contains
 
       least = 1
       largest = 1
-      is_known = pressure >= pressures(1)*(1 - same) .and. pressure <= pressures(n_pressures)*(1 + same) .and. nayak >= least_nayak &
-         & .and. nayak <= largest_nayak
+      is_known = pressure >= pressures(1)*(1 - same) .and. pressure <= pressures(n_pressures)*(1 + same) &
+         & .and. nayak >= least_nayak .and. nayak <= largest_nayak
       if (.not. is_known) return
       k = max(1, count(pressures <= pressure*(1 + same)))
       last = min(n_pressures, k + 1)
