@@ -19,7 +19,7 @@ module adfric_describe_scene_rules
    character(*), parameter :: hidden = '-'
    !> Solvers that several rules have in common.
    character(*), parameter :: on_cells = 'wave_1d_elastic,wave_2d_elastic,surface_elastic'
-   character(*), parameter :: in_elastic = 'hertz,wave_1d,rough_theories', &
+   character(*), parameter :: in_elastic = 'hertz,wave_1d', two_solids = 'hertz,wave_1d,rough_theories', &
       & slips = 'hertz,indenter,wave_1d,'//on_cells, with_depth = 'rigid_punch,line_load,strip_load', &
       & periodic = 'wave_1d,'//on_cells, round = 'sphere,indenter', &
       & sums = 'hertz,adhesive_cylinder,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,indenter,surface_sliding'
@@ -47,11 +47,11 @@ module adfric_describe_scene_rules
       & 'surface_sliding layer%poisson_ratio - young', &
       & 'surface_sliding layer%poisson_ratio - !layer', &
       & 'surface_sliding layer% solid%', &
-      & in_elastic//' solid%contact_modulus,solid%young_modulus,solid%poisson_ratio,solid%second_young_modulus - relaxing', &
-      & in_elastic//' solid%second_poisson_ratio - relaxing', &
+      & two_solids//' solid%contact_modulus,solid%young_modulus,solid%poisson_ratio,solid%second_young_modulus - relaxing', &
+      & two_solids//' solid%second_poisson_ratio - relaxing', &
       & in_elastic//' friction%coupling - relaxing coupled', &
-      & in_elastic//' material% - !relaxing', &
-      & in_elastic//' material%poisson_ratio - contact_curve', &
+      & two_solids//' material% - !relaxing', &
+      & two_solids//' material%poisson_ratio - contact_curve', &
       & '* material% solid%', &
       & '* adhesion%surface_energy adhesion%work_of_adhesion', &
       & '* adhesion%stress adhesion%adhesion_stress', &
