@@ -67,6 +67,7 @@ AREAS = {
         "Adhesion while sliding": "docs/theory/adhesion_in_sliding.md",
         "Slip and friction of rough surfaces": "docs/theory/periodic_slip.md",
         "Layers on a rigid base": "docs/theory/layers.md",
+        "Theories of rough contact": "docs/theory/rough_theories.md",
     },
     "Reference": {
         "The language of scenes": "docs/reference/language.md",

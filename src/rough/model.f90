@@ -15,14 +15,14 @@ module adfric_rough_model
    use adfric_rough_check, only: adheres, check_rough, relaxes
    use adfric_rough_height_spectrum, only: height_spectrum_t
    use adfric_rough_persson, only: get_persson_states, most_pressure, persson_fraction, persson_mean_square, persson_state_t
-   use adfric_rough_pull_off, only: find_pull_off, pastewka_robbins, pull_off_t
+   use adfric_rough_pull_off, only: find_pull_off, pastewka_robbins, bearing_pull_off_t
    use adfric_rough_rubber_friction, only: get_rubber_friction, rubber_friction_t
    use adfric_rough_separation_functions, only: area_function_t, energy_share_t, new_area_function, new_separation_functions, &
       & plain_share, separation_functions_t, wang_mueser_share, yang_persson_share
    use adfric_rough_summits, only: n_summit_theories, new_summits, summit_state_t, summits_t
    use adfric_rough_variables, only: get_rough_results, get_rough_variables, given_density_t, in => rough_input, make_spectrum, &
       & n_shares, out => rough_output, share_plain, share_wang_mueser, share_yang_persson, spectrum_sources
-   use adfric_rough_wave_nodes, only: new_wave_nodes, wave_nodes_t
+   use adfric_rough_wave_nodes, only: least_for_gap, least_for_squares, new_wave_nodes, wave_nodes_t
    use adfric_solid_contact_modulus, only: contact_modulus_of, derive_contact_modulus
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_prony, only: prony_t
@@ -72,12 +72,15 @@ module adfric_rough_model
    type :: surface_state_t
       !> Values of the spectrum and of Yang and Persson's constant; not allocated before the first point.
       real(dp), allocatable :: values(:)
+      !> The spectrum.
       type(height_spectrum_t) :: spectrum
+      !> Nodes of its integrals.
       type(wave_nodes_t) :: nodes
       !> Areas of the corrected forms.
       type(area_function_t) :: areas(2:n_shares)
       !> Energies of the forms.
       type(energy_share_t) :: shares(n_shares)
+      !> Do the values make a spectrum?
       logical :: is_possible = .false.
    end type surface_state_t
 
@@ -338,8 +341,12 @@ contains
       surface%shares(share_plain) = plain_share()
       surface%shares(share_yang_persson) = yang_persson_share(values(in%yang_persson_constant))
       surface%shares(share_wang_mueser) = wang_mueser_share()
-      call new_wave_nodes(surface%nodes, surface%spectrum, merge(widest_sliding, widest_pressed, relaxes(values)))
-      if (relaxes(values) .or. adheres(values)) return
+      if (relaxes(values)) then
+         call new_wave_nodes(surface%nodes, surface%spectrum, widest_sliding, least_for_squares)
+         return
+      end if
+      call new_wave_nodes(surface%nodes, surface%spectrum, widest_pressed, least_for_gap)
+      if (adheres(values)) return
       do k = 2, n_shares
          call new_area_function(surface%areas(k), surface%shares(k))
       end do
@@ -355,7 +362,7 @@ contains
       logical, intent(out) :: is_converged
       type(persson_state_t) :: states(n_shares)
       type(summit_state_t) :: state
-      real(dp) :: modulus, pressure, h
+      real(dp) :: modulus, pressure, h, guess
       logical :: is_there, is_found
       integer :: k
 
@@ -378,10 +385,13 @@ contains
       results(out%mean_gap(:n_shares)) = states%gap
       results(out%elastic_energy) = modulus*states%energy
       h = surface%spectrum%root_mean_square_height()
+      guess = 1
       do k = 1, n_summit_theories
-         call shared%summits%under_pressure(k, surface%spectrum%nayak_parameter(), pressure, state, is_there, is_found)
+         call shared%summits%under_pressure(k, surface%spectrum%nayak_parameter(), pressure, guess, state, is_there, is_found)
          is_converged = is_converged .and. is_found
          if (.not. is_there) cycle
+         ! the next theory is not far from this one
+         guess = state%separation
          results(out%contact_fraction(n_shares + k)) = state%area
          results(out%mean_gap(n_shares + k)) = h*state%separation
          results(out%conductance_factor(n_shares + k)) = surface%nodes%slope/h*state%stiffness
@@ -397,7 +407,7 @@ contains
       !> In: all NaN. Out: results of the point.
       real(dp), intent(inout) :: results(:)
       logical, intent(out) :: is_converged
-      type(pull_off_t) :: pull_off
+      type(bearing_pull_off_t) :: pull_off
       real(dp) :: modulus, unit, range, work
       integer :: k
 

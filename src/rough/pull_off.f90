@@ -18,16 +18,17 @@ module adfric_rough_pull_off
    use adfric_rough_wave_nodes, only: wave_nodes_t
    implicit none (type, external)
    private
-   public :: find_pull_off, pastewka_robbins, pull_off_t
+   public :: find_pull_off, pastewka_robbins, bearing_pull_off_t
 
    !> The least net pressure of a theory.
-   type :: pull_off_t
+   type :: bearing_pull_off_t
       !> Net pressure over E g, below 0 where there is tension, and mean gap there [m]; 0 and no meaning without tension.
       real(dp) :: pressure = 0, gap = 0
       !> Is there tension?
       logical :: has_tension = .false.
+      !> Was the least pressure found?
       logical :: is_converged = .true.
-   end type pull_off_t
+   end type bearing_pull_off_t
 
    !> Ends of the search in ln P, and its steps: by then contact is full, or there is next to none.
    real(dp), parameter :: lightest = -20.7232658369464_dp, heaviest = 1.0986122886681_dp
@@ -43,7 +44,7 @@ contains
       type(energy_share_t), intent(in) :: share
       !> Tension p0 over E g, > 0, and its range r [m].
       real(dp), intent(in) :: stress, range
-      type(pull_off_t), intent(out) :: pull_off
+      type(bearing_pull_off_t), intent(out) :: pull_off
       integer, parameter :: max_iterations = 100
       real(dp) :: net, slope, low, high, x, least
       type(persson_state_t) :: state

@@ -50,8 +50,9 @@ module adfric_rough_separation_functions
    type :: area_function_t
       !> The share whose S it has.
       type(energy_share_t) :: share
-      !> c and b of R, and R.
+      !> c and b of R.
       real(dp) :: c = 0, b = 0
+      !> R.
       type(panel_series_t) :: rest
    contains
       procedure :: contact_fraction

@@ -25,8 +25,8 @@ module adfric_rough_summits
    !> The theories.
    integer, parameter :: theory_greenwood_williamson = 1, theory_bush_gibson_thomas = 2, theory_greenwood_elliptic = 3, &
       & theory_nayak_sphere = 4, n_summit_theories = 4
-   !> Largest separation over height where a state is sought: the pressure there is below exp(-450) E g.
-   real(dp), parameter :: most_separation = 30
+   !> Largest separation over height where a state is sought, and least pressure over E g: that of the first is below it.
+   real(dp), parameter :: most_separation = 30, least_pressure = 1.0e-100_dp
    !> Half-width of the curvatures that count around the most frequent one, and largest curvature of the series.
    real(dp), parameter :: reach = 6.5_dp, most_curvature = 34
    integer, parameter :: n_panels = 68
@@ -209,14 +209,15 @@ contains
    end subroutine find_ends
 
    !> The state of a theory under a pressure, by Newton's method for ln p, whose slope falls with the separation.
-   pure subroutine under_pressure(self, theory, alpha, pressure, state, is_there, is_converged)
+   pure subroutine under_pressure(self, theory, alpha, pressure, guess, state, is_there, is_converged)
       class(summits_t), intent(in) :: self
       !> One of `theory_...`.
       integer, intent(in) :: theory
-      !> Nayak's parameter, and p/(E g), > 0.
-      real(dp), intent(in) :: alpha, pressure
+      !> Nayak's parameter; p/(E g), > 0; and a first separation over h, from 0 to `most_separation`.
+      real(dp), intent(in) :: alpha, pressure, guess
       type(summit_state_t), intent(out) :: state
-      !> Does a separation from 0 to `most_separation` have the pressure? The theories have none below the mean plane.
+      !> Does a separation have the pressure? The theories have none below the mean plane, and none is sought of less than
+      !> `least_pressure`.
       logical, intent(out) :: is_there
       logical, intent(out) :: is_converged
       integer, parameter :: max_iterations = 100
@@ -224,34 +225,33 @@ contains
       integer :: k
 
       is_converged = self%is_converged
-      call self%at_separation(theory, alpha, most_separation, state)
-      is_there = pressure > max(state%pressure, tiny(1.0_dp))
+      is_there = pressure >= least_pressure
       if (.not. is_there) return
-      call self%at_separation(theory, alpha, 0.0_dp, state)
-      is_there = pressure <= state%pressure
-      if (.not. is_there) return
-      low = 0
+      low = -1
       high = most_separation
-      separation = sqrt(2*log(state%pressure/pressure))
+      separation = guess
       is_converged = .false.
       do k = 1, max_iterations
          call self%at_separation(theory, alpha, separation, state)
          if (.not. state%pressure > 0) then
             high = separation
-            separation = (low + high)/2
+            separation = (max(low, 0.0_dp) + high)/2
             cycle
          end if
          excess = log(state%pressure/pressure)
-         if (excess > 0) low = separation
+         if (excess >= 0) low = separation
          if (excess < 0) high = separation
+         is_there = high > 0
+         if (.not. is_there) exit
          step = excess*state%pressure/state%stiffness
          ! the error of the last step is of the size of its square
          is_converged = abs(step) <= 1.0e-13_dp*max(separation, 1.0_dp)
          if (is_converged) exit
          separation = separation + step
-         if (.not. (separation >= low .and. separation <= high)) separation = (low + high)/2
+         if (low < 0) separation = max(separation, 0.0_dp)
+         if (.not. (separation >= low .and. separation <= high)) separation = (max(low, 0.0_dp) + high)/2
       end do
-      is_converged = is_converged .and. self%is_converged
+      is_converged = (is_converged .or. .not. is_there) .and. self%is_converged
    end subroutine under_pressure
 
 end module adfric_rough_summits

@@ -9,12 +9,12 @@ module adfric_rough_wave_nodes
    use adfric_rough_height_spectrum, only: height_spectrum_t
    implicit none (type, external)
    private
-   public :: wave_nodes_t, new_wave_nodes, n_of_panel
+   public :: wave_nodes_t, new_wave_nodes, n_of_panel, least_for_gap, least_for_squares
 
    !> Nodes of a panel.
    integer, parameter :: n_of_panel = 10
-   !> Slopes below exp(-most) times the last one carry nothing.
-   real(dp), parameter :: most = 44
+   !> Logarithms of slopes over the last one, below which integrals have nothing: those of dt, and those of t dt.
+   real(dp), parameter :: least_for_gap = -44, least_for_squares = -20
    !> Widest panel in ln q in a piece so steep that its slope tends to a limit.
    real(dp), parameter :: widest_steep = 1
 
@@ -31,17 +31,17 @@ module adfric_rough_wave_nodes
 contains
 
    !> The nodes of a spectrum.
-   pure subroutine new_wave_nodes(self, spectrum, widest)
+   pure subroutine new_wave_nodes(self, spectrum, widest, least)
       type(wave_nodes_t), intent(out) :: self
       type(height_spectrum_t), intent(in) :: spectrum
-      !> Widest panel in ln t.
-      real(dp), intent(in) :: widest
+      !> Widest panel in ln t, and one of `least_...`.
+      real(dp), intent(in) :: widest, least
       real(dp), allocatable :: ends(:)
       real(dp) :: half
       integer :: i, k
 
       self%slope = spectrum%root_mean_square_slope()
-      call find_ends(spectrum, widest, ends)
+      call find_ends(spectrum, widest, least, ends)
       associate (n => size(ends) - 1, all => spectrum%moment(2))
          allocate (self%ends(0:n), self%m_1(0:n), self%t(n_of_panel, n), self%q(n_of_panel, n), self%weights(n_of_panel, n))
          self%ends(:) = exp(ends)
@@ -60,17 +60,17 @@ contains
    end subroutine new_wave_nodes
 
    !> Ends of the panels, as ln t over the last one.
-   pure subroutine find_ends(spectrum, widest, ends)
+   pure subroutine find_ends(spectrum, widest, least, ends)
       type(height_spectrum_t), intent(in) :: spectrum
-      real(dp), intent(in) :: widest
+      real(dp), intent(in) :: widest, least
       !> Receives them, rising, the last one 0.
       real(dp), allocatable, intent(out) :: ends(:)
       real(dp) :: last, next, low, q
       integer :: i, k, n, n_pieces, n_parts
 
       n_pieces = size(spectrum%power)
-      ends = [real(dp) :: -most]
-      last = -most
+      ends = [real(dp) :: least]
+      last = least
       do i = 1, n_pieces
          ! a steep piece by its wave numbers, any piece by its slopes
          n_parts = 1
