@@ -438,7 +438,7 @@ contains
       type(rubber_friction_t) :: friction
       real(dp) :: direction
 
-      direction = sign(1.0_dp, values(in%velocity))
+      direction = merge(-1, 1, values(in%velocity) < 0)
       call get_spectrum(values(in%material(1):in%temperature), self%given, prony)
       ! all times are those of the temperature, or the speed over their factor
       call get_rubber_friction(surface%nodes, prony, values(in%mean_pressure), abs(values(in%velocity)) &

@@ -202,7 +202,7 @@ contains
       real(dp), allocatable :: q(:), density(:)
 
       is_possible = .false.
-      if (allocated(given%wave_numbers)) then
+      if (is_set(values(rough_input%wave_numbers))) then
          allocate (q(size(given%wave_numbers)), density(size(given%wave_numbers)))
          associate (first => given%wave_numbers(1), last => given%wave_numbers(size(q)))
             if (.not. (first > 1/farthest .and. last < farthest .and. last < widest*first)) return
