@@ -42,9 +42,6 @@ SHOWN = {
     ("wave_1d", "stress"): ("pull_off_pressure", "hysteresis_loss"),
     ("wave_2d_elastic", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("surface_elastic", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
-    ("rough_theories", "mean_pressure"): ("contact_fraction_wang_mueser", "contact_fraction_bush_gibson_thomas", "mean_gap_wang_mueser",
-                                          "mean_gap_bush_gibson_thomas", "normal_stiffness_wang_mueser"),
-    ("rough_theories", "velocity"): ("friction_coefficient_yang_persson", "contact_fraction_persson"),
     ("wave_1d", "velocity"): ("friction_coefficient", "contact_fraction", "contact_shift", "peak_pressure"),
 }
 
