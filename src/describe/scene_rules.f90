@@ -29,8 +29,7 @@ module adfric_describe_scene_rules
 
    !> Variables. A group stands for all its variables that no rule before it names.
    character(*), parameter :: variable_rules(*) = [character(140) :: &
-      & 'rough_theories operating%mean_pressure - adhesion', &
-      & 'rough_theories operating%velocity - !relaxing', &
+      & 'rough_theories operating%velocity,operating%temperature - !relaxing', &
       & 'rough_theories adhesion% - relaxing', &
       & 'wavy_sliding surface%slope surface%slope_approximation', &
       & 'wavy_sliding surface%height surface%amplitude', &

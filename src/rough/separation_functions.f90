@@ -20,7 +20,7 @@ module adfric_rough_separation_functions
 
    !> erf is 1 to round-off from here on.
    real(dp), parameter :: full = 6.5_dp
-   !> Below, E1 is summed as a series.
+   !> Below, F_0 has its logarithm, and is summed.
    real(dp), parameter :: small = 0.5_dp
    !> Width of panels.
    real(dp), parameter :: width = 0.5_dp
@@ -182,11 +182,11 @@ contains
       real(dp) :: term
       integer :: k, n
 
-      if (z <= small**2) then
+      if (z <= 1) then
          ! E1 = -gamma - ln z - sum (-z)^k/(k k!)
          value = -euler - log(z)
          term = 1
-         do k = 1, 16
+         do k = 1, 20
             term = -term*z/k
             value = value - term/k
          end do
