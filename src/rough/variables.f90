@@ -86,7 +86,7 @@ contains
             & meaning='C at the roll-off, h^2 = int C d^2q, instead of the height', lower=0.0_dp)
          v(in%plateau_density)%lower_open = .true.
          v(in%wave_numbers) = list_row(group=group, name='wave_numbers', unit='1/m', &
-            & meaning='wave numbers of a table, rising, in rad/m; cycles per length for ''cycles''', most_count=100000, &
+            & meaning='wave numbers of a table, rising, in rad/m, or in cycles per length', most_count=100000, &
             & least_count=2, lower=0.0_dp, lower_open=.true.)
          v(in%densities) = list_row(group=group, name='densities', unit='m^4', &
             & meaning='densities at wave_numbers, in the convention', most_count=100000, least_count=2, lower=0.0_dp, &
