@@ -92,6 +92,7 @@ AREAS = {
         one("rubber_velocity"), one("rubber_master_curve"), one("line_scan"), one("rubber_map"), one("hertz_line_sliding"),
         one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),
         one("wave_2d_sliding"), one("surface_sliding"),
+        one("theories_rubber", options="--y friction_coefficient_yang_persson contact_fraction_persson"),
         one("surface_sliding_strips", "surface_sliding_layer", options="--y friction_coefficient contact_fraction approach")),
     "Rubber that slides, with an interface, adhesion or heat": (
         one("wave_1d_interface"),
@@ -103,7 +104,8 @@ AREAS = {
         one("ball_flash_temperature", options="--y friction_force contact_temperature"), one("rubber_flash_temperature")),
     "Waves and rough surfaces: contact": (
         one("wave_1d"), one("wave_1d_pressure"), one("wave_2d_elastic"), one("wave_2d_contact"),
-        one("lecture_wave_cuts", options="--cut y=0 y=x"), one("surface_elastic")),
+        one("lecture_wave_cuts", options="--cut y=0 y=x"), one("surface_elastic"),
+        one("theories_pressure", options="--y contact_fraction_wang_mueser mean_gap_wang_mueser")),
     "Waves and rough surfaces: adhesion": (
         one("surface_adhesion_maps"), one("surface_work_map"), one("surface_stickiness"), one("surface_opening", options="--y pull_off_pressure contact_fraction"),
         one("surface_adhesion_friction"),

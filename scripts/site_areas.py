@@ -13,6 +13,7 @@ AREAS = {
         "Friction of a tip": "docs/guide/friction_of_a_tip.md",
         "Pull-off of a rough surface": "docs/guide/pull_off_of_a_rough_surface.md",
         "Rubber on a road": "docs/guide/rubber_on_a_road.md",
+        "From a spectrum to friction": "docs/guide/from_a_spectrum_to_friction.md",
         "Columns or half-space": "docs/guide/columns.md",
         "Fretting": "docs/guide/fretting.md",
         "Soft samples": "docs/guide/soft_samples.md",
@@ -67,6 +68,7 @@ AREAS = {
         "Adhesion while sliding": "docs/theory/adhesion_in_sliding.md",
         "Slip and friction of rough surfaces": "docs/theory/periodic_slip.md",
         "Layers on a rigid base": "docs/theory/layers.md",
+        "Theories of rough contact": "docs/theory/rough_theories.md",
     },
     "Reference": {
         "The language of scenes": "docs/reference/language.md",

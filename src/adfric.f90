@@ -21,6 +21,7 @@ module adfric
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
    use adfric_periodic_surface_time, only: surface_time_t, new_surface_time
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_1d_cells, new_wave_2d_model
+   use adfric_rough_model, only: new_rough_theories, rough_theories_t
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
    implicit none (type, external)
@@ -31,7 +32,7 @@ module adfric
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
       & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder '// &
       & 'indenter_time adhesive_indenter_time surface_time adhesive_indenter_history wave_1d_elastic '// &
-      & 'attracted_indenter'
+      & 'attracted_indenter rough_theories'
 
 contains
 
@@ -61,6 +62,7 @@ contains
       type(adhesive_indenter_time_t), allocatable :: adhesive_indenter_time
       type(adhesive_indenter_history_t), allocatable :: adhesive_indenter_history
       type(line_load_model_t), allocatable :: line_load
+      type(rough_theories_t), allocatable :: rough_theories
       type(strip_load_model_t), allocatable :: strip_load
       type(point_load_model_t), allocatable :: point_load
 
@@ -133,6 +135,10 @@ contains
          allocate (surface_time)
          call new_surface_time(surface_time)
          call move_alloc(surface_time, model)
+      case ('rough_theories')
+         allocate (rough_theories)
+         call new_rough_theories(rough_theories)
+         call move_alloc(rough_theories, model)
       case ('adhesive_cylinder')
          allocate (adhesive_cylinder)
          call new_adhesive_cylinder(adhesive_cylinder)

@@ -10,11 +10,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 # What stands in a line uses what stands in the lines above it, and itself. "" is src/ itself: which models there are.
-LEVELS = (("base",), ("numerics", "system"), ("describe", "hdf5"), ("solid", "shape"), ("interface",), ("round", "plane", "foundation", "periodic"),
+LEVELS = (("base",), ("numerics", "system"), ("describe", "hdf5"), ("solid", "shape"), ("interface",), ("round", "plane", "foundation", "periodic", "rough"),
           ("contact", "fit"), ("",), ("run",), ("input", "output"), ("api", "command"), ("c",), ("drivers",))
 LEVEL_OF = {folder: level for level, folders in enumerate(LEVELS) for folder in folders}
 # The library adfric::physics, as CMakeLists.txt names its folders: it knows neither files nor processes.
-PHYSICS = ("base", "numerics", "describe", "solid", "interface", "shape", "round", "plane", "foundation", "periodic", "contact", "fit", "")
+PHYSICS = ("base", "numerics", "describe", "solid", "interface", "shape", "round", "plane", "foundation", "periodic", "rough", "contact", "fit", "")
 NOT_FOR_PHYSICS = ("system", "hdf5")
 # Modules from outside that a folder may use; bindings of libraries for numbers, and locks of threads, stand in numerics alone.
 FOREIGN = {"physics": {"iso_fortran_env", "ieee_arithmetic"},

@@ -61,7 +61,7 @@ contains
          '  &friction shear_strength = 0.96e9 /'//newline// &
          '  &operating load = 1e-7, state = ''sliding'' /'//newline//newline// &
          'The program finds the solver; adfric check says which. &job solver = ''NAME'' asks for one of several.'//newline// &
-         'e: exact (closed forms, roots, integrals), n: numerical (cells or collocation), -: nothing solves it yet.'//newline &
+         'e: exact (closed forms, roots, integrals), n: numerical (cells), t: a statistical theory, -: no solver yet.'//newline &
          //newline//describe_table()//newline &
          //'Given loads: &traction kind = ''line'', ''strip'' or ''point'' in place of &surface.'//newline//newline &
          //'Variables'//newline//describe_groups(models)//newline//'Results, where they have a meaning'//newline// &

@@ -19,7 +19,7 @@ module adfric_describe_scene_rules
    character(*), parameter :: hidden = '-'
    !> Solvers that several rules have in common.
    character(*), parameter :: on_cells = 'wave_1d_elastic,wave_2d_elastic,surface_elastic'
-   character(*), parameter :: in_elastic = 'hertz,wave_1d', &
+   character(*), parameter :: in_elastic = 'hertz,wave_1d', two_solids = 'hertz,wave_1d,rough_theories', &
       & slips = 'hertz,indenter,wave_1d,'//on_cells, with_depth = 'rigid_punch,line_load,strip_load', &
       & periodic = 'wave_1d,'//on_cells, round = 'sphere,indenter', &
       & sums = 'hertz,adhesive_cylinder,wave_1d,wavy_sliding,surface_sliding', heats = 'hertz,indenter,surface_sliding'
@@ -29,6 +29,8 @@ module adfric_describe_scene_rules
 
    !> Variables. A group stands for all its variables that no rule before it names.
    character(*), parameter :: variable_rules(*) = [character(140) :: &
+      & 'rough_theories operating%velocity,operating%temperature - !relaxing', &
+      & 'rough_theories adhesion% - relaxing', &
       & 'wavy_sliding surface%slope surface%slope_approximation', &
       & 'wavy_sliding surface%height surface%amplitude', &
       & 'wavy_sliding surface%spacing surface%length_x', &
@@ -44,11 +46,11 @@ module adfric_describe_scene_rules
       & 'surface_sliding layer%poisson_ratio - young', &
       & 'surface_sliding layer%poisson_ratio - !layer', &
       & 'surface_sliding layer% solid%', &
-      & in_elastic//' solid%contact_modulus,solid%young_modulus,solid%poisson_ratio,solid%second_young_modulus - relaxing', &
-      & in_elastic//' solid%second_poisson_ratio - relaxing', &
+      & two_solids//' solid%contact_modulus,solid%young_modulus,solid%poisson_ratio,solid%second_young_modulus - relaxing', &
+      & two_solids//' solid%second_poisson_ratio - relaxing', &
       & in_elastic//' friction%coupling - relaxing coupled', &
-      & in_elastic//' material% - !relaxing', &
-      & in_elastic//' material%poisson_ratio - contact_curve', &
+      & two_solids//' material% - !relaxing', &
+      & two_solids//' material%poisson_ratio - contact_curve', &
       & '* material% solid%', &
       & '* adhesion%surface_energy adhesion%work_of_adhesion', &
       & '* adhesion%stress adhesion%adhesion_stress', &
@@ -94,6 +96,41 @@ module adfric_describe_scene_rules
 
    !> Results.
    character(*), parameter :: result_rules(*) = [character(140) :: &
+      & 'rough_theories contact_fraction_persson,mean_square_pressure_persson - adhesion', &
+      & 'rough_theories contact_fraction_yang_persson,contact_fraction_wang_mueser - adhesion', &
+      & 'rough_theories contact_fraction_greenwood_williamson,contact_fraction_bush_gibson_thomas - adhesion', &
+      & 'rough_theories contact_fraction_greenwood_elliptic,contact_fraction_nayak_sphere - adhesion', &
+      & 'rough_theories contact_fraction_yang_persson,contact_fraction_wang_mueser - relaxing', &
+      & 'rough_theories contact_fraction_greenwood_williamson,contact_fraction_bush_gibson_thomas - relaxing', &
+      & 'rough_theories contact_fraction_greenwood_elliptic,contact_fraction_nayak_sphere - relaxing', &
+      & 'rough_theories mean_gap_persson,mean_gap_yang_persson,mean_gap_wang_mueser,mean_gap_greenwood_williamson - adhesion', &
+      & 'rough_theories mean_gap_bush_gibson_thomas,mean_gap_greenwood_elliptic,mean_gap_nayak_sphere - adhesion', &
+      & 'rough_theories mean_gap_persson,mean_gap_yang_persson,mean_gap_wang_mueser,mean_gap_greenwood_williamson - relaxing', &
+      & 'rough_theories mean_gap_bush_gibson_thomas,mean_gap_greenwood_elliptic,mean_gap_nayak_sphere - relaxing', &
+      & 'rough_theories normal_stiffness_persson,normal_stiffness_yang_persson,normal_stiffness_wang_mueser - adhesion', &
+      & 'rough_theories normal_stiffness_greenwood_williamson - adhesion', &
+      & 'rough_theories normal_stiffness_bush_gibson_thomas,normal_stiffness_greenwood_elliptic - adhesion', &
+      & 'rough_theories normal_stiffness_nayak_sphere - adhesion', &
+      & 'rough_theories normal_stiffness_persson,normal_stiffness_yang_persson,normal_stiffness_wang_mueser - relaxing', &
+      & 'rough_theories normal_stiffness_greenwood_williamson - relaxing', &
+      & 'rough_theories normal_stiffness_bush_gibson_thomas,normal_stiffness_greenwood_elliptic - relaxing', &
+      & 'rough_theories normal_stiffness_nayak_sphere - relaxing', &
+      & 'rough_theories conductance_factor_persson,conductance_factor_yang_persson,conductance_factor_wang_mueser - adhesion', &
+      & 'rough_theories conductance_factor_greenwood_williamson - adhesion', &
+      & 'rough_theories conductance_factor_bush_gibson_thomas,conductance_factor_greenwood_elliptic - adhesion', &
+      & 'rough_theories conductance_factor_nayak_sphere - adhesion', &
+      & 'rough_theories conductance_factor_persson,conductance_factor_yang_persson,conductance_factor_wang_mueser - relaxing', &
+      & 'rough_theories conductance_factor_greenwood_williamson - relaxing', &
+      & 'rough_theories conductance_factor_bush_gibson_thomas,conductance_factor_greenwood_elliptic - relaxing', &
+      & 'rough_theories conductance_factor_nayak_sphere - relaxing', &
+      & 'rough_theories elastic_energy_persson,elastic_energy_yang_persson,elastic_energy_wang_mueser - adhesion', &
+      & 'rough_theories elastic_energy_persson,elastic_energy_yang_persson,elastic_energy_wang_mueser - relaxing', &
+      & 'rough_theories mean_square_pressure_persson - relaxing', &
+      & 'rough_theories pull_off_pressure_yang_persson,pull_off_pressure_wang_mueser,pull_off_gap_yang_persson - !adhesion', &
+      & 'rough_theories pull_off_gap_wang_mueser - !adhesion', &
+      & 'rough_theories pastewka_robbins_ratio,full_contact_work_ratio - !adhesion', &
+      & 'rough_theories friction_coefficient_persson,friction_coefficient_yang_persson - !relaxing', &
+      & 'rough_theories friction_coefficient_wang_mueser,full_contact_friction_coefficient - !relaxing', &
       & 'wavy_sliding friction_force friction_stress', &
       & 'wavy_sliding load mean_pressure', &
       & 'wavy_sliding contact_area contact_fraction', &

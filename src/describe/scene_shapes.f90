@@ -29,7 +29,8 @@ module adfric_describe_scene_shapes
       & 'wave_product f = A (2 - (1 + cos(2 pi x/l)) (1 + cos(2 pi y/l))/2), A = amplitude, l = period', &
       & 'cosines z = sum of a_n cos(2 pi n x/l + phi_n), a_n = amplitudes, phi_n = phases, l = period', &
       & 'profile z = heights along x, samples of one period', &
-      & 'heights z = heights over x and y, samples of one period along each']
+      & 'heights z = heights over x and y, samples of one period along each', &
+      & 'spectrum Gaussian heights z of the density C of &power_spectrum, <z^2> = int C d^2q']
 
 contains
 

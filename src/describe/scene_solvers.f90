@@ -13,13 +13,14 @@ module adfric_describe_scene_solvers
    !> Words of `&surface kind`, of `&traction kind` and of `&solid extent`.
    character(*), parameter :: known_surfaces = 'sphere paraboloid cone power flat_cone flat_paraboloid '// &
       & 'rounded_punch rounded_cone polynomial flat_punch ellipsoid cylinder line_punch wedge line_polynomial '// &
-      & 'wave_1d wave_2d wave_product cosines profile heights'
+      & 'wave_1d wave_2d wave_product cosines profile heights spectrum'
    character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer foundation'
    !> Words of `&solid curve_modulus`: which modulus a master curve is one of.
    character(*), parameter :: known_curves = 'young contact'
 
    !> Surfaces, solids, interfaces, operations, solver, and whether its answers are `exact` (closed forms, roots, integrals and
-   !> time stepping whose error is that of round-off) or `numerical` (cells or collocation, with an estimate of the error).
+   !> time stepping whose error is that of round-off), `numerical` (cells or collocation, with an estimate of the error) or those of a
+   !> statistical `theory`, whose own error no estimate has.
    !> A scene is answered by the first row that has it and whose solver knows all names that the input gives.
    character(*), parameter :: scenes(*) = [character(200) :: &
       & 'paraboloid half_space adhesion press sphere exact', &
@@ -64,6 +65,8 @@ module adfric_describe_scene_solvers
       & 'wave_1d,wave_product,cosines,profile,heights foundation shear,adhesion+shear press,slide wavy_sliding exact', &
       & 'cylinder,ellipsoid half_space shear slide hertz exact', &
       & 'wave_1d,wave_2d,profile,heights half_space shear press,slide surface_sliding numerical', &
+      & 'spectrum half_space none,adhesion press rough_theories theory', &
+      & 'spectrum relaxing none slide rough_theories theory', &
       & 'line half_space none press,tangential line_load exact', &
       & 'strip half_space none press strip_load exact', &
       & 'point half_space none press,tangential point_load exact']
@@ -74,7 +77,7 @@ module adfric_describe_scene_solvers
 
 contains
 
-   !> Are the answers of a solver exact or numerical?
+   !> Are the answers of a solver exact, numerical, or those of a theory?
    pure function accuracy_of(solver) result(word)
       !> Name of the solver.
       character(*), intent(in) :: solver

@@ -8,8 +8,8 @@ module adfric_describe_vocabulary
    public :: order_of_scenes, list_groups, list_variables, list_groups_of
 
    !> Groups of scenes in the order in which a reader meets them.
-   character(*), parameter :: order_of_scenes = 'surface traction solid adhesion friction heat operating history position '// &
-      & 'numerics output'
+   character(*), parameter :: order_of_scenes = 'surface power_spectrum traction solid adhesion friction heat operating '// &
+      & 'history position estimates numerics output'
 
 contains
 

@@ -32,10 +32,12 @@ SURFACES = {
     "line_punch": "face_half_width = 1e-5", "wedge": "slope = 0.1", "line_polynomial": "coefficient_2 = 500.0",
     "wave_1d": "period = 1e-4, amplitude = 1e-6", "wave_2d": "period = 1e-4, amplitude = 1e-6", "wave_product": "period = 1e-4, amplitude = 1e-6",
     "cosines": "period = 1e-4, amplitudes = 1e-6, 3e-7, phases = 0.0, 1.0", "profile": "heights = 'z.h5:/profile', length_x = 1e-4",
-    "heights": "heights = 'z.h5:/map', length_x = 1e-4, length_y = 1e-4"}
+    "heights": "heights = 'z.h5:/map', length_x = 1e-4, length_y = 1e-4", "spectrum": ""}
 # Results that take the sign of the velocity.
-VECTORS = ("hysteretic_friction_stress", "interfacial_friction_stress", "friction_stress", "friction_force", "friction_coefficient", "contact_shift", "lateral_friction_stress", "full_contact_friction_stress")
-PERIODIC = ("wave_1d", "wave_2d", "wave_product", "cosines", "profile", "heights")
+VECTORS = ("hysteretic_friction_stress", "interfacial_friction_stress", "friction_stress", "friction_force", "friction_coefficient", "contact_shift", "lateral_friction_stress", "full_contact_friction_stress",
+           "friction_coefficient_persson", "friction_coefficient_yang_persson", "friction_coefficient_wang_mueser", "full_contact_friction_coefficient")
+PERIODIC = ("wave_1d", "wave_2d", "wave_product", "cosines", "profile", "heights", "spectrum")
+SPECTRUM = "&power_spectrum hurst_exponent = 0.8, shortest_wavelength = 1e-6, rolloff_wavelength = 1e-5, root_mean_square_slope = 0.1 /\n"
 ELASTIC = "&solid young_modulus = 7.5e6, poisson_ratio = 0.5 /\n"
 RELAXING = "&solid modulus = 1e7, moduli = 9e7, relaxation_times = 1e-3{more} /\n"
 LAYER = RELAXING.format(more=", extent = 'layer', thickness = 1e-4, base = 'frictionless'")
@@ -70,8 +72,10 @@ def scene_of(surface, kind):
             12: LAYER + adhesion + f"&operating {load}, velocity = 0.01 /\n",
             13: RELAXING.format(more="") + f"&history times = 0.0, 1.0, 3.0, {path} /\n",
             14: RELAXING.format(more="") + ADHESION.replace("1e6", "1e5") + "&history times = 0.0, 1.0, 3.0, approaches = 0.0, 1e-6, 0.0 /\n"}[kind]
-    cells = "&numerics cells = 64 /\n" if surface == "wave_2d" or surface in PERIODIC and kind in (8, 12) and surface not in ("profile", "heights") else ""
-    return f"&job output = 'run.h5' /\n&surface kind = '{surface}', {SURFACES[surface]} /\n{rest}{cells}"
+    cells = "&numerics cells = 64 /\n" if surface == "wave_2d" or surface in PERIODIC and kind in (8, 12) and surface not in ("profile", "heights", "spectrum") else ""
+    if surface == "spectrum":
+        rest = SPECTRUM + (rest.replace(f"&operating {load} /\n", "") if "&adhesion" in rest else rest)
+    return f"&job output = 'run.h5' /\n&surface kind = '{surface}'{', ' if SURFACES[surface] else ''}{SURFACES[surface]} /\n{rest}{cells}"
 
 
 def results_of(name):
@@ -94,7 +98,7 @@ class Scenes(Runs):
         """The cells of `adfric help scenes`: surface, column, letter."""
         page, _ = self.run_program("help", "scenes")
         rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES
-                and len(line.split()) == 16 and set(line.split()[1:]) <= set("en-")]
+                and len(line.split()) == 16 and set(line.split()[1:]) <= set("ent-")]
         self.assertEqual([row[0] for row in rows], list(SURFACES))
         return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
 
@@ -123,7 +127,7 @@ class Scenes(Runs):
 
     def test_readme(self):
         """README shows the same cells in three tables; surfaces with the same cells share a row, as far as a line of the page allows."""
-        words = {"exact": "e", "numerical": "n", "": "-"}
+        words = {"exact": "e", "numerical": "n", "theory": "t", "": "-"}
         section = re.search(r"^## What can be solved\n(.*?)^## ", (SOURCE/"README.md").read_text(), re.MULTILINE | re.DOTALL)[1]
         shown, first = [], 1
         for head, body in re.findall(r"^(\| surface \|.*\|)\n\|[ |-]+\n((?:\|.*\n)+)", section, re.MULTILINE):

@@ -34,7 +34,9 @@ module search_rules
    !> Main results that have no value somewhere, each with a reason in the documents.
    character(*), parameter :: may_be_missing = ' friction_coefficient friction_force approach centre_pressure pull_off_load ' &
       & //'stick_fraction loss_time storage_modulus loss_modulus ' &
-      & //'pull_off_approach frozen_pull_off_load path_work pull_off_pressure friction_stress '
+      & //'pull_off_approach frozen_pull_off_load path_work pull_off_pressure friction_stress ' &
+      & //'contact_fraction_persson contact_fraction_wang_mueser mean_gap_wang_mueser normal_stiffness_wang_mueser ' &
+      & //'friction_coefficient_yang_persson pull_off_pressure_yang_persson pastewka_robbins_ratio full_contact_work_ratio '
 
    !> Answers to the points of a case.
    type :: answer_t

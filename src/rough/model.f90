@@ -1,0 +1,451 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The model `rough_theories`: what statistical theories say of a surface with a power spectral density, pressed on an elastic
+!> half-space, sliding over a viscoelastic one, or parting from an adhesive one. The file is long by its answers to `model_t`.
+module adfric_rough_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_describe_derived, only: add_derived, derived_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_not_converged, status_solved
+   use adfric_describe_table, only: profile_axis_t
+   use adfric_interface_adhesion_rows, only: range_of
+   use adfric_rough_atlas, only: describe_bands
+   use adfric_rough_check, only: adheres, check_rough, relaxes
+   use adfric_rough_height_spectrum, only: height_spectrum_t
+   use adfric_rough_persson, only: get_persson_states, most_pressure, persson_fraction, persson_mean_square, persson_state_t
+   use adfric_rough_pull_off, only: find_pull_off, pastewka_robbins, bearing_pull_off_t
+   use adfric_rough_rubber_friction, only: get_rubber_friction, rubber_friction_t
+   use adfric_rough_separation_functions, only: area_function_t, energy_share_t, new_area_function, new_separation_functions, &
+      & plain_share, separation_functions_t, wang_mueser_share, yang_persson_share
+   use adfric_rough_summits, only: n_summit_theories, new_summits, summit_state_t, summits_t
+   use adfric_rough_variables, only: get_rough_results, get_rough_variables, given_density_t, in => rough_input, make_spectrum, &
+      & n_shares, out => rough_output, share_plain, share_wang_mueser, share_yang_persson, spectrum_sources
+   use adfric_rough_wave_nodes, only: least_for_gap, least_for_squares, new_wave_nodes, wave_nodes_t
+   use adfric_solid_contact_modulus, only: contact_modulus_of, derive_contact_modulus
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_prony, only: prony_t
+   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum, get_spectrum, shift_factor_of, &
+      & take_spectrum, take_spectrum_attribute
+   implicit none (type, external)
+   private
+   public :: rough_theories_t, new_rough_theories
+
+   !> Widest panels in ln t of the integrals of pressed and of sliding surfaces.
+   real(dp), parameter :: widest_pressed = 0.8_dp, widest_sliding = 0.35_dp
+   !> Relative error of all results, of series and quadratures.
+   real(dp), parameter :: error_of_results = 1.0e-9_dp
+
+   !> What all points of a run share.
+   type :: shared_t
+      !> Functions of Persson's theory.
+      type(separation_functions_t) :: functions
+      !> Theories of summits.
+      type(summits_t) :: summits
+   end type shared_t
+
+   !> The model.
+   type, extends(model_t) :: rough_theories_t
+      !> Lists and datasets of the solid.
+      type(given_spectrum_t) :: given
+      !> Table of the power spectrum.
+      type(given_density_t) :: density
+      !> What all points share, while a run lasts; else not allocated.
+      type(shared_t), allocatable :: shared
+   contains
+      procedure :: check_values
+      procedure :: wants_profiles
+      procedure :: get_profile_axes
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: prepare
+      procedure :: release
+      procedure :: take_dataset
+      procedure :: take_attribute
+      procedure :: derive_quantities
+      procedure :: describe_case
+      procedure :: describe_doubts
+   end type rough_theories_t
+
+   !> What a point leaves for the next one.
+   type :: surface_state_t
+      !> Values of the spectrum and of Yang and Persson's constant; not allocated before the first point.
+      real(dp), allocatable :: values(:)
+      !> The spectrum.
+      type(height_spectrum_t) :: spectrum
+      !> Nodes of its integrals.
+      type(wave_nodes_t) :: nodes
+      !> Areas of the corrected forms.
+      type(area_function_t) :: areas(2:n_shares)
+      !> Energies of the forms.
+      type(energy_share_t) :: shares(n_shares)
+      !> Do the values make a spectrum?
+      logical :: is_possible = .false.
+   end type surface_state_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_rough_theories(self)
+      !> Receives its names and its tables.
+      type(rough_theories_t), intent(out) :: self
+
+      self%name = 'rough_theories'
+      self%summary = 'statistical theories of a surface with a power spectral density: area, gap, stiffness, pull-off, friction'
+      self%references = 'B. N. J. Persson, Phys. Rev. Lett. 99 (2007) 125502; C. Yang, B. N. J. Persson, J. Phys.: Condens. '// &
+         & 'Matter 20 (2008) 215214; J. A. Greenwood, J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300; A. W. Bush, '// &
+         & 'R. D. Gibson, T. R. Thomas, Wear 35 (1975) 87'
+      self%variables = get_rough_variables()
+      self%results = get_rough_results()
+      allocate (self%profiles(0), self%counts(0))
+      self%profile_axes = ''
+   end subroutine new_rough_theories
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+
+      call check_rough(self%variables, values, is_swept, self%given, self%density, problems)
+   end subroutine check_values
+
+   !> See `model_t`: there are none.
+   pure logical function wants_profiles(self, values)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = .false.
+      associate (unused => self, unused_too => values)
+      end associate
+   end function wants_profiles
+
+   !> See `model_t`: there are none.
+   subroutine get_profile_axes(self, values, axes)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+
+      allocate (axes(0))
+      associate (unused => self, unused_too => values)
+      end associate
+   end subroutine get_profile_axes
+
+   !> See `model_t`: there are none.
+   subroutine solve_profiles(self, values, results, profiles)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in) :: values(:), results(:)
+      !> Space of no size.
+      real(dp), intent(out) :: profiles(:, :, :)
+
+      profiles = not_a_number()
+      associate (unused => self, unused_values => values, unused_results => results)
+      end associate
+   end subroutine solve_profiles
+
+   !> See `model_t`: the series are found once.
+   subroutine prepare(self)
+      class(rough_theories_t), intent(inout) :: self
+
+      if (allocated(self%shared)) return
+      allocate (self%shared)
+      call new_shared(self%shared)
+   end subroutine prepare
+
+   !> See `model_t`.
+   subroutine release(self)
+      class(rough_theories_t), intent(inout) :: self
+
+      if (allocated(self%shared)) deallocate (self%shared)
+   end subroutine release
+
+   !> Find what points share.
+   pure subroutine new_shared(shared)
+      type(shared_t), intent(out) :: shared
+
+      call new_separation_functions(shared%functions)
+      call new_summits(shared%summits)
+   end subroutine new_shared
+
+   !> See `model_t`.
+   subroutine take_dataset(self, index, values, problems)
+      class(rough_theories_t), intent(inout) :: self
+      integer, intent(in) :: index
+      real(dp), intent(in) :: values(:, :)
+      type(problems_t), intent(inout) :: problems
+
+      if (index == in%wave_numbers) then
+         self%density%wave_numbers = values(:, 1)
+      else if (index == in%densities) then
+         self%density%densities = values(:, 1)
+      else
+         call take_spectrum(self%given, index - in%material(1) + 1, values)
+      end if
+      associate (unused => problems)
+      end associate
+   end subroutine take_dataset
+
+   !> See `model_t`: the temperature of a master curve.
+   subroutine take_attribute(self, index, name, value, problems)
+      class(rough_theories_t), intent(inout) :: self
+      integer, intent(in) :: index
+      character(*), intent(in) :: name
+      real(dp), intent(in) :: value
+      type(problems_t), intent(inout) :: problems
+
+      call take_spectrum_attribute(self%given, self%variables(index), index - in%material(1) + 1, name, value, problems)
+   end subroutine take_attribute
+
+   !> See `model_t`: moments of the spectrum.
+   function derive_quantities(self, values) result(list)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+      type(height_spectrum_t) :: spectrum
+      logical :: is_possible
+
+      if (relaxes(values)) then
+         allocate (list(0))
+         call derive_spectrum(list, values(in%material(1):in%temperature), self%given)
+      else
+         list = derive_contact_modulus(self%variables(in%contact_modulus:in%second_poisson_ratio), &
+            & values(in%contact_modulus:in%second_poisson_ratio))
+      end if
+      call make_spectrum(values, self%density, spectrum, is_possible)
+      if (.not. is_possible) return
+      call add_derived(list, 'root_mean_square_height', 'm', 'root mean square of the heights', &
+         & spectrum%root_mean_square_height(), spectrum_sources)
+      call add_derived(list, 'root_mean_square_slope', '-', 'root mean square of the gradient', &
+         & spectrum%root_mean_square_slope(), spectrum_sources)
+      call add_derived(list, 'root_mean_square_curvature', '1/m', 'root mean square of half the Laplacian', &
+         & spectrum%root_mean_square_curvature(), spectrum_sources)
+      call add_derived(list, 'nayak_parameter', '-', 'm0 m4/m2^2 of the moments along a line', spectrum%nayak_parameter(), &
+         & spectrum_sources)
+      if (.not. relaxes(values)) call add_derived(list, 'full_contact_energy', 'J/m^2', &
+         & 'elastic energy of an area in full contact', elastic_modulus(values)*spectrum%moment(1)/4)
+   end function derive_quantities
+
+   !> Contact modulus of an elastic solid [Pa].
+   pure real(dp) function elastic_modulus(values) result(modulus)
+      real(dp), intent(in) :: values(:)
+
+      modulus = contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio))
+   end function elastic_modulus
+
+   !> See `model_t`: where the theories have been compared with the exact answer.
+   function describe_case(self, values) result(text)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      type(height_spectrum_t) :: spectrum
+      logical :: is_possible
+
+      text = ''
+      if (relaxes(values)) then
+         text = describe_spectrum(values(in%material(1):in%temperature), self%given)
+         return
+      end if
+      if (adheres(values)) return
+      call make_spectrum(values, self%density, spectrum, is_possible)
+      if (is_possible) text = describe_bands(spectrum, values(in%mean_pressure)/elastic_modulus(values) &
+         & /spectrum%root_mean_square_slope())
+   end function describe_case
+
+   !> See `model_t`: frequencies beyond those of the solid.
+   function describe_doubts(self, values) result(text)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      type(height_spectrum_t) :: spectrum
+      logical :: is_possible
+
+      text = ''
+      if (.not. relaxes(values)) return
+      call make_spectrum(values, self%density, spectrum, is_possible)
+      if (is_possible) text = doubt_spectrum(values(in%material(1):in%temperature), self%given, &
+         & abs(values(in%velocity))*[spectrum%q(0), spectrum%q(size(spectrum%power))])
+   end function describe_doubts
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in), contiguous :: values(:, :)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
+      integer, intent(out) :: status(:)
+      real(dp), intent(out) :: counts(:)
+      type(shared_t), allocatable :: own
+
+      counts = 0
+      if (allocated(self%shared)) then
+         call solve_points(self, self%shared, values, results, error_estimate, status)
+      else
+         allocate (own)
+         call new_shared(own)
+         call solve_points(self, own, values, results, error_estimate, status)
+      end if
+   end subroutine solve_block
+
+   !> Solve the points of a block.
+   subroutine solve_points(self, shared, values, results, error_estimate, status)
+      class(rough_theories_t), intent(in) :: self
+      type(shared_t), intent(in) :: shared
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :), error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(surface_state_t) :: surface
+      integer :: i
+      logical :: is_converged
+
+      results = not_a_number()
+      error_estimate = not_a_number()
+      status = status_not_converged
+      do i = 1, size(status)
+         call set_surface(self, values(:, i), surface)
+         if (.not. surface%is_possible) cycle
+         if (relaxes(values(:, i))) then
+            call solve_sliding(self, surface, values(:, i), results(:, i))
+            is_converged = .true.
+         else if (adheres(values(:, i))) then
+            call solve_pull_off(shared, surface, values(:, i), results(:, i), is_converged)
+         else
+            call solve_pressed(shared, surface, values(:, i), results(:, i), is_converged)
+         end if
+         if (.not. is_converged) then
+            results(:, i) = not_a_number()
+            cycle
+         end if
+         error_estimate(i) = error_of_results
+         status(i) = status_solved
+      end do
+   end subroutine solve_points
+
+   !> Have the spectrum of a point, unless the point before had the same.
+   subroutine set_surface(self, values, surface)
+      class(rough_theories_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(surface_state_t), intent(inout) :: surface
+      real(dp) :: of_spectrum(in%convention + 2)
+      integer :: k
+
+      of_spectrum(:in%convention) = values(:in%convention)
+      of_spectrum(in%convention + 1) = values(in%yang_persson_constant)
+      of_spectrum(in%convention + 2) = merge(1, 0, relaxes(values))
+      if (allocated(surface%values)) then
+         if (all(abs(of_spectrum - surface%values) <= 0)) return
+      end if
+      surface%values = of_spectrum
+      call make_spectrum(values, self%density, surface%spectrum, surface%is_possible)
+      if (.not. surface%is_possible) return
+      surface%shares(share_plain) = plain_share()
+      surface%shares(share_yang_persson) = yang_persson_share(values(in%yang_persson_constant))
+      surface%shares(share_wang_mueser) = wang_mueser_share()
+      if (relaxes(values)) then
+         call new_wave_nodes(surface%nodes, surface%spectrum, widest_sliding, least_for_squares)
+         return
+      end if
+      call new_wave_nodes(surface%nodes, surface%spectrum, widest_pressed, least_for_gap)
+      if (adheres(values)) return
+      do k = 2, n_shares
+         call new_area_function(surface%areas(k), surface%shares(k))
+      end do
+   end subroutine set_surface
+
+   !> A surface under a pressure.
+   subroutine solve_pressed(shared, surface, values, results, is_converged)
+      type(shared_t), intent(in) :: shared
+      type(surface_state_t), intent(in) :: surface
+      real(dp), intent(in) :: values(:)
+      !> In: all NaN. Out: results of the point, NaN where a theory has no state.
+      real(dp), intent(inout) :: results(:)
+      logical, intent(out) :: is_converged
+      type(persson_state_t) :: states(n_shares)
+      type(summit_state_t) :: state
+      real(dp) :: modulus, pressure, h, guess
+      logical :: is_there, is_found
+      integer :: k
+
+      modulus = elastic_modulus(values)
+      pressure = values(in%mean_pressure)/modulus/surface%nodes%slope
+      results(out%contact_fraction(share_plain)) = persson_fraction(pressure)
+      results(out%mean_square_pressure) = (modulus*surface%nodes%slope)**2*persson_mean_square(pressure)
+      is_converged = .true.
+      do k = 2, n_shares
+         call surface%areas(k)%contact_fraction(pressure, results(out%contact_fraction(k)), is_found)
+         is_converged = is_converged .and. is_found
+      end do
+      ! beyond, contact is full to all digits: no gap, and no stiffness that is a number
+      states%energy = surface%spectrum%moment(1)/4
+      if (pressure < most_pressure) then
+         call get_persson_states(surface%nodes, shared%functions, pressure, surface%shares, states)
+         results(out%normal_stiffness(:n_shares)) = modulus*states%stiffness
+         results(out%conductance_factor(:n_shares)) = states%stiffness
+      end if
+      results(out%mean_gap(:n_shares)) = states%gap
+      results(out%elastic_energy) = modulus*states%energy
+      h = surface%spectrum%root_mean_square_height()
+      guess = 1
+      do k = 1, n_summit_theories
+         call shared%summits%under_pressure(k, surface%spectrum%nayak_parameter(), pressure, guess, state, is_there, is_found)
+         is_converged = is_converged .and. is_found
+         if (.not. is_there) cycle
+         ! the next theory is not far from this one
+         guess = state%separation
+         results(out%contact_fraction(n_shares + k)) = state%area
+         results(out%mean_gap(n_shares + k)) = h*state%separation
+         results(out%conductance_factor(n_shares + k)) = surface%nodes%slope/h*state%stiffness
+         results(out%normal_stiffness(n_shares + k)) = modulus*results(out%conductance_factor(n_shares + k))
+      end do
+   end subroutine solve_pressed
+
+   !> The pull-off of a surface.
+   subroutine solve_pull_off(shared, surface, values, results, is_converged)
+      type(shared_t), intent(in) :: shared
+      type(surface_state_t), intent(in) :: surface
+      real(dp), intent(in) :: values(:)
+      !> In: all NaN. Out: results of the point.
+      real(dp), intent(inout) :: results(:)
+      logical, intent(out) :: is_converged
+      type(bearing_pull_off_t) :: pull_off
+      real(dp) :: modulus, unit, range, work
+      integer :: k
+
+      modulus = elastic_modulus(values)
+      unit = modulus*surface%nodes%slope
+      range = range_of(values(in%adhesion))
+      work = values(in%adhesion(1))/modulus*range
+      is_converged = .true.
+      do k = 2, n_shares
+         call find_pull_off(surface%spectrum, surface%nodes, shared%functions, surface%shares(k), values(in%adhesion(1))/unit, &
+            & range, pull_off)
+         is_converged = is_converged .and. pull_off%is_converged
+         results(out%pull_off_pressure(k)) = unit*pull_off%pressure
+         if (pull_off%has_tension) results(out%pull_off_gap(k)) = pull_off%gap
+      end do
+      results(out%pastewka_robbins) = pastewka_robbins(surface%spectrum, work, range)
+      results(out%full_contact_work_ratio) = 4*work/surface%spectrum%moment(1)
+   end subroutine solve_pull_off
+
+   !> The friction of a surface that slides.
+   subroutine solve_sliding(self, surface, values, results)
+      class(rough_theories_t), intent(in) :: self
+      type(surface_state_t), intent(in) :: surface
+      real(dp), intent(in) :: values(:)
+      !> In: all NaN. Out: results of the point.
+      real(dp), intent(inout) :: results(:)
+      type(prony_t) :: prony
+      type(rubber_friction_t) :: friction
+      real(dp) :: direction
+
+      direction = merge(-1, 1, values(in%velocity) < 0)
+      call get_spectrum(values(in%material(1):in%temperature), self%given, prony)
+      ! all times are those of the temperature, or the speed over their factor
+      call get_rubber_friction(surface%nodes, prony, values(in%mean_pressure), abs(values(in%velocity)) &
+         & *shift_factor_of(values(in%material(1):in%temperature), self%given), surface%shares, friction)
+      results(out%contact_fraction(share_plain)) = friction%contact_fraction
+      results(out%friction_coefficient) = direction*friction%coefficients
+      results(out%full_contact_friction_coefficient) = direction*friction%full_contact
+   end subroutine solve_sliding
+
+end module adfric_rough_model
