@@ -104,7 +104,7 @@ contains
          v(in%power_law_modulus) = positive(group='material', name='power_law_modulus', unit='Pa', &
             & meaning='contact modulus E(t) of a power law a second after a step; in place of modulus and arms')
          v(in%power_law_exponent) = any_number(group='material', name='power_law_exponent', unit='-', &
-            & meaning='exponent alpha of a power law, E(t) = power_law_modulus (t/1 s)^(-alpha)', lower=0.01_dp, upper=0.6_dp)
+            & meaning='exponent alpha of a power law, E(t) = power_law_modulus (t/1 s)^(-alpha)', lower=0.01_dp, upper=0.95_dp)
          v(in%trigger_load) = positive(group=group, name='trigger_load', unit='N', meaning='load at which pressing at a given '// &
             & 'speed ends; that of the base of a spring, if there is one')
       end associate

@@ -455,19 +455,17 @@ contains
                call clear(contact, results(out%loss_modulus), of_loads)
             end associate
          end if
-         call take_energies(contact, states, clock, results)
+         call take_energies(contact, states, results)
       end associate
       status = status_solved
 
    end subroutine follow
 
    !> Work, and what of it is stored and lost.
-   subroutine take_energies(contact, states, clock, results)
+   subroutine take_energies(contact, states, results)
       !> The contact at the end of its history, with its units.
       type(timed_contact_t), intent(in) :: contact
       type(indenter_states_t), intent(in) :: states
-      !> Time, in units of the contact.
-      real(dp), intent(in) :: clock
       !> Receives the energies in SI units.
       real(dp), intent(inout) :: results(:)
       real(dp), parameter :: most_missing = 1.0e-2_dp
@@ -476,7 +474,7 @@ contains
       associate (energy => contact%energy, unit => states%case%force_unit()*states%case%height_unit)
          stored = stored_in_contact(energy, contact%timed_springs_t)
          results(out%path_work) = energy%work*unit
-         results(out%elastic_energy) = (stored + stored_free(contact%timed_springs_t, clock))*unit
+         results(out%elastic_energy) = (stored + stored_free(contact%timed_springs_t))*unit
          results(out%dissipated_energy) = results(out%path_work) - results(out%elastic_energy)
          call clear(contact, results(out%path_work), energy%largest_work*unit)
          call clear(contact, results(out%dissipated_energy), energy%largest_work*unit)
