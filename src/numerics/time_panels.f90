@@ -13,8 +13,8 @@ module adfric_numerics_time_panels
    use adfric_base_constants, only: pi
    implicit none (type, external)
    private
-   public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_all_faded, get_weights, get_weights_from_end, get_tail, find_fall
-   public :: last_begun, lost_part, lost_twice
+   public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_all_faded, get_tail, find_fall
+   public :: last_begun, lost_part, lost_twice, get_weights, get_weights_from_end
 
    !> Number of nodes of a panel.
    integer, parameter :: n_nodes = 12

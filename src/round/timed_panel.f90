@@ -365,7 +365,7 @@ contains
       type(timed_springs_t), intent(in) :: self
       type(timed_panel_t), intent(inout) :: panel
       real(dp), parameter :: noise = 256*epsilon(1.0_dp)
-      real(dp) :: rate, radius_error, depth_error, load_error
+      real(dp) :: rate, radius_error, depth_error, load_error, decay, kept
       integer :: i
 
       depth_error = max(get_tail(panel%depth), get_tail(panel%approach))
@@ -374,9 +374,12 @@ contains
       rate = maxval(abs(matmul(panel_slopes, panel%rise)))
       radius_error = get_tail(panel%radius)
       do i = 1, size(self%times)
-         associate (edge => panel%at_edge(:, i), share => self%moduli(i)/self%glassy, decay => panel%span/self%times(i))
-            ! a fast arm remembers no more than the last moments of the panel
-            load_error = max(load_error, self%moduli(i)*(radius_error*(rate*lost_part(decay)/max(decay, tiny(decay)) + maxval(edge) - minval(edge) &
+         decay = panel%span/self%times(i)
+         ! a fast arm remembers no more than the last moments of the panel
+         kept = 1
+         if (decay > 0) kept = lost_part(decay)/decay
+         associate (edge => panel%at_edge(:, i), share => self%moduli(i)/self%glassy)
+            load_error = max(load_error, self%moduli(i)*(radius_error*(rate*kept + maxval(edge) - minval(edge) &
                & + maxval(abs(edge))*(1 - panel%faded(n_nodes, i))) + (maxval(panel%radius) - minval(panel%radius))*get_tail(edge)))
             depth_error = max(depth_error, share*get_tail(panel%drive(:, i)), share*get_tail(edge))
          end associate
