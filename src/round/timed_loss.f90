@@ -13,7 +13,7 @@ module adfric_round_timed_loss
    use adfric_numerics_time_panels, only: n_nodes, panel_nodes
    use adfric_round_timed_panel, only: begin_panel, timed_panel_t
    use adfric_round_timed_path, only: prescribed_at, time_between
-   use adfric_round_timed_springs, only: get_spot, mark_of, shrinking, timed_springs_t
+   use adfric_round_timed_springs, only: get_spot, mark_of, shrinking, thin_depth, timed_springs_t
    implicit none (type, external)
    private
    public :: ends_soon, solve_end
@@ -30,7 +30,7 @@ contains
       ends_soon = .not. self%control%by_approach > 0 .and. self%edge_mode == shrinking .and. 1 - self%phase <= last_phase
       if (ends_soon) ends_soon = self%legs(self%leg)%begin > 0 .and. .not. abs(self%legs(self%leg)%end) > 0 &
          & .and. .not. abs(self%legs(self%leg)%amplitude) > 0
-      if (ends_soon) ends_soon = left_out(self) <= share*self%tolerance*self%depth_size
+      if (ends_soon) ends_soon = left_out(self) <= thin_depth(self, share)
    end function ends_soon
 
    !> What the closed form leaves out of the approach.
