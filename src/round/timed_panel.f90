@@ -233,13 +233,17 @@ contains
    pure subroutine find_free_axis(self, panel)
       type(timed_springs_t), intent(in) :: self
       type(timed_panel_t), intent(inout) :: panel
-      real(dp) :: memory(size(self%times))
+      real(dp) :: memory(size(self%times)), depth, lag
       integer :: j
 
       panel%at_edge = 0
       panel%depth = panel%approach
       if (self%free%count == 0) return
-      memory = memory_of_axis(self)
+      associate (free => self%free, end => self%free%ends(2, self%free%count))
+         call free%read_piece(end, depth, memory)
+         lag = free%lag_of(free%count, end, time_between(self%legs, free%marks(free%count), mark_of(self)))
+         memory = memory*exp(-lag*free%rates)
+      end associate
       do j = 1, n_nodes
          associate (now => memory*exp(-panel%span*(panel_nodes(j) + 1)/2*self%free%rates))
             if (abs(self%control%by_approach) > 0) then
@@ -254,26 +258,13 @@ contains
       end do
    end subroutine find_free_axis
 
-   !> Memory c_k of the free spring that is next to the edge; there is one.
-   pure function memory_of_axis(self) result(memory)
-      type(timed_springs_t), intent(in) :: self
-      real(dp) :: memory(size(self%times)), depth, lag
-
-      associate (free => self%free, end => self%free%ends(2, self%free%count))
-         call free%read_piece(end, depth, memory)
-         lag = free%lag_of(free%count, end, time_between(self%legs, free%marks(free%count), mark_of(self)))
-         memory = memory*exp(-lag*free%rates)
-      end associate
-   end function memory_of_axis
-
-   !> A first approach at the nodes: straight on as all arms would at once, or, from no contact, that of an elastic solid above the
-   !> spring on the axis, which recovers.
+   !> A first approach at the nodes: straight on as all arms would at once, or, from no contact, that of an elastic solid.
    pure subroutine guess_approach(self, panel)
       type(timed_springs_t), intent(in) :: self
       type(timed_panel_t), intent(inout) :: panel
       real(dp), parameter :: enough = 1.0e-3_dp
       integer, parameter :: most_steps = 60
-      real(dp) :: given, low, high, depth, radius, moment, load, change, memory(size(self%times)), recovered
+      real(dp) :: given, low, high, depth, radius, moment, load, change
       integer :: j, step
 
       if (self%radius > 0) then
@@ -282,19 +273,16 @@ contains
          return
       end if
       panel%rise(1) = 0
-      memory = 0
-      if (self%free%count > 0) memory = memory_of_axis(self)
       do j = 2, n_nodes
          given = prescribed_at(self%legs(self%leg), panel%phase + panel%phase_span*(panel_nodes(j) + 1)/2)
          low = 0
          high = self%depth_size*4
-         recovered = sum(memory*lost_part(panel%span*(panel_nodes(j) + 1)/2*self%free%rates))
-         if (self%control%by_approach > 0) high = max(given/self%control%by_approach - self%approach + recovered, 0.0_dp)
+         if (self%control%by_approach > 0) high = max(given/self%control%by_approach - self%approach, 0.0_dp)
          depth = high*(panel_nodes(j) + 1)/2
          do step = 1, most_steps
             call get_spot(self%contacts, depth, radius, moment)
             load = 2*self%glassy*(depth*radius - moment)
-            change = self%control%by_approach*(self%approach - recovered + depth) + self%control%by_load*load - given
+            change = self%control%by_approach*(self%approach + depth) + self%control%by_load*load - given
             if (change > 0) then
                high = depth
             else
@@ -305,7 +293,7 @@ contains
             depth = depth + change
             if (.not. (depth > low .and. depth < high)) depth = merge((low + high)/2, high*0.03_dp, low > 0)
          end do
-         panel%rise(j) = depth - recovered
+         panel%rise(j) = depth
       end do
       panel%approach = self%approach + panel%rise
    end subroutine guess_approach
