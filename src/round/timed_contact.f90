@@ -205,7 +205,7 @@ contains
       is_solved = self%n_of_leg <= max(most_of_leg, most_of_arms/(1 + size(self%times)))
       if (.not. is_solved) return
       self%load_size = max(self%load_size, maxval(abs(panel%load)))
-      self%depth_size = max(self%depth_size, maxval(panel%depth))
+     self%depth_size = max(self%depth_size, maxval(panel%depth))
       if (ended_by == by_piece .and. panel%piece_end(n_nodes) > 0.1_dp*self%tolerance*piece_size(self)) ended_by = by_time
       self%largest_error = max(self%largest_error, panel%error)
       if (self%has_energy .and. self%edge_mode /= lost) call add_panel(self%energy, self%timed_springs_t, panel)
@@ -377,6 +377,10 @@ contains
          if (self%edge_mode == shrinking) then
             call set_growing(self)
          else
+            ! what a load that rises has just touched stays in contact
+            if (self%touched%count == 0 .and. .not. self%control%by_approach > 0) then
+               if (prescribed_rate(self%legs(self%leg), self%phase) > 0) return
+            end if
             self%edge_mode = shrinking
             if (self%touched%count == 0) call lose_contact(self)
          end if
