@@ -157,10 +157,11 @@ class TimeScenes(SolverRuns):
         np.testing.assert_allclose(found["contact_radius"][2:]**3, cube, rtol=1e-7)
         flat = self.solve(PUNCH + POWER.format(exponent) + "&history times = 0, 1, 3, approaches = 0, 1e-7, 1e-7 /\n")
         np.testing.assert_allclose(flat["load"][2], 2*1e-6*1e-7*800*(3**0.6 - 2**0.6)/0.6, rtol=RAMPED)
-        flat = self.solve(PUNCH + POWER.format(exponent) + SINE.format(dwell=60, amplitude=5e-9, frequency=2.0, cycles=10))
-        wanted = 800*math.gamma(1 - exponent)*(2j*np.pi*2)**exponent
-        # what is not periodic after ten periods is the slow end of the spectrum, as that of an arm of some periods
-        self.assertLess(abs(flat["storage_modulus"] + 1j*flat["loss_modulus"] - wanted), 1e-3*abs(wanted))
+        for exponent in (0.4, 0.8, 0.95):
+            flat = self.solve(PUNCH + POWER.format(exponent) + SINE.format(dwell=60, amplitude=5e-9, frequency=2.0, cycles=10))
+            wanted = 800*math.gamma(1 - exponent)*(2j*np.pi*2)**exponent
+            # what is not periodic after ten periods is the slow end of the spectrum, as that of an arm of some periods
+            self.assertLess(abs(flat["storage_modulus"] + 1j*flat["loss_modulus"] - wanted), 1e-3*abs(wanted))
 
     def test_power_law_after_rest(self):
         """A ball that is pressed, rests and is drawn back twice as fast: the edge is where it was at a time that is a root, and the load is an
@@ -209,31 +210,32 @@ class TimeScenes(SolverRuns):
                     self.assertLess(abs(800*creep*rest - load), 1e-6*1e-9, (exponent, time))
 
     def test_power_law_in_cycles(self):
-        """Three cycles of a ball on a nearly fluid solid, beside springs in small steps, each in contact or free: the edge comes over
-        springs that are still recovering."""
-        n_steps, n_springs = 900, 400
+        """A ball on a nearly fluid solid goes up and down without losing contact, beside springs in small steps, each in contact or free: the
+        edge comes back over springs that still recover. The springs have an error of first order in their steps."""
+        n_steps, n_springs, error_of_springs = 180, 400, 3e-3
+        turns = (0, 1, 1.2, 1.5, 1.9, 2.2)
+        heights = (0, 1, 0.98, 1.2, 1.18, 1.4)
         for exponent in (0.5, 0.8, 0.9):
-            found = self.solve(BALL + POWER.format(exponent) + "&history times = 0, 1, 1.1, 1.4, 1.6, 2.6, 3, approaches = 0, 1e-6, 0.9e-6, "
-                               "1e-6, 0.8e-6, 1.2e-6, 1.1e-6 /\n&output steps_per_leg = 20 /\n")
-            legs = [(0, 1, 0, 1), (1, 1.1, 1, 0.9), (1.1, 1.4, 0.9, 1), (1.4, 1.6, 1, 0.8), (1.6, 2.6, 0.8, 1.2), (2.6, 3, 1.2, 1.1)]
+            found = self.solve(BALL + POWER.format(exponent) + f"&history times = {', '.join(map(str, turns))}, "
+                               f"approaches = {', '.join(f'{height}e-6' for height in heights)} /\n&output steps_per_leg = 20 /\n")
             # steps that begin short after each turn
-            grid = (np.arange(1, n_steps//6 + 1)/(n_steps//6))**3
-            times = np.concatenate([[0]] + [begin + (end - begin)*grid for begin, end, _, _ in legs])
-            approach = np.concatenate([[0]] + [low + (high - low)*grid for _, _, low, high in legs])
-            # springs at equal steps of the radius, at the middles
-            edge = np.sqrt(1.2)*(np.arange(n_springs) + 0.5)/n_springs
-            depth = edge**2
+            grid = (np.arange(1, n_steps + 1)/n_steps)**3
+            times = np.concatenate([[0]] + [begin + (end - begin)*grid for begin, end in zip(turns, turns[1:])])
+            approach = np.interp(times, turns, heights)
+            # springs at equal steps of the radius, at their middles
+            width = np.sqrt(heights[-1])/n_springs
+            depth = (width*(np.arange(n_springs) + 0.5))**2
             stretch = np.zeros((len(times), n_springs))
             load = np.zeros(len(times))
             for k in range(1, len(times)):
                 past = (times[k] - times[:k + 1])**(1 - exponent)/(1 - exponent)
                 kernel = (past[:-1] - past[1:])/np.diff(times[:k + 1])
-                known = kernel[:-1] @ np.diff(stretch[:k], axis=0) if k > 1 else 0
-                free = stretch[k - 1] - known/kernel[-1]
-                stretch[k] = np.maximum(approach[k] - depth, free)
-                load[k] = np.sum(known + kernel[-1]*(stretch[k] - stretch[k - 1]))*np.sqrt(1.2)/n_springs
+                known = kernel[:-1] @ np.diff(stretch[:k], axis=0) if k > 1 else np.zeros(n_springs)
+                stretch[k] = np.maximum(approach[k] - depth, stretch[k - 1] - known/kernel[-1])
+                load[k] = width*np.sum(known + kernel[-1]*(stretch[k] - stretch[k - 1]))
             wanted = 800*2*np.sqrt(5e-12)*1e-6*np.interp(found["time"], times, load)
-            self.assertLess(np.max(np.abs(found["load"] - wanted)), 2e-3*max(wanted), exponent)
+            self.assertLess(np.max(np.abs(found["load"] - wanted)), error_of_springs*max(wanted), exponent)
+            self.assertLess(abs(found["energy_imbalance"]), 1e-6)
 
     def test_power_law_refused(self):
         """A power law without one of its numbers, beside arms, with adhesion, under a jump; a solver that has none."""
