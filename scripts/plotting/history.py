@@ -9,6 +9,8 @@ from .style import COLOURS, make_panels, plt
 # what is drawn, against what
 PANELS = (("time", "contact_fraction"), ("time", "penetration"), ("time", "load"), ("time", "contact_radius"), ("tangential_displacement", "tangential_force"), ("approach", "load"), ("time", "approach"), ("step", "stick_radius"), ("step", "stick_major_half_width"),
           ("step", "stick_half_width"), ("step", "friction_loss"), ("step", "contact_radius"), ("step", "adhesion_loss"))
+# most values of a swept variable that are all written at its axis
+MOST_TICKS = 6
 
 
 def draw_history(results):
@@ -68,6 +70,10 @@ def _draw_moduli(panel, results):
             panel.plot(swept.values * x_factor, row * y_factor, "o-", color=colour, markersize=3, label=word if k == 0 else "_")
     if swept.name == "frequency":
         panel.set_xscale("log")
+    if swept.values.size <= MOST_TICKS:
+        # each value by itself: powers of ten may all lie outside
+        panel.minorticks_off()
+        panel.set_xticks(swept.values * x_factor, [f"{value:g}" for value in swept.values * x_factor])
     panel.set_xlabel(axis_label(swept.name, x_unit))
     panel.set_ylabel("Modulus" + (f" ({y_unit})" if y_unit else ""))
     panel.set_ylim(bottom=0)
