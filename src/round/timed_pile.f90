@@ -37,8 +37,9 @@ module adfric_round_timed_pile
       real(dp), allocatable :: depths(:, :)
       !> Memory c_i at the nodes; shape `(n_nodes, n_arms, capacity)`.
       real(dp), allocatable :: memories(:, :, :)
-      !> When each piece ends, and its length in time; shape `(capacity)`.
+      !> When each piece ends; shape `(capacity)`.
       type(mark_t), allocatable :: marks(:)
+      !> Length in time of each piece; shape `(capacity)`.
       real(dp), allocatable :: spans(:)
       !> Positions where what is left of a piece begins and ends; shape `(2, capacity)`. They count from the end of the whole piece, 0,
       !> down to its begin, -2.
