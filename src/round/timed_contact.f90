@@ -99,8 +99,8 @@ contains
 
    contains
 
-      !> The modulus that is left at the end of a leg, over the instantaneous one. Where the largest approach is reached, the load is
-      !> as large at least.
+      !> The modulus that is left at the end of a leg, over the instantaneous one. Where the largest approach is reached, the load
+      !> is as large at least.
       pure real(dp) function still_there(leg) result(share)
          type(timed_leg_t), intent(in) :: leg
 

@@ -21,8 +21,8 @@ module adfric_round_timed_model
    use adfric_round_timed_course, only: find_course, read_steps, timed_course_t
    use adfric_round_timed_cycle, only: new_cycle
    use adfric_round_timed_energy, only: stored_free, stored_in_contact
-   use adfric_round_timed_history, only: adheres, check_history, doubt_noise, has_power_law, n_given_legs, set_history_rows, &
-      & steps_of_leg, timed_input, timed_lists_t
+   use adfric_round_timed_history, only: adheres, check_history, doubt_noise, doubt_swing, has_power_law, n_given_legs, &
+      & set_history_rows, steps_of_leg, timed_input, timed_lists_t
    use adfric_round_timed_oscillation, only: add_oscillation, get_moduli, oscillation_t
    use adfric_round_timed_panel, only: timed_panel_t
    use adfric_round_timed_rows, only: n_timed_profiles, n_timed_results, p_approach, p_area, p_load, p_radius, p_stiffness, &
@@ -32,7 +32,7 @@ module adfric_round_timed_model
    use adfric_round_timed_slopes, only: solve_cycle_with_slopes
    use adfric_round_timed_springs, only: get_spot
    use adfric_round_timed_trigger, only: find_trigger
-   use adfric_round_variables, only: get_indenter_variables, indenter_unit_of, in => indenter_input
+   use adfric_round_variables, only: get_indenter_variables, indenter_unit_of, in => indenter_input, kind_flat
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_power_law, only: power_law_error
    use adfric_solid_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, n_spectrum_rows, &
@@ -218,6 +218,8 @@ contains
       character(:), allocatable :: text
 
       text = doubt_noise(values(before_history + 1:), self%lists)
+      ! a face has no edge that swings
+      if (nint(values(in%kind)) /= kind_flat) text = text//doubt_swing(values(before_history + 1:))
    end function describe_doubts
 
    !> See `pointwise_model_t`.

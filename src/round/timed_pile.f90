@@ -41,8 +41,8 @@ module adfric_round_timed_pile
       type(mark_t), allocatable :: marks(:)
       !> Length in time of each piece; shape `(capacity)`.
       real(dp), allocatable :: spans(:)
-      !> Positions where what is left of a piece begins and ends; shape `(2, capacity)`. They count from the end of the whole piece, 0,
-      !> down to its begin, -2.
+      !> Positions where what is left of a piece begins and ends; shape `(2, capacity)`. They count from the end of the whole piece,
+      !> 0, down to its begin, -2.
       real(dp), allocatable :: ends(:, :)
    contains
       procedure :: push

@@ -50,6 +50,12 @@ class TimeScenes(SolverRuns):
             self.assertLess(off[0], 2.3*off[1])
             self.assertLess(off[1], 0.03)
 
+    def test_swing(self):
+        """An amplitude that is no small part of the approach is pointed out; a small one is not, nor one of a face, whose edge rests."""
+        for body, amplitude, is_doubted in ((BALL, 1e-7, True), (BALL, 5e-9, False), (PUNCH, 1e-7, False)):
+            self.write("&job output = 'run.h5' /\n" + body + SOLID + SINE.format(dwell=1, amplitude=amplitude, frequency=1.0, cycles=2))
+            self.assertEqual(is_doubted, "is 20 % of the approach: the edge swings" in self.run_program("check", "run.nml")[0])
+
     def test_drift(self):
         """A load that still relaxes counts little: what is straight in time is taken out."""
         rested = self.solve(PUNCH + SOLID + SINE.format(dwell=60, amplitude=5e-9, frequency=3.0, cycles=40))
