@@ -449,7 +449,7 @@ contains
          results(out%largest_contact_radius) = steps(widest, p_radius)
          results(out%time_of_largest_contact) = steps(widest, p_time)
          results(out%loss_time) = loss
-         if (oscillation%radius > 0) then
+         if (oscillation%radius > 0 .and. .not. oscillation%is_lost) then
             call get_moduli(oscillation, case%modulus, results(out%storage_modulus), results(out%loss_modulus))
             ! both are differences of loads
             associate (of_loads => max(abs(results(out%storage_modulus)), results(out%largest_load)/(2*oscillation%radius* &
