@@ -346,8 +346,8 @@ contains
       pressed = values(top_row(values))
       if (.not. is_set(pressed)) return
       associate (part => values(timed_input%oscillation_amplitude)/pressed)
-         if (part > small) text = 'history%oscillation_amplitude is '//show_count(nint(100*part))//' % of the approach: the '// &
-            & 'edge swings, and the moduli differ from those of the solid in proportion; half of it '// &
+         if (part > small) text = 'history%oscillation_amplitude is '//show_count(nint(100*min(part, 1.0_dp)))// &
+            & ' % of the approach: the edge swings, and the moduli differ from those of the solid in proportion; half of it '// &
             & 'shows by how much'//new_line('a')
       end associate
    end function doubt_swing
