@@ -21,8 +21,9 @@ MOST_RESULTS = 6
 ROUGH_LINES = ("profile", "cosines")
 # results of partial slip
 SLIP = ("stick_fraction", "tangential_displacement", "tangential_stiffness", "friction_loss_per_cycle", "cycle_energy")
-# results drawn against a swept variable, as far as they vary, by model and variable; for others it is all that vary
+# results drawn against a swept variable, as far as they vary, by model and variable, or by model; for others it is all that vary
 SHOWN = {
+    "adhesive_indenter_time": ("pull_off_load", "pull_off_approach"),
     ("hertz", "tangential_force"): SLIP,
     ("indenter", "tangential_force"): SLIP,
     ("attracted_indenter", "lambda"): ("pull_off_load", "pull_off_excess"),
@@ -85,7 +86,7 @@ def draw_sweep(results):
 
 def choose_results(results):
     """Names of the results that vary, the main ones first."""
-    shown = SHOWN.get((results.model, results.several[-1].name), ()) if results.several else ()
+    shown = SHOWN.get((results.model, results.several[-1].name), SHOWN.get(results.model, ())) if results.several else ()
     varying = [name for name in shown if name in results.fields and _varies(results.fields[name].values)]
     if varying:
         return varying

@@ -13,8 +13,8 @@ module adfric_numerics_time_panels
    use adfric_base_constants, only: pi
    implicit none (type, external)
    private
-   public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_all_faded, get_weights, get_tail, find_fall
-   public :: last_begun, lost_part, lost_twice
+   public :: n_nodes, panel_nodes, panel_slopes, panel_sums, get_memory, get_faded, get_all_faded, get_tail, find_fall
+   public :: last_begun, lost_part, lost_twice, get_weights, get_weights_from_end
 
    !> Number of nodes of a panel.
    integer, parameter :: n_nodes = 12
@@ -23,6 +23,8 @@ module adfric_numerics_time_panels
    integer :: i_, j_, k_
    !> The nodes, upwards.
    real(dp), parameter :: panel_nodes(n_nodes) = [(sin(pi*(2*j_ - n_nodes - 1)/(2*degree)), j_=1, n_nodes)]
+   !> The nodes, from the end: 1 less than they are, to all digits near it.
+   real(dp), parameter :: nodes_from_end(n_nodes) = [(-2*sin(pi*(n_nodes - j_)/(2*degree))**2, j_=1, n_nodes)]
    !> Lambda above which the recurrence goes upwards, and the order where the system begins for those below.
    real(dp), parameter :: largest_by_system = 24
    integer, parameter :: distant = 54
@@ -244,6 +246,24 @@ contains
       weights = barycentric/(s - panel_nodes)
       weights = weights/sum(weights)
    end subroutine get_weights
+
+   !> The same for a position that is known by its distance from the end, to all digits of this distance.
+   pure subroutine get_weights_from_end(x, weights)
+      !> Position less 1, from -2 to 0; a little beyond it continues the polynomial.
+      real(dp), intent(in) :: x
+      !> Receives the weights; shape `(n_nodes)`.
+      real(dp), intent(out) :: weights(n_nodes)
+      integer :: j
+
+      do j = 1, n_nodes
+         if (abs(x - nodes_from_end(j)) > 0) cycle
+         weights = 0
+         weights(j) = 1
+         return
+      end do
+      weights = barycentric/(x - nodes_from_end)
+      weights = weights/sum(weights)
+   end subroutine get_weights_from_end
 
    !> Size of what a polynomial may lack: the larger one of its last two coefficients.
    pure real(dp) function get_tail(values) result(tail)

@@ -12,10 +12,10 @@ module adfric_round_timed_contact
    use adfric_round_timed_event, only: by_contact, by_piece, by_time, by_turn, find_event
    use adfric_round_timed_loss, only: ends_soon, solve_end
    use adfric_round_timed_panel, only: approach_rate, cannot_solve, solve_panel, timed_panel_t
-   use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
+   use adfric_round_timed_path, only: later, mark_t, prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
-   use adfric_round_timed_springs, only: free_memory, get_spot, growing, growing_again, lost, new_timed_springs, shrinking, &
-      & timed_springs_t
+   use adfric_round_timed_springs, only: free_memory, get_spot, growing, growing_again, lost, mark_of, new_timed_springs, &
+      & shrinking, thin_depth, timed_springs_t
    implicit none (type, external)
    private
    public :: timed_contact_t, start_contact, advance, error_of
@@ -89,7 +89,8 @@ contains
       end do
       call get_spot(contacts, self%depth_size, radius, moment)
       self%load_size = 2*self%glassy*(self%depth_size*radius - moment)
-      if (control%by_approach > 0) self%load_size = self%load_size*still_there()
+      if (control%by_approach > 0) self%load_size = self%load_size*still_there(legs(maxloc(max(legs%begin, legs%end), 1)))
+      self%softness = still_there(legs(size(legs)))
       is_possible = self%depth_size > 0 .and. self%load_size > 0
       ! a sine may begin below its first look
       self%approach = 0
@@ -98,12 +99,12 @@ contains
 
    contains
 
-      !> The modulus that is left, over the instantaneous one, where the largest approach is reached: the load is as large at least.
-      pure real(dp) function still_there() result(share)
-         integer :: leg
+      !> The modulus that is left at the end of a leg, over the instantaneous one. Where the largest approach is reached, the load
+      !> is as large at least.
+      pure real(dp) function still_there(leg) result(share)
+         type(timed_leg_t), intent(in) :: leg
 
-         leg = maxloc(max(legs%begin, legs%end), 1)
-         associate (clock => legs(leg)%clock + legs(leg)%span)
+         associate (clock => leg%clock + leg%span)
             share = (self%relaxed + sum(self%moduli*exp(-clock/self%times)))/self%glassy
          end associate
       end function still_there
@@ -129,6 +130,7 @@ contains
       integer, parameter :: most_tries = 150, most_instant = 2, most_cuts = 8, most_of_leg = 3000, most_of_arms = 30000
       real(dp), parameter :: at_once = 64*epsilon(1.0_dp), least_span = 1.0e-12_dp, stands_still = 30, &
          & round_off = 8*epsilon(1.0_dp)
+      type(mark_t) :: mark
       real(dp) :: span, end
       integer :: try, event, ended_by, n_cuts
       logical :: is_cut
@@ -142,7 +144,7 @@ contains
       n_cuts = 0
       is_solved = ends_soon(self%timed_springs_t)
       if (is_solved) then
-         span = 1 - self%phase
+         span = (1 - self%phase) - self%phase_rest
          call solve_end(self%timed_springs_t, panel)
       end if
       do try = 1, merge(0, most_tries, is_solved)
@@ -167,7 +169,7 @@ contains
             event = by_time
             end = 2
             ! so it may, but for no longer than nothing moves
-            is_solved = maxval(panel%depth) - minval(panel%depth) <= stands_still*self%tolerance*self%depth_size
+            is_solved = maxval(panel%depth) - minval(panel%depth) <= stands_still*thin_depth(self%timed_springs_t, 1.0_dp)
             if (.not. is_solved) then
                span = span*0.3_dp
                cycle
@@ -191,7 +193,7 @@ contains
          if (.not. is_as_good_as_lost(self)) return
          self%largest_error = max(self%largest_error, self%load/self%load_size/self%tolerance)
          call lose_contact(self)
-         span = 1 - self%phase
+         span = (1 - self%phase) - self%phase_rest
          ended_by = by_time
          call solve_panel(self%timed_springs_t, span, panel)
          is_solved = .true.
@@ -203,15 +205,19 @@ contains
       is_solved = self%n_of_leg <= max(most_of_leg, most_of_arms/(1 + size(self%times)))
       if (.not. is_solved) return
       self%load_size = max(self%load_size, maxval(abs(panel%load)))
+     self%depth_size = max(self%depth_size, maxval(panel%depth))
       if (ended_by == by_piece .and. panel%piece_end(n_nodes) > 0.1_dp*self%tolerance*piece_size(self)) ended_by = by_time
       self%largest_error = max(self%largest_error, panel%error)
       if (self%has_energy .and. self%edge_mode /= lost) call add_panel(self%energy, self%timed_springs_t, panel)
       call choose_next_span(self, panel, ended_by)
-      call accept(self, panel)
-      self%phase = self%phase + span
+      mark = later(mark_of(self%timed_springs_t), span)
+      if (ended_by == by_time .and. mark%phase >= 1 - 4*epsilon(1.0_dp)) mark = mark_t(leg=self%leg, phase=1.0_dp)
+      call accept(self, panel, mark)
+      self%phase = mark%phase
+      self%phase_rest = mark%rest
       if (ended_by /= by_time) then
          call take_event(self, ended_by)
-      else if (self%phase >= 1 - 4*epsilon(1.0_dp)) then
+      else if (self%phase >= 1) then
          self%phase = 0
          self%leg = self%leg + 1
          self%is_done = self%leg > size(self%legs)
@@ -249,11 +255,13 @@ contains
    pure real(dp) function phase_span_of(self) result(span)
       type(timed_contact_t), intent(in) :: self
 
-      span = 1 - self%phase
+      span = (1 - self%phase) - self%phase_rest
       associate (leg => self%legs(self%leg))
          if (leg%span*span > self%next_span .and. self%next_span > 0) span = self%next_span/leg%span
          ! two equal panels rather than one and a small rest
-         if (span > 0.6_dp*(1 - self%phase) .and. span < 1 - self%phase) span = (1 - self%phase)/2
+         associate (rest => (1 - self%phase) - self%phase_rest)
+            if (span > 0.6_dp*rest .and. span < rest) span = rest/2
+         end associate
       end associate
    end function phase_span_of
 
@@ -322,24 +330,24 @@ contains
    end subroutine make_contact
 
    !> Take a panel over into the state.
-   pure subroutine accept(self, panel)
+   pure subroutine accept(self, panel, mark)
       type(timed_contact_t), intent(inout) :: self
       type(timed_panel_t), intent(in) :: panel
+      !> When it ends.
+      type(mark_t), intent(in) :: mark
       real(dp), parameter :: digits = 1.0e-9_dp
-      real(dp) :: times(4)
       logical :: is_thin, is_lost
       real(dp) :: small
 
       small = 0.1_dp*self%tolerance
-      times = [panel%clock, panel%span, panel%phase, panel%phase_span]
-      is_thin = maxval(panel%depth) - minval(panel%depth) <= 1.0e-2_dp*self%tolerance*self%depth_size
+      is_thin = maxval(panel%depth) - minval(panel%depth) <= thin_depth(self%timed_springs_t, 1.0e-2_dp)
       select case (self%edge_mode)
       case (growing, growing_again)
          if (self%edge_mode == growing_again) call shorten(self%free%ends(:, self%free%count), panel%position(n_nodes))
-         if (.not. is_thin) call self%touched%push(times, self%leg, panel%depth, panel%at_edge - panel%drive)
+         if (.not. is_thin) call self%touched%push(mark, panel%span, panel%depth, panel%at_edge - panel%drive)
       case (shrinking)
          call shorten(self%touched%ends(:, self%touched%count), panel%position(n_nodes))
-         if (.not. is_thin) call self%free%push(times, self%leg, panel%depth, &
+         if (.not. is_thin) call self%free%push(mark, panel%span, panel%depth, &
             & free_memory(self%timed_springs_t, panel%approach - panel%depth, panel%at_edge))
       end select
       self%approach = panel%approach(n_nodes)
@@ -369,6 +377,10 @@ contains
          if (self%edge_mode == shrinking) then
             call set_growing(self)
          else
+            ! what a load that rises has just touched stays in contact
+            if (self%touched%count == 0 .and. .not. self%control%by_approach > 0) then
+               if (prescribed_rate(self%legs(self%leg), self%phase) > 0) return
+            end if
             self%edge_mode = shrinking
             if (self%touched%count == 0) call lose_contact(self)
          end if

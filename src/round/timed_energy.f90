@@ -8,9 +8,10 @@
 module adfric_round_timed_energy
    use adfric_base_kinds, only: dp
    use adfric_interface_normal_contact, only: normal_state_t
-   use adfric_numerics_time_panels, only: get_memory, get_weights, n_nodes, panel_nodes, panel_slopes, panel_sums
+   use adfric_numerics_time_panels, only: get_memory, n_nodes, panel_nodes, panel_slopes, panel_sums
    use adfric_round_timed_panel, only: timed_panel_t
-   use adfric_round_timed_springs, only: get_spot, timed_springs_t
+   use adfric_round_timed_path, only: time_between
+   use adfric_round_timed_springs, only: get_spot, mark_of, timed_springs_t
    implicit none (type, external)
    private
    public :: timed_energy_t, start_energy, add_panel, add_face, end_contact, stored_in_contact, stored_free
@@ -45,7 +46,7 @@ contains
       real(dp) :: memory(n_nodes, n_nodes)
       integer :: i
 
-      rate = matmul(panel_slopes, panel%approach)
+      rate = matmul(panel_slopes, panel%rise)
       radius_rate = matmul(panel_slopes, panel%radius)
       self%work = self%work + dot_product(panel_sums, panel%load*rate)
       self%largest_work = max(self%largest_work, self%work)
@@ -110,26 +111,24 @@ contains
       end associate
    end function stored_in_contact
 
-   !> Energy that free springs store at the end of a panel.
-   pure real(dp) function stored_free(springs, clock) result(stored)
+   !> Energy that free springs store.
+   pure real(dp) function stored_free(springs) result(stored)
       type(timed_springs_t), intent(in) :: springs
-      !> The time.
-      real(dp), intent(in) :: clock
       real(dp), dimension(n_nodes) :: radius, moment, depth, energy
-      real(dp) :: weights(n_nodes), memory(size(springs%times)), middle, half, lag
+      real(dp) :: memory(size(springs%times)), middle, half, since
       integer :: piece, j
 
       stored = 0
       do piece = 1, springs%free%count
-         associate (ends => springs%free%ends(:, piece), times => springs%free%times(:, piece))
+         since = time_between(springs%legs, springs%free%marks(piece), mark_of(springs))
+         associate (ends => springs%free%ends(:, piece), free => springs%free)
             middle = (ends(1) + ends(2))/2
             half = (ends(2) - ends(1))/2
             do j = 1, n_nodes
-               call get_weights(middle + half*panel_nodes(j), weights)
-               depth(j) = dot_product(weights, springs%free%depths(:, piece))
-               memory = matmul(weights, springs%free%memories(:, :, piece))
-               lag = clock - times(1) - times(2)*(1 + middle + half*panel_nodes(j))/2
-               energy(j) = energy_of(springs, memory*exp(-lag*springs%free%rates))
+               associate (s => middle + half*panel_nodes(j))
+                  call free%read_at(piece, s, depth(j), memory)
+                  energy(j) = energy_of(springs, memory*exp(-free%lag_of(piece, s, since)*free%rates))
+               end associate
             end do
             call get_spot(springs%contacts, depth, radius, moment)
             stored = stored - dot_product(panel_sums, energy*matmul(panel_slopes, radius))

@@ -5,7 +5,7 @@ module adfric_round_timed_event
    use adfric_base_kinds, only: dp
    use adfric_numerics_time_panels, only: find_fall, n_nodes
    use adfric_round_timed_panel, only: timed_panel_t
-   use adfric_round_timed_springs, only: growing_again, lost, shrinking, timed_springs_t
+   use adfric_round_timed_springs, only: growing_again, lost, shrinking, thin_depth, timed_springs_t
    implicit none (type, external)
    private
    public :: find_event, by_time, by_turn, by_piece, by_contact, by_corner
@@ -31,8 +31,8 @@ contains
 
       event = by_time
       end = 2
-      small = 1.0e-2_dp*self%tolerance*self%depth_size
-      if (self%edge_mode /= lost) small = max(small, noise*maxval(abs(panel%approach)))
+      small = thin_depth(self, 1.0e-2_dp)
+      if (self%edge_mode /= lost) small = max(small, noise*maxval(abs(panel%rise)))
       select case (self%edge_mode)
       case (lost)
          if (abs(self%control%by_approach) > 0) call look(-panel%depth, small, by_contact, event, end)

@@ -16,7 +16,8 @@ module adfric_round_timed_history
    use adfric_round_timed_path, only: timed_control_t, timed_leg_t
    implicit none (type, external)
    private
-   public :: timed_lists_t, set_history_rows, check_history, doubt_noise, get_legs, steps_of_leg, largest_prescribed, n_given_legs
+   public :: timed_lists_t, set_history_rows, check_history, doubt_noise, doubt_swing, get_legs, steps_of_leg
+   public :: largest_prescribed, n_given_legs
    public :: adheres, has_power_law, pressing_alone, pressing_under, top_row
 
    !> Variables in the order of their rows; a component is the index of its row.
@@ -104,7 +105,7 @@ contains
          v(in%power_law_modulus) = positive(group='material', name='power_law_modulus', unit='Pa', &
             & meaning='contact modulus E(t) of a power law a second after a step; in place of modulus and arms')
          v(in%power_law_exponent) = any_number(group='material', name='power_law_exponent', unit='-', &
-            & meaning='exponent alpha of a power law, E(t) = power_law_modulus (t/1 s)^(-alpha)', lower=0.01_dp, upper=0.6_dp)
+            & meaning='exponent alpha of a power law, E(t) = power_law_modulus (t/1 s)^(-alpha)', lower=0.01_dp, upper=0.95_dp)
          v(in%trigger_load) = positive(group=group, name='trigger_load', unit='N', meaning='load at which pressing at a given '// &
             & 'speed ends; that of the base of a spring, if there is one')
       end associate
@@ -330,6 +331,26 @@ contains
       if (n > most_turns) text = 'the list of the history turns '//show_count(n)//' times, and each turn is an unloading or a '// &
          & 'loading, also one of noise; history%smoothing takes straight legs in place of noise of a given size'//new_line('a')
    end function doubt_noise
+
+   !> A line where an oscillation is no small one, whose edge swings; else nothing.
+   pure function doubt_swing(values) result(text)
+      !> Values of the rows, which have been checked; shape `(n_timed_rows)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      !> Amplitude over the approach: the moduli lack about as much, and more where the solid has relaxed far.
+      real(dp), parameter :: small = 0.05_dp
+      real(dp) :: pressed
+
+      text = ''
+      if (.not. is_set(values(timed_input%oscillation_amplitude))) return
+      pressed = values(top_row(values))
+      if (.not. is_set(pressed)) return
+      associate (part => values(timed_input%oscillation_amplitude)/pressed)
+         if (part > small) text = 'history%oscillation_amplitude is '//show_count(nint(100*min(part, 1.0_dp)))// &
+            & ' % of the approach: the edge swings, and the moduli differ from those of the solid in proportion; half of it '// &
+            & 'shows by how much'//new_line('a')
+      end associate
+   end function doubt_swing
 
    !> What zero and drift add to an approach at a time [m]; nothing to a load.
    elemental real(dp) function shift_at(contact_point, drift_rate, time) result(shift)

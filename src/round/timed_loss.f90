@@ -12,8 +12,8 @@ module adfric_round_timed_loss
    use adfric_base_kinds, only: dp
    use adfric_numerics_time_panels, only: n_nodes, panel_nodes
    use adfric_round_timed_panel, only: begin_panel, timed_panel_t
-   use adfric_round_timed_path, only: prescribed_at
-   use adfric_round_timed_springs, only: get_spot, shrinking, timed_springs_t
+   use adfric_round_timed_path, only: prescribed_at, time_between
+   use adfric_round_timed_springs, only: get_spot, mark_of, shrinking, thin_depth, timed_springs_t
    implicit none (type, external)
    private
    public :: ends_soon, solve_end
@@ -30,7 +30,7 @@ contains
       ends_soon = .not. self%control%by_approach > 0 .and. self%edge_mode == shrinking .and. 1 - self%phase <= last_phase
       if (ends_soon) ends_soon = self%legs(self%leg)%begin > 0 .and. .not. abs(self%legs(self%leg)%end) > 0 &
          & .and. .not. abs(self%legs(self%leg)%amplitude) > 0
-      if (ends_soon) ends_soon = left_out(self) <= share*self%tolerance*self%depth_size
+      if (ends_soon) ends_soon = left_out(self) <= thin_depth(self, share)
    end function ends_soon
 
    !> What the closed form leaves out of the approach.
@@ -66,6 +66,7 @@ contains
          faded = panel%faded(j, :)
          fall = (self%relaxed*(self%approach - panel%depth(j)) + sum(self%moduli*arms*faded))/self%glassy
          panel%approach(j) = self%approach - fall
+         panel%rise(j) = -fall
          panel%drive(j, :) = self%drive*faded - fall
          panel%at_edge(j, :) = arms*faded - fall
          call get_spot(self%contacts, panel%depth(j), panel%radius(j), moment)
@@ -87,10 +88,10 @@ contains
       !> Receives q_i; shape `(n_arms)`.
       real(dp), intent(out) :: arms(:)
       integer, parameter :: most_halvings = 60
-      real(dp) :: memory(size(arms)), low, high, middle, at
+      real(dp) :: memory(size(arms)), low, high, middle, at, since
       integer :: piece, k
 
-      associate (pile => self%touched, now => self%legs(self%leg)%clock + self%legs(self%leg)%span*self%phase)
+      associate (pile => self%touched)
          do piece = pile%count, 1, -1
             call pile%read_at(piece, pile%ends(1, piece), at, memory)
             if (at <= depth) exit
@@ -109,7 +110,8 @@ contains
             end if
          end do
          call pile%read_at(piece, low, at, memory)
-         arms = self%drive + memory*exp(-(now - pile%times(1, piece) - pile%times(2, piece)*(low + 1)/2)*pile%rates)
+         since = time_between(self%legs, pile%marks(piece), mark_of(self))
+         arms = self%drive + memory*exp(-pile%lag_of(piece, low, since)*pile%rates)
       end associate
    end subroutine find_arms
 

@@ -21,8 +21,8 @@ module adfric_round_timed_model
    use adfric_round_timed_course, only: find_course, read_steps, timed_course_t
    use adfric_round_timed_cycle, only: new_cycle
    use adfric_round_timed_energy, only: stored_free, stored_in_contact
-   use adfric_round_timed_history, only: adheres, check_history, doubt_noise, has_power_law, n_given_legs, set_history_rows, &
-      & steps_of_leg, timed_input, timed_lists_t
+   use adfric_round_timed_history, only: adheres, check_history, doubt_noise, doubt_swing, has_power_law, n_given_legs, &
+      & set_history_rows, steps_of_leg, timed_input, timed_lists_t
    use adfric_round_timed_oscillation, only: add_oscillation, get_moduli, oscillation_t
    use adfric_round_timed_panel, only: timed_panel_t
    use adfric_round_timed_rows, only: n_timed_profiles, n_timed_results, p_approach, p_area, p_load, p_radius, p_stiffness, &
@@ -32,7 +32,7 @@ module adfric_round_timed_model
    use adfric_round_timed_slopes, only: solve_cycle_with_slopes
    use adfric_round_timed_springs, only: get_spot
    use adfric_round_timed_trigger, only: find_trigger
-   use adfric_round_variables, only: get_indenter_variables, indenter_unit_of, in => indenter_input
+   use adfric_round_variables, only: get_indenter_variables, indenter_unit_of, in => indenter_input, kind_flat
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_power_law, only: power_law_error
    use adfric_solid_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, n_spectrum_rows, &
@@ -218,6 +218,8 @@ contains
       character(:), allocatable :: text
 
       text = doubt_noise(values(before_history + 1:), self%lists)
+      ! a face has no edge that swings
+      if (nint(values(in%kind)) /= kind_flat) text = text//doubt_swing(values(before_history + 1:))
    end function describe_doubts
 
    !> See `pointwise_model_t`.
@@ -447,7 +449,7 @@ contains
          results(out%largest_contact_radius) = steps(widest, p_radius)
          results(out%time_of_largest_contact) = steps(widest, p_time)
          results(out%loss_time) = loss
-         if (oscillation%radius > 0) then
+         if (oscillation%radius > 0 .and. .not. oscillation%is_lost) then
             call get_moduli(oscillation, case%modulus, results(out%storage_modulus), results(out%loss_modulus))
             ! both are differences of loads
             associate (of_loads => max(abs(results(out%storage_modulus)), results(out%largest_load)/(2*oscillation%radius* &
@@ -455,19 +457,17 @@ contains
                call clear(contact, results(out%loss_modulus), of_loads)
             end associate
          end if
-         call take_energies(contact, states, clock, results)
+         call take_energies(contact, states, results)
       end associate
       status = status_solved
 
    end subroutine follow
 
    !> Work, and what of it is stored and lost.
-   subroutine take_energies(contact, states, clock, results)
+   subroutine take_energies(contact, states, results)
       !> The contact at the end of its history, with its units.
       type(timed_contact_t), intent(in) :: contact
       type(indenter_states_t), intent(in) :: states
-      !> Time, in units of the contact.
-      real(dp), intent(in) :: clock
       !> Receives the energies in SI units.
       real(dp), intent(inout) :: results(:)
       real(dp), parameter :: most_missing = 1.0e-2_dp
@@ -476,7 +476,7 @@ contains
       associate (energy => contact%energy, unit => states%case%force_unit()*states%case%height_unit)
          stored = stored_in_contact(energy, contact%timed_springs_t)
          results(out%path_work) = energy%work*unit
-         results(out%elastic_energy) = (stored + stored_free(contact%timed_springs_t, clock))*unit
+         results(out%elastic_energy) = (stored + stored_free(contact%timed_springs_t))*unit
          results(out%dissipated_energy) = results(out%path_work) - results(out%elastic_energy)
          call clear(contact, results(out%path_work), energy%largest_work*unit)
          call clear(contact, results(out%dissipated_energy), energy%largest_work*unit)

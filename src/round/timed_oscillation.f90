@@ -16,6 +16,8 @@ module adfric_round_timed_oscillation
       complex(dp) :: load = 0, approach = 0
       !> What both change from the begin of the period to its end, and the radius of the contact before the first period.
       real(dp) :: load_change = 0, approach_change = 0, radius = 0
+      !> Is contact lost in the period? Then it has no moduli.
+      logical :: is_lost = .false.
    end type oscillation_t
 
 contains
@@ -31,6 +33,7 @@ contains
       complex(dp) :: turned(n_nodes)
       real(dp) :: angle(n_nodes)
 
+      oscillation%is_lost = oscillation%is_lost .or. .not. minval(panel%radius) > 0
       angle = leg%frequency*(panel%clock - leg%clock + panel%span*(panel_nodes + 1)/2)
       turned = cmplx(cos(angle), -sin(angle), dp)*panel_sums*panel%span/(2*leg%span)
       oscillation%load = oscillation%load + sum(turned*panel%load)

@@ -7,10 +7,10 @@
 module adfric_round_timed_panel
    use adfric_base_kinds, only: dp
    use adfric_numerics_lapack, only: dgesv
-   use adfric_numerics_time_panels, only: get_memory, get_tail, n_nodes, panel_nodes, panel_slopes
-   use adfric_round_timed_path, only: prescribed_at, prescribed_rate
+   use adfric_numerics_time_panels, only: get_memory, get_tail, lost_part, n_nodes, panel_nodes, panel_slopes
+   use adfric_round_timed_path, only: mark_t, prescribed_at, prescribed_rate, prescribed_rise, time_between
    use adfric_round_timed_pile, only: instant_t, timed_pile_t
-   use adfric_round_timed_springs, only: get_spot, growing, growing_again, lost, shrinking, timed_springs_t
+   use adfric_round_timed_springs, only: get_spot, growing, growing_again, lost, mark_of, shrinking, thin_depth, timed_springs_t
    implicit none (type, external)
    private
    public :: timed_panel_t, begin_panel, solve_panel, approach_rate, cannot_solve
@@ -22,6 +22,8 @@ module adfric_round_timed_panel
    type :: timed_panel_t
       !> Time and phase at the begin, and lengths in both.
       real(dp) :: clock = 0, span = 0, phase = 0, phase_span = 0
+      !> delta less that at the begin, with all digits of it.
+      real(dp) :: rise(n_nodes) = 0
       !> delta, G(a), a, P, position in the last piece, d(delta - theta of a free spring)/ds, and F
       !> at the begin of the last piece.
       real(dp), dimension(n_nodes) :: approach = 0, depth = 0, radius = 0, load = 0, position = 0, opening = 0, piece_end = 0
@@ -57,16 +59,19 @@ contains
                & - self%control%by_approach*panel%approach - self%control%by_load*panel%load
             call correct_approach(self, panel, residual, change)
             if (.not. change < huge(1.0_dp)) return
-            if (change <= 1.0e-3_dp*self%tolerance*self%depth_size .and. change > last_change/4) exit
-            if (change <= 1.0e-6_dp*self%tolerance*self%depth_size) exit
+            if (change <= 1.0e-3_dp*self%tolerance .and. change > last_change/4) exit
+            if (change <= 1.0e-6_dp*self%tolerance) exit
             last_change = change
          end do
          if (step > most_steps) return
       else if (abs(self%control%by_approach) > 0) then
-         panel%approach = prescribed_at(self%legs(self%leg), panel%phase + panel%phase_span*(panel_nodes + 1)/2) &
-            & /self%control%by_approach
+         associate (leg => self%legs(self%leg), step => panel%phase_span*(panel_nodes + 1)/2)
+            panel%approach = prescribed_at(leg, panel%phase + step)/self%control%by_approach
+            panel%rise = prescribed_rise(leg, panel%phase, step)/self%control%by_approach
+         end associate
       else
          panel%approach = self%approach
+         panel%rise = 0
       end if
       call follow_edge(self, panel)
       call find_opening(self, panel)
@@ -107,7 +112,7 @@ contains
       real(dp), dimension(n_nodes) :: rate, radius_rate, moment
       integer :: i
 
-      rate = matmul(panel_slopes, panel%approach)
+      rate = matmul(panel_slopes, panel%rise)
       do i = 1, size(self%times)
          panel%drive(:, i) = panel%faded(:, i)*self%drive(i) + matmul(panel%memory(:, :, i), rate)
       end do
@@ -139,7 +144,7 @@ contains
       panel%position = 1
       panel%piece_end = 1
       ! pieces that were too thin to be kept may lie between the edge and the pile
-      small = 0.1_dp*self%tolerance*self%depth_size
+      small = thin_depth(self, 0.1_dp)
       panel%depth(1) = self%depth
       panel%at_edge(1, :) = self%at_edge
       select case (self%edge_mode)
@@ -150,7 +155,7 @@ contains
          panel%depth = panel%approach
          panel%at_edge = 0
       case (growing_again)
-         call pass_piece(self%free, self%leg, -panel%approach, small, panel, faded, first)
+         call pass_piece(self, self%free, -panel%approach, small, panel, faded, first)
          do j = first, n_nodes
             panel%at_edge(j, :) = matmul(self%states, faded(j, :))
          end do
@@ -158,16 +163,16 @@ contains
          do j = 1, n_nodes
             bases(j) = self%relaxed*panel%approach(j) + sum(self%moduli*panel%drive(j, :))
          end do
-         call pass_piece(self%touched, self%leg, bases, small*self%glassy, panel, faded, first)
+         call pass_piece(self, self%touched, bases, small*self%glassy, panel, faded, first)
          panel%at_edge(first:, :) = panel%drive(first:, :) + faded(first:, :)
       end select
    end subroutine find_edge
 
    !> Where the edge is in the last piece of a pile, at each node.
-   pure subroutine pass_piece(pile, leg, bases, small, panel, faded, first)
+   pure subroutine pass_piece(self, pile, bases, small, panel, faded, first)
+      type(timed_springs_t), intent(in) :: self
+      !> One of its piles.
       type(timed_pile_t), intent(in) :: pile
-      !> Leg of the path.
-      integer, intent(in) :: leg
       !> b of the springs' F at each node, and the F that is round-off.
       real(dp), intent(in) :: bases(n_nodes), small
       !> In: depth of the edge at the begin. Out: with positions, depths, and F at the begin of the piece.
@@ -177,50 +182,42 @@ contains
       !> Receives the first node at which depth and memory are set: 2 where the edge is at the end of the piece.
       integer, intent(out) :: first
       type(instant_t) :: instant
-      real(dp) :: memory(size(faded, 2)), lag
+      real(dp) :: memory(size(faded, 2)), since
       integer :: j
 
-      instant%leg = leg
+      instant%leg = self%leg
+      since = time_between(self%legs, pile%marks(pile%count), mark_of(self))
       first = 1
       faded = 0
       associate (ends => pile%ends(:, pile%count))
          panel%position(1) = ends(2)
          do j = 1, n_nodes
-            instant%clock = panel%clock + panel%span*(panel_nodes(j) + 1)/2
-            instant%phase = panel%phase + panel%phase_span*(panel_nodes(j) + 1)/2
+            instant%since = since + panel%span*(panel_nodes(j) + 1)/2
             instant%base = bases(j)
             panel%piece_end(j) = pile%value_at(ends(1), instant)
             if (j == 1) then
                if (abs(pile%value_at(ends(2), instant)) <= small) first = 2
             end if
             if (j < first) cycle
-            panel%position(j) = pile%position_at(instant, panel%position(max(1, j - 1)), guess_of(panel%position, j))
+            panel%position(j) = pile%position_at(instant, panel%position(max(1, j - 1)), guess_of(panel%position, j, &
+               & panel%span/pile%spans(pile%count)))
             call pile%read_piece(panel%position(j), panel%depth(j), memory)
-            lag = instant%clock - passed(pile%times(:, pile%count), panel%position(j))
-            faded(j, :) = memory*exp(-lag*pile%rates)
+            faded(j, :) = memory*exp(-pile%lag_of(pile%count, panel%position(j), instant%since)*pile%rates)
          end do
       end associate
    end subroutine pass_piece
 
-   !> The time at which a spring of a piece passed the edge.
-   pure real(dp) function passed(times, s)
-      !> As in `timed_pile_t`.
-      real(dp), intent(in) :: times(4)
-      !> Position in the piece.
-      real(dp), intent(in) :: s
-
-      passed = times(1) + times(2)*(s + 1)/2
-   end function passed
-
    !> A guess of the position at a node from those before.
-   pure real(dp) function guess_of(position, j) result(guess)
+   pure real(dp) function guess_of(position, j, ratio) result(guess)
       real(dp), intent(in) :: position(n_nodes)
       integer, intent(in) :: j
+      !> Length of the panel over that of the piece.
+      real(dp), intent(in) :: ratio
 
       if (j == 1) then
          guess = position(1)
       else if (j == 2) then
-         guess = position(1) - 0.1_dp*(panel_nodes(2) - panel_nodes(1))
+         guess = position(1) - min(0.1_dp, ratio)*(panel_nodes(2) - panel_nodes(1))
       else if (j == 3) then
          guess = position(2) + (position(2) - position(1))*(panel_nodes(3) - panel_nodes(2))/(panel_nodes(2) - panel_nodes(1))
       else
@@ -236,15 +233,16 @@ contains
    pure subroutine find_free_axis(self, panel)
       type(timed_springs_t), intent(in) :: self
       type(timed_panel_t), intent(inout) :: panel
-      real(dp) :: memory(size(self%times)), depth
+      real(dp) :: memory(size(self%times)), depth, lag
       integer :: j
 
       panel%at_edge = 0
       panel%depth = panel%approach
       if (self%free%count == 0) return
-      call self%free%read_piece(self%free%ends(2, self%free%count), depth, memory)
-      associate (times => self%free%times(:, self%free%count))
-         memory = memory*exp(-(panel%clock - passed(times, self%free%ends(2, self%free%count)))*self%free%rates)
+      associate (free => self%free, end => self%free%ends(2, self%free%count))
+         call free%read_piece(end, depth, memory)
+         lag = free%lag_of(free%count, end, time_between(self%legs, free%marks(free%count), mark_of(self)))
+         memory = memory*exp(-lag*free%rates)
       end associate
       do j = 1, n_nodes
          associate (now => memory*exp(-panel%span*(panel_nodes(j) + 1)/2*self%free%rates))
@@ -270,10 +268,11 @@ contains
       integer :: j, step
 
       if (self%radius > 0) then
-         panel%approach = self%approach + approach_rate(self)*panel%phase_span*(panel_nodes + 1)/2
+         panel%rise = approach_rate(self)*panel%phase_span*(panel_nodes + 1)/2
+         panel%approach = self%approach + panel%rise
          return
       end if
-      panel%approach(1) = self%approach
+      panel%rise(1) = 0
       do j = 2, n_nodes
          given = prescribed_at(self%legs(self%leg), panel%phase + panel%phase_span*(panel_nodes(j) + 1)/2)
          low = 0
@@ -294,8 +293,9 @@ contains
             depth = depth + change
             if (.not. (depth > low .and. depth < high)) depth = merge((low + high)/2, high*0.03_dp, low > 0)
          end do
-         panel%approach(j) = self%approach + depth
+         panel%rise(j) = depth
       end do
+      panel%approach = self%approach + panel%rise
    end subroutine guess_approach
 
    !> d delta/d phase at the begin of the panel, in contact.
@@ -320,7 +320,7 @@ contains
       type(timed_panel_t), intent(inout) :: panel
       !> What is prescribed less what it is.
       real(dp), intent(in) :: residual(n_nodes)
-      !> Receives the largest change; enormous, if there is none.
+      !> Receives the largest change, over the size of depths, or of the load over that of loads; enormous, if there is none.
       real(dp), intent(out) :: change
       real(dp) :: matrix(n_nodes - 1, n_nodes - 1), step(n_nodes - 1, 1), answer(n_nodes, n_nodes)
       integer :: pivots(n_nodes - 1), info, i, j
@@ -341,9 +341,10 @@ contains
       change = huge(1.0_dp)
       if (info /= 0) return
       if (.not. all(abs(step) < huge(1.0_dp))) return
-      change = maxval(abs(step))
-      panel%approach(2:) = panel%approach(2:) + step(:, 1)
-      panel%approach(1) = self%approach
+      change = maxval(abs(step(:, 1))*max(1/self%depth_size, 2*self%glassy*panel%radius(2:)/self%load_size))
+      panel%rise(2:) = panel%rise(2:) + step(:, 1)
+      panel%rise(1) = 0
+      panel%approach = self%approach + panel%rise
    end subroutine correct_approach
 
    !> How fast the gap beside the edge closes: above 0 the contact grows, below 0 it shrinks.
@@ -352,7 +353,7 @@ contains
       type(timed_panel_t), intent(inout) :: panel
       integer :: i
 
-      panel%opening = matmul(panel_slopes, panel%approach)
+      panel%opening = matmul(panel_slopes, panel%rise)
       do i = 1, size(self%times)
          panel%opening = panel%opening - panel%span/2*self%moduli(i)/(self%times(i)*self%glassy)*panel%at_edge(:, i)
       end do
@@ -364,24 +365,28 @@ contains
       type(timed_springs_t), intent(in) :: self
       type(timed_panel_t), intent(inout) :: panel
       real(dp), parameter :: noise = 256*epsilon(1.0_dp)
-      real(dp) :: rate, radius_error, depth_error, load_error
+      real(dp) :: rate, radius_error, depth_error, load_error, decay, kept
       integer :: i
 
       depth_error = max(get_tail(panel%depth), get_tail(panel%approach))
       load_error = 0
       if (self%edge_mode /= lost) load_error = get_tail(panel%load)
-      rate = maxval(abs(matmul(panel_slopes, panel%approach)))
+      rate = maxval(abs(matmul(panel_slopes, panel%rise)))
       radius_error = get_tail(panel%radius)
       do i = 1, size(self%times)
+         decay = panel%span/self%times(i)
+         ! a fast arm remembers no more than the last moments of the panel
+         kept = 1
+         if (decay > 0) kept = lost_part(decay)/decay
          associate (edge => panel%at_edge(:, i), share => self%moduli(i)/self%glassy)
-            load_error = max(load_error, self%moduli(i)*(radius_error*(rate + maxval(edge) - minval(edge) &
+            load_error = max(load_error, self%moduli(i)*(radius_error*(rate*kept + maxval(edge) - minval(edge) &
                & + maxval(abs(edge))*(1 - panel%faded(n_nodes, i))) + (maxval(panel%radius) - minval(panel%radius))*get_tail(edge)))
             depth_error = max(depth_error, share*get_tail(panel%drive(:, i)), share*get_tail(edge))
          end associate
       end do
       panel%error = max(depth_error/self%depth_size, load_error/self%load_size)/self%tolerance
       panel%round_off = noise*max(maxval(abs(panel%approach))/self%depth_size, &
-         & self%glassy*maxval(panel%radius)*maxval(abs(panel%approach))/self%load_size)/self%tolerance
+         & self%glassy*maxval(panel%radius)*maxval(abs(panel%rise))/self%load_size)/self%tolerance
    end subroutine estimate_error
 
 end module adfric_round_timed_panel

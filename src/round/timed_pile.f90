@@ -9,19 +9,18 @@
 !> piece is that at the edge.
 module adfric_round_timed_pile
    use adfric_base_kinds, only: dp
-   use adfric_numerics_time_panels, only: n_nodes, get_weights
+   use adfric_numerics_time_panels, only: n_nodes, get_weights_from_end
+   use adfric_round_timed_path, only: mark_t
    implicit none (type, external)
    private
    public :: timed_pile_t, new_pile, instant_t
 
    !> A moment at which springs are looked at.
    type :: instant_t
-      !> Time.
-      real(dp) :: clock = 0
       !> Leg of the path.
       integer :: leg = 0
-      !> Phase of the leg.
-      real(dp) :: phase = 0
+      !> Time since the end of the last piece.
+      real(dp) :: since = 0
       !> b of the springs' F.
       real(dp) :: base = 0
    end type instant_t
@@ -38,15 +37,17 @@ module adfric_round_timed_pile
       real(dp), allocatable :: depths(:, :)
       !> Memory c_i at the nodes; shape `(n_nodes, n_arms, capacity)`.
       real(dp), allocatable :: memories(:, :, :)
-      !> Time at the begin of each piece, length in time, phase at the begin, length in phase; shape `(4, capacity)`.
-      real(dp), allocatable :: times(:, :)
-      !> Positions s where what is left of a piece begins and ends; shape `(2, capacity)`.
+      !> When each piece ends; shape `(capacity)`.
+      type(mark_t), allocatable :: marks(:)
+      !> Length in time of each piece; shape `(capacity)`.
+      real(dp), allocatable :: spans(:)
+      !> Positions where what is left of a piece begins and ends; shape `(2, capacity)`. They count from the end of the whole piece,
+      !> 0, down to its begin, -2.
       real(dp), allocatable :: ends(:, :)
-      !> Legs of the path; shape `(capacity)`.
-      integer, allocatable :: legs(:)
    contains
       procedure :: push
       procedure :: read_piece
+      procedure :: lag_of
       procedure :: read_at
       procedure :: value_at
       procedure :: value_per_lag
@@ -72,52 +73,51 @@ contains
    pure subroutine set_capacity(self, capacity)
       type(timed_pile_t), intent(inout) :: self
       integer, intent(in) :: capacity
-      real(dp), allocatable :: depths(:, :), memories(:, :, :), times(:, :), ends(:, :)
-      integer, allocatable :: legs(:)
+      real(dp), allocatable :: depths(:, :), memories(:, :, :), spans(:), ends(:, :)
+      type(mark_t), allocatable :: marks(:)
       integer :: n
 
       n = self%count
-      allocate (depths(n_nodes, capacity), memories(n_nodes, size(self%rates), capacity), times(4, capacity), ends(2, capacity), &
-         & legs(capacity))
+      allocate (depths(n_nodes, capacity), memories(n_nodes, size(self%rates), capacity), spans(capacity), ends(2, capacity), &
+         & marks(capacity))
       if (n > 0) then
          depths(:, :n) = self%depths(:, :n)
          memories(:, :, :n) = self%memories(:, :, :n)
-         times(:, :n) = self%times(:, :n)
+         spans(:n) = self%spans(:n)
          ends(:, :n) = self%ends(:, :n)
-         legs(:n) = self%legs(:n)
+         marks(:n) = self%marks(:n)
       end if
       call move_alloc(depths, self%depths)
       call move_alloc(memories, self%memories)
-      call move_alloc(times, self%times)
+      call move_alloc(spans, self%spans)
       call move_alloc(ends, self%ends)
-      call move_alloc(legs, self%legs)
+      call move_alloc(marks, self%marks)
    end subroutine set_capacity
 
    !> Put a piece at the edge.
-   pure subroutine push(self, times, leg, depths, memories)
+   pure subroutine push(self, end, span, depths, memories)
       class(timed_pile_t), intent(inout) :: self
-      !> Time at the begin, length in time, phase at the begin, length in phase.
-      real(dp), intent(in) :: times(4)
-      !> Leg of the path.
-      integer, intent(in) :: leg
+      !> When the piece ends, and its length in time.
+      type(mark_t), intent(in) :: end
+      real(dp), intent(in) :: span
       !> Depths and memory at the nodes; shapes `(n_nodes)` and `(n_nodes, n_arms)`.
       real(dp), intent(in) :: depths(:), memories(:, :)
 
-      if (self%count == size(self%legs)) call set_capacity(self, 2*self%count)
+      if (self%count == size(self%spans)) call set_capacity(self, 2*self%count)
       self%count = self%count + 1
       associate (n => self%count)
-         self%times(:, n) = times
-         self%legs(n) = leg
+         self%marks(n) = end
+         self%spans(n) = span
          self%depths(:, n) = depths
          self%memories(:, :, n) = memories
-         self%ends(:, n) = [-1, 1]
+         self%ends(:, n) = [-2, 0]
       end associate
    end subroutine push
 
    !> Depth and memory in the last piece.
    pure subroutine read_piece(self, s, depth, memory)
       class(timed_pile_t), intent(in) :: self
-      !> Position in the piece, from -1 to 1.
+      !> Position in the piece, from -2 to 0.
       real(dp), intent(in) :: s
       !> Receive G and c_i of the spring; shape `(n_arms)`.
       real(dp), intent(out) :: depth, memory(:)
@@ -130,16 +130,27 @@ contains
       class(timed_pile_t), intent(in) :: self
       !> Index of the piece.
       integer, intent(in) :: piece
-      !> Position in the piece, from -1 to 1.
+      !> Position in the piece, from -2 to 0.
       real(dp), intent(in) :: s
       !> Receive G and c_i of the spring; shape `(n_arms)`.
       real(dp), intent(out) :: depth, memory(:)
       real(dp) :: weights(n_nodes)
 
-      call get_weights(s, weights)
+      call get_weights_from_end(s, weights)
       depth = dot_product(weights, self%depths(:, piece))
       memory = matmul(weights, self%memories(:, :, piece))
    end subroutine read_at
+
+   !> Time since a spring passed the edge.
+   pure real(dp) function lag_of(self, piece, s, since) result(lag)
+      class(timed_pile_t), intent(in) :: self
+      !> Index of the piece.
+      integer, intent(in) :: piece
+      !> Position in the piece, and the time since its end.
+      real(dp), intent(in) :: s, since
+
+      lag = since - self%spans(piece)*s/2
+   end function lag_of
 
    !> F of a spring of the last piece.
    pure real(dp) function value_at(self, s, instant) result(value)
@@ -148,13 +159,12 @@ contains
       real(dp), intent(in) :: s
       !> When.
       type(instant_t), intent(in) :: instant
-      real(dp) :: depth, memory(size(self%rates)), lag
+      real(dp) :: depth, memory(size(self%rates))
 
       call self%read_piece(s, depth, memory)
-      associate (times => self%times(:, self%count))
-         lag = instant%clock - times(1) - times(2)*(s + 1)/2
+      associate (lag => self%lag_of(self%count, s, instant%since))
+         value = instant%base - self%depth_weight*depth + sum(self%weights*memory*exp(-self%rates*max(lag, 0.0_dp)))
       end associate
-      value = instant%base - self%depth_weight*depth + sum(self%weights*memory*exp(-self%rates*max(lag, 0.0_dp)))
    end function value_at
 
    !> F over the time since the spring passed the edge, where both are in one leg: in this form the root that F has at the moment
@@ -168,10 +178,8 @@ contains
       real(dp) :: lag
 
       value = self%value_at(s, instant)
-      associate (times => self%times(:, self%count))
-         lag = instant%phase - times(3) - times(4)*(s + 1)/2
-         if (self%legs(self%count) == instant%leg .and. lag > 0) value = value/lag
-      end associate
+      lag = self%lag_of(self%count, s, instant%since)
+      if (self%marks(self%count)%leg == instant%leg .and. lag > 0) value = value/lag
    end function value_per_lag
 
    !> The position in the last piece where F is zero; the begin of the piece, if F is below 0 there, and its end, if F is above 0 up
@@ -184,8 +192,8 @@ contains
       real(dp), intent(in) :: before
       !> A position that may be near.
       real(dp), intent(in) :: guess
-      real(dp), parameter :: beyond = 0.3_dp, small = 4*epsilon(1.0_dp), first_step = 1.0e-6_dp
-      integer, parameter :: most_steps = 60
+      real(dp), parameter :: beyond = 0.3_dp, small = 4*epsilon(1.0_dp), first_step = 1.0e-12_dp
+      integer, parameter :: most_steps = 100
       real(dp) :: low, high, at, next, last, at_last, least, most
       integer :: k
 
@@ -229,14 +237,14 @@ contains
          last = position
          at_last = at
          position = next
-         if (abs(position - last) <= small*(1 + abs(position))) return
+         if (abs(position - last) <= small*(first_step + abs(position))) return
          at = self%value_per_lag(position, instant)
          if (at >= 0) then
             low = position
          else
             high = position
          end if
-         if (high - low <= small) return
+         if (high - low <= small*(first_step + abs(low))) return
       end do
    end function position_at
 

@@ -10,11 +10,12 @@ module adfric_round_timed_springs
    use adfric_solid_prony, only: prony_t
    use adfric_solid_retardation, only: retardation_t, new_retardation
    use adfric_interface_normal_contact, only: normal_contact_t
-   use adfric_round_timed_path, only: timed_control_t, timed_leg_t
+   use adfric_round_timed_path, only: mark_t, timed_control_t, timed_leg_t
    use adfric_round_timed_pile, only: new_pile, timed_pile_t
    implicit none (type, external)
    private
    public :: timed_springs_t, new_timed_springs, get_spot, free_memory, lost, growing, growing_again, shrinking
+   public :: mark_of, thin_depth
 
    !> What the edge does: there is no contact; it grows over springs that were never touched, or over some that were; it shrinks.
    integer, parameter :: lost = 0, growing = 1, growing_again = 2, shrinking = 3
@@ -35,10 +36,12 @@ module adfric_round_timed_springs
       type(timed_leg_t), allocatable :: legs(:)
       !> What counts as small, as a share of the following sizes of depths and loads.
       real(dp) :: tolerance = 1.0e-10_dp, depth_size = 1, load_size = 1
+      !> Least modulus that the solid has along the path, over the instantaneous one.
+      real(dp) :: softness = 1
       !> Leg.
       integer :: leg = 1
-      !> Phase of the leg.
-      real(dp) :: phase = 0
+      !> Phase of the leg, and what its rounding left.
+      real(dp) :: phase = 0, phase_rest = 0
       !> One of `lost`, `growing`, `growing_again`, `shrinking`.
       integer :: edge_mode = lost
       !> Depth below which springs left contact all at once, as good as 0, and the radius of these.
@@ -92,6 +95,27 @@ contains
       call new_pile(self%touched, self%relaxed, self%moduli, 1/self%times)
       call new_pile(self%free, -1.0_dp, [(1.0_dp, k=1, n)], 1/retardation%times)
    end subroutine new_timed_springs
+
+   !> The moment; at the end of the path the end of its last leg.
+   pure type(mark_t) function mark_of(self)
+      type(timed_springs_t), intent(in) :: self
+
+      mark_of%leg = size(self%legs)
+      mark_of%phase = 1
+      if (self%leg > size(self%legs)) return
+      mark_of%leg = self%leg
+      mark_of%phase = self%phase
+      mark_of%rest = self%phase_rest
+   end function mark_of
+
+   !> A depth that counts for nothing: neither beside other depths, nor by the force of springs that all arms hold.
+   pure real(dp) function thin_depth(self, share) result(depth)
+      type(timed_springs_t), intent(in) :: self
+      !> The part of what is tolerated that it may be.
+      real(dp), intent(in) :: share
+
+      depth = min(share, self%softness)*self%tolerance*self%depth_size
+   end function thin_depth
 
    !> Radius of the contact at a depth, and the integral of g over it.
    elemental subroutine get_spot(contacts, depth, radius, moment)
