@@ -195,7 +195,8 @@ contains
          is_open = gap > 0 .or. .not. self%cells%has_wall()
          fixed = fixed_mean_t(state%mean_gap, state%mean_pressure)
          call self%work%solve(self%operator, slope, tolerance*self%cells%law%stress, is_open, gap, force, outcome, fixed)
-         if (outcome /= step_solved .or. self%operator%is_stopped()) return
+         if (self%operator%is_stopped()) return
+         if (outcome /= step_solved) return
          if (self%cells%has_wall()) exit
          call stiffen(self, state%gap, gap, slope, is_enough)
          if (is_enough) exit

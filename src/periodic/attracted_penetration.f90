@@ -284,7 +284,8 @@ contains
          return
       end if
       do k = 1, most_narrowing
-         if (abs(window%excess) <= near*(maxval(shape) - minval(shape)) .or. operator%is_stopped()) exit
+         if (operator%is_stopped()) exit
+         if (abs(window%excess) <= near*(maxval(shape) - minval(shape))) exit
          call look(window, operator, shape, path, next_load(window))
       end do
    end subroutine open_window
@@ -335,7 +336,8 @@ contains
       do k = 1, most_attempts
          state = window%state
          has_arrived = .false.
-         if (.not. window%is_known .or. operator%is_stopped()) exit
+         if (operator%is_stopped()) exit
+         if (.not. window%is_known) exit
          call path%follow(state, sum(shape)/size(shape) - window%penetration, window%tolerance, ends(1), ends(2), has_arrived)
          if (.not. window%has_state) exit
          load = merge(ends(1), ends(2), window%is_adhered)
