@@ -65,7 +65,8 @@ module adfric_periodic_attracted_contact
 
 contains
 
-   !> Find the extremal state of a grid. It is long by its comments.
+   !> Find the extremal state of a grid. Without a wall the most adhered state is found first where the other one is wanted: it ends the
+   !> interval of the chords, which without it would reach to gaps at which the law is stiffest.
    subroutine solve_attracted_contact(state, operator, cells, tolerance, falls, has_guess, has_state, start)
       !> In: shape and mean pressure; with a guess also gap and region. Out: the state with F for its pressure; `is_converged` tells
       !> whether it was found.
@@ -84,22 +85,48 @@ contains
       !> Gap from which the bound begins; not given: without tension (falling) or 0 (rising).
       real(dp), intent(in), optional :: start(:, :)
       type(linear_step_t) :: work
-      type(bound_t) :: bound
-      type(contact_state_t) :: other, try
-      integer :: k, next_try
+      type(contact_state_t) :: other, adhered
       logical :: has_other
 
       call new_linear_step(work, operator, state%shape, cells%has_wall())
       call set_scales(state, operator)
+      has_other = .false.
+      if (has_guess) then
+         other = state
+         call find_state_near(work, other, operator, cells, tolerance, has_other)
+      end if
+      if (falls .and. .not. (has_other .or. cells%has_wall())) then
+         adhered = state
+         call move_bound(work, adhered, operator, cells, tolerance, .false., other, has_other, has_state)
+         has_other = has_state .and. adhered%is_converged
+         if (has_other) other = adhered
+      end if
+      call move_bound(work, state, operator, cells, tolerance, falls, other, has_other, has_state, start)
+   end subroutine solve_attracted_contact
+
+   !> Move a bound to the extremal state. It is long by its comments.
+   subroutine move_bound(work, state, operator, cells, tolerance, falls, other, has_other, has_state, start)
+      type(linear_step_t), intent(inout) :: work
+      !> In: shape, mean pressure and scales. Out: the state with F for its pressure; `is_converged` tells whether it was found.
+      type(contact_state_t), intent(inout) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+      real(dp), intent(in) :: tolerance
+      logical, intent(in) :: falls
+      !> A state that is known; receives the one that is nearest to the bound.
+      type(contact_state_t), intent(inout) :: other
+      !> Is one known?
+      logical, intent(inout) :: has_other
+      !> Is there a state with contact?
+      logical, intent(out) :: has_state
+      !> Gap from which the bound begins, if it is given.
+      real(dp), intent(in), optional :: start(:, :)
+      type(bound_t) :: bound
+      integer :: k, next_try
+
       state%is_converged = .false.
       has_state = .true.
       bound%falls = falls
-      has_other = .false.
-      if (has_guess) then
-         try = state
-         call find_state_near(work, try, operator, cells, tolerance, has_other)
-         if (has_other) other = try
-      end if
       call begin(work, bound, state, operator, cells, has_state, start)
       if (.not. has_state) return
       next_try = merge(2, 1, has_other)
@@ -134,7 +161,7 @@ contains
          state%n_iterations = state%n_iterations + 1
       end do
       call take(bound, state)
-   end subroutine solve_attracted_contact
+   end subroutine move_bound
 
    !> May there be a state with contact above a bound that rises? Tensions are no larger in any state than beyond the gaps of the bound.
    !> Without a wall the least state has contact: else a bit less gap everywhere would pull more in each cell.

@@ -26,6 +26,8 @@ module adfric_periodic_attracted_path
    real(dp), parameter :: loss_of_step = 0.02_dp
    !> The same for round-off, over the energy.
    real(dp), parameter :: rounding = 1.0e-13_dp
+   !> Change of the mean gap that is none, in units of the range of the undeformed gap.
+   real(dp), parameter :: resting_gap = 1.0e-14_dp
    !> Largest change of a tension over the largest tension that ends rounds.
    real(dp), parameter :: resting_change = 1.0e-7_dp
    !> Newton's state is the one that rounds go to where it is not farther than so many times what their shrinking changes add up to.
@@ -110,6 +112,9 @@ contains
       real(dp) :: change, carried, energies(2)
 
       change = state%mean_gap - next%mean_gap
+      is_step = .not. abs(change) > resting_gap*next%gap_scale
+      ! a state is the one that Newton's method finds from itself
+      if (is_step) return
       carried = abs(next%mean_pressure) + sum_of(abs(self%cells%tension(next%gap)))/size(next%gap)
       energies = [energy_of(self, state), energy_of(self, next)]
       is_step = abs(energies(2) - energies(1) - (state%mean_pressure + next%mean_pressure)/2*change) &
@@ -120,12 +125,13 @@ contains
    real(dp) function energy_of(self, state) result(energy)
       class(attracted_path_t), intent(inout) :: self
       type(contact_state_t), intent(in) :: state
-      real(dp), allocatable :: force(:, :)
+      real(dp), allocatable :: force(:, :), change(:, :)
 
-      allocate (force, mold=state%gap)
-      call self%operator%apply_stiffness(state%gap - state%shape, force)
-      energy = sum((state%gap - state%shape)*force)/(2*size(force)) + self%cells%energy(state%gap) &
-         & + self%cells%opening_loss(state%gap)
+      ! the mean, which costs nothing, would only bring round-off
+      allocate (force, change, source=state%gap - state%shape)
+      change(:, :) = change - sum(change)/size(change)
+      call self%operator%apply_stiffness(change, force)
+      energy = sum(change*force)/(2*size(force)) + self%cells%energy(state%gap) + self%cells%opening_loss(state%gap)
    end function energy_of
 
    !> See `gap_path_t`.

@@ -111,13 +111,14 @@ contains
          window%is_adhered = attraction%is_adhered
          if (attraction%is_adhered .and. attraction%has_turned) then
             call begin_at_turn(window, operator, shape, cells(n), attraction)
+            solution%status = contact_not_converged
             if (.not. window%is_known) return
          else if (attraction%is_adhered) then
             call cells(n)%open_by(attraction%opening, .not. shape < 0)
          end if
          call new_attracted_path(path, operator, cells(n), shape)
          call open_window(window, operator, shape, path, bare_load)
-         call search(window, operator, shape, path)
+         if (window%is_known) call search(window, operator, shape, path)
       end associate
       solution%n_applied = self%grids(n)%operator%n_applied - n_before
       solution%n_pairs = solution%n_pairs + solution%n_applied
@@ -280,14 +281,19 @@ contains
          end do
       end if
       if (.not. window%has_state) then
-         call start_apart(window, operator, shape, path)
+         ! where no load of the adhered branch is near enough, none was found
+         if (window%is_known) window%is_known = .not. window%is_adhered
+         if (window%is_known) call start_apart(window, operator, shape, path)
          return
       end if
       do k = 1, most_narrowing
          if (operator%is_stopped()) exit
+         ! next to a fold a bound takes long; the path goes on from what is known
+         if (.not. window%is_known) exit
          if (abs(window%excess) <= near*(maxval(shape) - minval(shape))) exit
          call look(window, operator, shape, path, next_load(window))
       end do
+      window%is_known = .true.
    end subroutine open_window
 
    !> Begin far apart, or at the penetration if that is farther.
@@ -337,7 +343,6 @@ contains
          state = window%state
          has_arrived = .false.
          if (operator%is_stopped()) exit
-         if (.not. window%is_known) exit
          call path%follow(state, sum(shape)/size(shape) - window%penetration, window%tolerance, ends(1), ends(2), has_arrived)
          if (.not. window%has_state) exit
          load = merge(ends(1), ends(2), window%is_adhered)

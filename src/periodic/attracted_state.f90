@@ -12,7 +12,7 @@ module adfric_periodic_attracted_state
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: find_state_near, has_contact, is_apart, lies_within, set_force, set_linear_force, set_scales, violation_of
+   public :: find_state_near, has_contact, is_apart, set_force, set_linear_force, set_scales, violation_of
 
    !> Steps of Newton's method at most.
    integer, parameter :: most_tries = 30
@@ -20,6 +20,8 @@ module adfric_periodic_attracted_state
    real(dp), parameter :: next_goal = 0.01_dp
    !> Residual over the one before that Newton's method must reach in one of a few tries.
    real(dp), parameter :: worthwhile = 0.5_dp
+   !> Part of the largest tension that is none.
+   real(dp), parameter :: no_tension = 1.0e-15_dp
    !> Tries without that.
    integer, parameter :: most_failures = 3
    !> Part of the distance from where a law without a wall ends that is left after a step.
@@ -107,26 +109,15 @@ contains
       has_contact = .not. minval(gap) > cells%contact_gap()
    end function has_contact
 
-   !> Does no cell attract?
+   !> Does no cell attract, but for what is round-off of the largest tension?
    pure logical function is_apart(gap, cells)
       !> Gap in the cells.
       real(dp), intent(in) :: gap(:, :)
       !> Attraction of the cells.
       type(attraction_cells_t), intent(in) :: cells
 
-      is_apart = .not. any(abs(cells%tension(gap)) > 0)
+      is_apart = .not. any(abs(cells%tension(gap)) > no_tension*cells%law%stress)
    end function is_apart
-
-   !> Is a gap one that the law has?
-   pure logical function lies_within(gap, cells)
-      !> Gap in the cells.
-      real(dp), intent(in) :: gap(:, :)
-      !> Attraction of the cells.
-      type(attraction_cells_t), intent(in) :: cells
-
-      lies_within = cells%has_wall()
-      if (.not. lies_within) lies_within = minval(gap) > -(1 - epsilon(1.0_dp))*cells%law%range
-   end function lies_within
 
    !> Newton's method for a state near a gap. Under a mean pressure a state without contact is none that is wanted.
    subroutine find_state_near(work, state, operator, cells, tolerance, has_found)

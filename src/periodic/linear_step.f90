@@ -153,6 +153,8 @@ contains
          else
             call self%descend(operator, slope, gap, force, has_direction, curvature, fixed)
             if (curvature > 0) cycle
+            ! the mean pressure alone may have been what was missing
+            if (present(fixed) .and. .not. maxval(abs(force), mask=is_open) > goal) cycle
             outcome = step_indefinite
             return
          end if
