@@ -42,6 +42,8 @@ module adfric_periodic_attracted_contact
    real(dp), parameter :: next_goal = 0.01_dp
    !> Part of the slopes below which they are left out.
    real(dp), parameter :: least_part = 0.05_dp
+   !> How far a bound without a wall strays on maps, in ranges.
+   real(dp), parameter :: stray = 1.0e-2_dp
    !> What may be left, over what is usual, below which a bound does not go on.
    real(dp), parameter :: least_care = 1.0e-9_dp
 
@@ -139,7 +141,7 @@ contains
          end if
          if (.not. falls) has_state = may_hold(bound, state, cells)
          if (.not. has_state) return
-         if (has_other) has_other = is_beyond(other%gap, bound, tolerance*state%gap_scale)
+         if (has_other) has_other = is_beyond(other%gap, bound, slack(state, cells, tolerance))
          ! from above Newton's method is the step of the bound itself, for a convex law
          if (k >= next_try .and. .not. (falls .and. cells%has_wall())) then
             call look_near(work, bound, state, operator, cells, tolerance, other, has_other)
@@ -194,7 +196,7 @@ contains
       try = state
       call take(bound, try)
       call find_state_near(work, try, operator, cells, tolerance, has_found)
-      if (has_found) has_found = is_beyond(try%gap, bound, tolerance*state%gap_scale)
+      if (has_found) has_found = is_beyond(try%gap, bound, slack(state, cells, tolerance))
       if (has_found .and. has_other) has_found = merge(sum(try%gap) > sum(other%gap), sum(try%gap) < sum(other%gap), bound%falls)
       if (.not. has_found) return
       other = try
@@ -355,6 +357,17 @@ contains
       bound%is_open(:, :) = bound%gap > 0 .or. .not. cells%has_wall()
       bound%part = min(1.0_dp, max(2*bound%part, 2*least_part))
    end subroutine step
+
+   !> Gap by which a state may lie on the wrong side of a bound. On maps, whose stiffness has some positive entries, a bound strays.
+   pure real(dp) function slack(state, cells, tolerance)
+      !> Scale of the gap.
+      type(contact_state_t), intent(in) :: state
+      type(attraction_cells_t), intent(in) :: cells
+      real(dp), intent(in) :: tolerance
+
+      slack = tolerance*state%gap_scale
+      if (size(state%shape, 2) > 1 .and. .not. cells%has_wall()) slack = max(slack, stray*cells%law%range)
+   end function slack
 
    !> Does a state lie beyond the bound, but for a small gap?
    pure logical function is_beyond(gap, bound, small)

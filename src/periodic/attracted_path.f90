@@ -24,7 +24,10 @@ module adfric_periodic_attracted_path
 
    !> Part of the load and the tension together by which the energy of a step may differ from that of the trapezium.
    real(dp), parameter :: loss_of_step = 0.02_dp
-   !> The same for round-off, over the energy.
+   !> The least load and tension together that count, in units of the largest tension, and the residual of states on the path: far apart
+   !> the load of a state that is less exact would not follow the tension.
+   real(dp), parameter :: least_carried = 1.0e-8_dp, path_tolerance = 1.0e-10_dp
+   !> Round-off of an energy, over the energy.
    real(dp), parameter :: rounding = 1.0e-13_dp
    !> Change of the mean gap that is none, in units of the range of the undeformed gap.
    real(dp), parameter :: resting_gap = 1.0e-14_dp
@@ -102,7 +105,7 @@ contains
       real(dp), intent(in) :: tolerance
       logical, intent(out) :: has_found
 
-      call find_state_near(self%work, state, self%operator, self%cells, tolerance, has_found)
+      call find_state_near(self%work, state, self%operator, self%cells, min(tolerance, path_tolerance), has_found)
    end subroutine find
 
    !> See `gap_path_t`: is the energy of a step that of a path without a jump?
@@ -116,6 +119,7 @@ contains
       ! a state is the one that Newton's method finds from itself
       if (is_step) return
       carried = abs(next%mean_pressure) + sum_of(abs(self%cells%tension(next%gap)))/size(next%gap)
+      carried = max(carried, least_carried*self%cells%law%stress)
       energies = [energy_of(self, state), energy_of(self, next)]
       is_step = abs(energies(2) - energies(1) - (state%mean_pressure + next%mean_pressure)/2*change) &
          & <= loss_of_step*carried*abs(change) + rounding*maxval(abs(energies))

@@ -21,7 +21,11 @@ module adfric_periodic_attracted_state
    !> Residual over the one before that Newton's method must reach in one of a few tries.
    real(dp), parameter :: worthwhile = 0.5_dp
    !> Part of the largest tension that is none.
-   real(dp), parameter :: no_tension = 1.0e-15_dp
+   real(dp), parameter :: no_tension = 1.0e-12_dp
+   !> The least scale of pressures, in units of the largest tension.
+   real(dp), parameter :: least_scale = 1.0e-3_dp
+   !> Round-off of a gap, in units of the gap.
+   real(dp), parameter :: digits = 8*epsilon(1.0_dp)
    !> Tries without that.
    integer, parameter :: most_failures = 3
    !> Part of the distance from where a law without a wall ends that is left after a step.
@@ -51,7 +55,12 @@ contains
       !> Receives it [E*].
       real(dp), intent(out), contiguous :: force(:, :)
 
-      call operator%apply_stiffness(gap - state%shape, force)
+      real(dp) :: mean
+
+      ! far apart the mean, which costs nothing, would only bring round-off
+      mean = 0
+      if (state%has_fixed_mean) mean = sum(gap - state%shape)/size(gap)
+      call operator%apply_stiffness(gap - state%shape - mean, force)
       force(:, :) = state%mean_pressure + force
    end subroutine set_linear_force
 
@@ -76,9 +85,9 @@ contains
       force(:, :) = force + tension
       ! the largest pressure and tension together, or without a wall the larger of both
       if (cells%has_wall()) then
-         state%pressure_scale = max(maxval(force), 1.0e-3_dp*cells%law%stress)
+         state%pressure_scale = max(maxval(force), least_scale*cells%law%stress)
       else
-         state%pressure_scale = max(maxval(abs(tension)), 1.0e-3_dp*cells%law%stress)
+         state%pressure_scale = max(maxval(abs(tension)), least_scale*cells%law%stress)
       end if
       residual = violation_of(force, gap, state, cells)
    end subroutine set_force
@@ -136,7 +145,7 @@ contains
       logical, intent(out) :: has_found
       type(fixed_mean_t) :: fixed
       real(dp), allocatable :: before(:, :)
-      real(dp) :: residual, best, goal
+      real(dp) :: residual, best, goal, allowed
       integer :: k, n_failures, outcome
 
       has_found = .false.
@@ -150,7 +159,10 @@ contains
          if (operator%is_stopped()) return
          call set_force(state, operator, cells, state%gap, state%pressure, residual)
          if (state%has_fixed_mean) residual = max(residual, abs(sum(state%gap)/size(state%gap) - state%mean_gap)/state%gap_scale)
-         if (.not. residual > tolerance) then
+         allowed = tolerance
+         ! far apart the gap has no more digits
+         if (state%has_fixed_mean) allowed = max(tolerance, digits*maxval(state%gap)*state%cell_stiffness/state%pressure_scale)
+         if (.not. residual > allowed) then
             has_found = state%has_fixed_mean .or. has_contact(state%gap, cells)
             state%is_converged = has_found
             return
@@ -160,7 +172,7 @@ contains
          if (n_failures > most_failures) return
          best = min(best, residual)
          before(:, :) = state%gap
-         goal = max(tolerance/4, next_goal*min(residual, 1.0_dp))*state%pressure_scale
+         goal = max(allowed/4, next_goal*min(residual, 1.0_dp))*state%pressure_scale
          if (state%has_fixed_mean) then
             fixed = fixed_mean_t(state%mean_gap, state%mean_pressure)
             call work%solve(operator, cells%slope(state%gap), goal, state%is_open, state%gap, state%pressure, outcome, fixed)
