@@ -31,7 +31,7 @@ module adfric_periodic_adhesive_path
    real(dp), parameter :: margin = 3
 
    !> A surface that adheres by the law of Maugis and Dugdale.
-   type, extends(gap_path_t) :: adhesive_path_t
+   type, extends(gap_path_t) :: dugdale_path_t
       !> Workspace of the iterations over the open cells.
       type(gap_solver_t), pointer :: gap_solver => null()
    contains
@@ -39,7 +39,7 @@ module adfric_periodic_adhesive_path
       procedure :: is_step
       procedure :: jump
       procedure :: is_free
-   end type adhesive_path_t
+   end type dugdale_path_t
 
 contains
 
@@ -58,7 +58,7 @@ contains
       real(dp), intent(out) :: least_load, largest_load
       !> Receives whether the mean gap was reached.
       logical, intent(out) :: has_arrived
-      type(adhesive_path_t) :: path
+      type(dugdale_path_t) :: path
 
       path%operator => operator
       path%gap_solver => gap_solver
@@ -67,7 +67,7 @@ contains
 
    !> See `gap_path_t`.
    subroutine find(self, state, tolerance, has_found)
-      class(adhesive_path_t), intent(inout) :: self
+      class(dugdale_path_t), intent(inout) :: self
       type(contact_state_t), intent(inout) :: state
       real(dp), intent(in) :: tolerance
       logical, intent(out) :: has_found
@@ -77,7 +77,7 @@ contains
 
    !> See `gap_path_t`.
    logical function is_step(self, state, next)
-      class(adhesive_path_t), intent(inout) :: self
+      class(dugdale_path_t), intent(inout) :: self
       type(contact_state_t), intent(in) :: state, next
 
       if (self%operator%is_symmetric) then
@@ -118,7 +118,7 @@ contains
 
    !> See `gap_path_t`.
    subroutine jump(self, state, tolerance, rounds_at_most, next, has_found)
-      class(adhesive_path_t), intent(inout) :: self
+      class(dugdale_path_t), intent(inout) :: self
       type(contact_state_t), intent(in) :: state
       real(dp), intent(in) :: tolerance
       !> Turns that are made at most.
@@ -167,7 +167,7 @@ contains
 
    !> See `gap_path_t`: no cell is within the range.
    logical function is_free(self, state)
-      class(adhesive_path_t), intent(in) :: self
+      class(dugdale_path_t), intent(in) :: self
       type(contact_state_t), intent(in) :: state
 
       is_free = .not. any(state%cohesion%share > 0)

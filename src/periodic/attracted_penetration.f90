@@ -12,6 +12,8 @@
 !>
 !> Loads are tried until one that has passed delta lies near. The state before it is followed to delta. Where the branch under a load
 !> a little beyond all loads on this path has passed delta, or has no state, no other load is in question.
+!>
+!> The file is long by the search through loads, whose steps share a window.
 module adfric_periodic_attracted_penetration
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -44,7 +46,7 @@ module adfric_periodic_attracted_penetration
    integer, parameter :: most_looks = 4
 
    !> What is known of the branch under a load.
-   type :: window_t
+   type :: attracted_window_t
       !> Is the adhered branch wanted, that comes from larger loads? Else the other, that comes from smaller ones.
       logical :: is_adhered = .true.
       !> The wanted penetration, and a distance that is none; in the unit of the gap.
@@ -67,7 +69,7 @@ module adfric_periodic_attracted_penetration
       real(dp), allocatable :: gap_of_turn(:, :)
       !> Has the last load told something?
       logical :: is_known = .true.
-   end type window_t
+   end type attracted_window_t
 
 contains
 
@@ -89,7 +91,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(attraction_cells_t), allocatable :: cells(:)
       type(attracted_path_t) :: path
-      type(window_t) :: window
+      type(attracted_window_t) :: window
       real(dp) :: bare_load
       integer :: n, n_before
 
@@ -131,7 +133,7 @@ contains
    subroutine find_bare_load(self, shape, window, load, solution, error)
       type(periodic_solver_t), intent(inout) :: self
       real(dp), intent(in) :: shape(:, :)
-      type(window_t), intent(in) :: window
+      type(attracted_window_t), intent(in) :: window
       !> Receives the load, >= 0 [E*].
       real(dp), intent(out) :: load
       !> Receives pairs of transforms.
@@ -154,7 +156,7 @@ contains
    !> After a turn the state is that of loading for penetrations that the turn did not reach, and comes from that of the turn else.
    subroutine begin_at_turn(window, operator, shape, cells, attraction)
       !> Receives the side, and the state of the turn.
-      type(window_t), intent(inout) :: window
+      type(attracted_window_t), intent(inout) :: window
       type(periodic_operator_t), intent(inout) :: operator
       real(dp), intent(in) :: shape(:, :)
       !> Attraction of the finest grid; receives what has been in contact at the turn.
@@ -175,7 +177,7 @@ contains
    !> Find the extremal state under a load, on the side of the branch; without a gap where there is none.
    subroutine solve_load(window, operator, shape, cells, load, state)
       !> What is known of the branch; receives whether the load has told something.
-      type(window_t), intent(inout) :: window
+      type(attracted_window_t), intent(inout) :: window
       type(periodic_operator_t), intent(inout) :: operator
       real(dp), intent(in) :: shape(:, :)
       type(attraction_cells_t), intent(in) :: cells
@@ -201,7 +203,7 @@ contains
    !> Take note on which side of the penetration the state of a load is.
    subroutine take_note(window, load, state)
       !> What is known; receives one more state or load.
-      type(window_t), intent(inout) :: window
+      type(attracted_window_t), intent(inout) :: window
       !> Mean pressure [E*].
       real(dp), intent(in) :: load
       !> Its state; without a gap where there is none.
@@ -232,7 +234,7 @@ contains
 
    !> Solve under a load, and take note of it.
    subroutine look(window, operator, shape, path, load)
-      type(window_t), intent(inout) :: window
+      type(attracted_window_t), intent(inout) :: window
       type(periodic_operator_t), intent(inout) :: operator
       real(dp), intent(in) :: shape(:, :)
       type(attracted_path_t), intent(in) :: path
@@ -246,7 +248,7 @@ contains
    !> Find a state that has not passed the penetration, and a load that has.
    subroutine open_window(window, operator, shape, path, bare_load)
       !> In: with the state of a turn. Out: both ends are known.
-      type(window_t), intent(inout) :: window
+      type(attracted_window_t), intent(inout) :: window
       type(periodic_operator_t), intent(inout) :: operator
       real(dp), intent(in) :: shape(:, :)
       type(attracted_path_t), intent(inout) :: path
@@ -298,7 +300,7 @@ contains
 
    !> Begin far apart, or at the penetration if that is farther.
    subroutine start_apart(window, operator, shape, path)
-      type(window_t), intent(inout) :: window
+      type(attracted_window_t), intent(inout) :: window
       type(periodic_operator_t), intent(in) :: operator
       real(dp), intent(in) :: shape(:, :)
       type(attracted_path_t), intent(inout) :: path
@@ -319,7 +321,7 @@ contains
 
    !> A load between the ends of the window: on the line through both, or in the middle.
    pure real(dp) function next_load(window) result(load)
-      type(window_t), intent(in) :: window
+      type(attracted_window_t), intent(in) :: window
       real(dp) :: part
 
       part = 0.5_dp
@@ -330,7 +332,7 @@ contains
    !> Follow the state of the window to the penetration, until no other load is in question.
    subroutine search(window, operator, shape, path)
       !> In: both ends. Out: the state at the penetration, if it has converged.
-      type(window_t), intent(inout) :: window
+      type(attracted_window_t), intent(inout) :: window
       type(periodic_operator_t), intent(inout) :: operator
       real(dp), intent(in) :: shape(:, :)
       type(attracted_path_t), intent(inout) :: path
