@@ -144,20 +144,21 @@ contains
       !> Receives whether a state was found.
       logical, intent(out) :: has_found
       type(fixed_mean_t) :: fixed
-      real(dp), allocatable :: before(:, :)
+      real(dp), allocatable :: before(:, :), force(:, :)
       real(dp) :: residual, best, goal, allowed
       integer :: k, n_failures, outcome
 
       has_found = .false.
       state%is_converged = .false.
       call set_scales(state, operator)
-      allocate (before, source=state%gap)
+      allocate (before, force, source=state%gap)
       state%is_open = .not. (cells%has_wall() .and. .not. state%gap > 0)
       best = huge(best)
       n_failures = 0
       do k = 1, most_tries
          if (operator%is_stopped()) return
-         call set_force(state, operator, cells, state%gap, state%pressure, residual)
+         call set_force(state, operator, cells, state%gap, force, residual)
+         state%pressure(:, :) = force
          if (state%has_fixed_mean) residual = max(residual, abs(sum(state%gap)/size(state%gap) - state%mean_gap)/state%gap_scale)
          allowed = tolerance
          ! far apart the gap has no more digits
