@@ -46,6 +46,8 @@ module adfric_interface_attraction
       procedure :: end_of_tension
       procedure :: has_wall
       procedure :: gap_of_largest
+      procedure :: gap_of_steepest
+      procedure :: gap_before_largest
       procedure :: in_units
       procedure :: stretched
    end type attraction_t
@@ -276,6 +278,34 @@ contains
       gap = 0
       if (self%law == law_lennard_jones) gap = self%range*(3.0_dp**(1.0_dp/6) - 1)
    end function gap_of_largest
+
+   !> Gap at which the tension of Lennard-Jones falls most steeply: before it the law is concave, and convex behind it.
+   pure real(dp) function gap_of_steepest(self) result(gap)
+      class(attraction_t), intent(in) :: self
+
+      gap = self%range*(7.5_dp**(1.0_dp/6) - 1)
+   end function gap_of_steepest
+
+   !> Gap before that of the largest tension at which Lennard-Jones's law has a tension.
+   pure real(dp) function gap_before_largest(self, tension) result(gap)
+      class(attraction_t), intent(in) :: self
+      !> The tension, below the largest one; below 0 where the surfaces push.
+      real(dp), intent(in) :: tension
+      !> Newton's method falls to the root without passing it; far out by a third of the distance in each step.
+      integer, parameter :: most_steps = 60
+      real(dp) :: t, u, step
+      integer :: k
+
+      ! u^3 - u + t = 0 with u = (1 + g/r)^-3, the largest root
+      t = 3*self%range*tension/(8*self%work)
+      u = 1 + max(0.0_dp, -t)**(1.0_dp/3)
+      do k = 1, most_steps
+         step = (u**3 - u + t)/(3*u**2 - 1)
+         if (.not. step > epsilon(u)*u) exit
+         u = u - step
+      end do
+      gap = self%range*(u**(-1.0_dp/3) - 1)
+   end function gap_before_largest
 
    !> The same law with stresses and lengths in other units.
    pure type(attraction_t) function in_units(self, stress, length) result(other)

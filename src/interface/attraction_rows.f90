@@ -7,13 +7,13 @@ module adfric_interface_attraction_rows
    use adfric_base_unset, only: is_set, unset
    use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_approach, check_adhesion, has_adhesion, n_adhesion_rows, &
       & resolve_adhesion
-   use adfric_interface_attraction, only: attraction_of_table, attraction_of_two, attraction_t, law_dugdale, law_exponential, &
-      & law_linear, law_table, law_van_der_waals, work_ratio
+   use adfric_interface_attraction, only: attraction_of_table, attraction_of_two, attraction_t, law_dugdale, law_lennard_jones, &
+      & law_table, law_words, work_ratio
    use adfric_describe_rows, only: above_zero, choice, columns_row, dataset
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
-   public :: given_attraction_t, set_attraction_rows, check_attraction, has_attraction, is_dugdale
+   public :: given_attraction_t, set_attraction_rows, check_attraction, has_attraction, has_wall_at_contact
    public :: largest_tension, resolve_attraction, n_attraction_rows
    public :: law_row, table_row, problem_of_table
 
@@ -26,9 +26,6 @@ module adfric_interface_attraction_rows
       & opening = n_adhesion_rows + 4
    !> Number of the rows of this file.
    integer, parameter :: n_attraction_rows = opening - n_adhesion_rows
-   !> The laws of the choice, and their indices.
-   character(*), parameter :: words = 'dugdale exponential linear van_der_waals table'
-   integer, parameter :: laws(5) = [law_dugdale, law_exponential, law_linear, law_van_der_waals, law_table]
 
    !> What an input gives of the attraction beside single numbers.
    type :: given_attraction_t
@@ -48,7 +45,7 @@ contains
       type(variable_t), intent(out) :: rows(:)
       character(*), parameter :: group = 'adhesion'
 
-      rows(law - n_adhesion_rows) = law_row(words)
+      rows(law - n_adhesion_rows) = law_row(law_words)
       rows(table - n_adhesion_rows) = table_row()
       rows(map - n_adhesion_rows) = dataset(group=group, name='work_map', unit='-', largest_rank=2, least_count=1, &
          & meaning='work of adhesion of each cell of the heights over work_of_adhesion; 1 if not given')
@@ -91,16 +88,16 @@ contains
       real(dp), intent(in) :: values(:)
 
       law_of = law_dugdale
-      if (is_set(values(law))) law_of = laws(nint(values(law)))
+      if (is_set(values(law))) law_of = nint(values(law))
    end function law_of
 
-   !> Is the law Dugdale's?
-   pure logical function is_dugdale(values)
+   !> Is there a hard wall at the gap 0?
+   pure logical function has_wall_at_contact(values) result(has_wall)
       !> Values of the rows of adhesion and attraction.
       real(dp), intent(in) :: values(:)
 
-      is_dugdale = law_of(values) == law_dugdale
-   end function is_dugdale
+      has_wall = law_of(values) /= law_lennard_jones
+   end function has_wall_at_contact
 
    !> Values of the rows of adhesion, with a stress where work and range stand for it: that of Dugdale's law, which has a work as other
    !> laws do.
@@ -154,7 +151,7 @@ contains
       !> Receives the adhesion. Stress and range are those of Dugdale's law with the same largest tension and work.
       type(adhesion_law_t), intent(out) :: adhesion
 
-      if (is_dugdale(values)) then
+      if (law_of(values) == law_dugdale) then
          call resolve_adhesion(with_stress(values), adhesion)
       else
          call resolve_law(values, given, adhesion)
@@ -251,6 +248,8 @@ contains
       if (.not. (is_set(values(map)) .and. allocated(given%map))) return
       if (any(given%map < 0)) call add(map, 'has works below 0')
       if (.not. any(given%map > 0)) call add(map, 'has no work above 0')
+      if (.not. has_wall_at_contact(values) .and. .not. all(given%map > 0)) call add(map, 'has works of 0, which do not push, '// &
+         & 'and law = ''lennard_jones'' has no wall')
 
    contains
 
@@ -281,6 +280,8 @@ contains
       associate (row => rows(opening))
          if (.not. has_attraction(values)) then
             call problems%add(row%group, row%name, 'has no meaning without a stress of adhesion')
+         else if (.not. has_wall_at_contact(values)) then
+            call problems%add(row%group, row%name, 'has no meaning for law = ''lennard_jones'', which pushes in contact')
          else if (nint(values(branch)) == branch_approach) then
             call problems%add(row%group, row%name, 'has no meaning for branch = ''approach'', which does not open')
          else

@@ -25,10 +25,11 @@ module adfric_periodic_adhesive_penetration
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_periodic_adhesive_contact, only: find_state
-   use adfric_periodic_adhesive_path, only: follow_state, penetration_of
+   use adfric_periodic_adhesive_path, only: follow_state
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, set_opening_loss, solve_adhesive_state
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
+   use adfric_periodic_gap_path, only: penetration_of
    use adfric_periodic_grids, only: coarsen
    use adfric_periodic_maps, only: sum_of
    use adfric_periodic_sliding_steps, only: solve_by_steps

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Contact of a periodic surface on one grid whose cells attract each other by any falling law: the most adhered state and the least
-!> adhered one.
+!> Contact of a periodic surface on one grid whose cells attract each other by any law: the most adhered state and the least adhered one
+!> under a load.
 !>
 !> With the gap g of the cells, the stiffness A, the mean pressure q and the tension s(g_i) of each cell a state has
 !>
@@ -8,7 +8,11 @@
 !>
 !> F being the pressure and the tension together. No entry of A off its diagonal is positive (in one direction; nearly so in two), so F_i
 !> falls with every other gap. Then there is a state with the least gaps in all cells, the most adhered one, and for q > 0 one with
-!> the largest (A. Tamir, Math. Program. 7, 1974, 17).
+!> the largest (A. Tamir, Math. Program. 7, 1974, 17). Nothing is asked of the law but that the tension of a cell is that of its own gap.
+!>
+!> Lennard-Jones's law rises up to its largest tension and has no wall: F = 0, and gaps are above -range. The same order holds. Its
+!> most adhered state lies above the constant gap at which it pushes the full contact apart, and the least adhered one below the
+!> contact without tension, as its push only parts cells further.
 !>
 !> **Bounds.** A gap b on the adhered side of the least gaps, g = 0 at first, goes up by linear problems (`adfric_periodic_linear_step`)
 !> whose slopes are no smaller than any chord of the law from b into the interval where the state lies. With such slopes the linear
@@ -23,6 +27,7 @@
 !> a state itself is the extremal one.
 module adfric_periodic_attracted_contact
    use adfric_base_kinds, only: dp
+   use adfric_periodic_attracted_state, only: find_state_near, has_contact, set_force, set_linear_force, set_scales
    use adfric_periodic_attraction_cells, only: attraction_cells_t
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_linear_step, only: linear_step_t, new_linear_step, step_solved
@@ -31,16 +36,14 @@ module adfric_periodic_attracted_contact
    private
    public :: solve_attracted_contact
 
-   !> Steps of a bound, and of Newton's method, at most.
-   integer, parameter :: most_steps = 300, most_tries = 30
+   !> Steps of a bound at most.
+   integer, parameter :: most_steps = 300
    !> What a linear problem may leave, in units of the residual before it.
    real(dp), parameter :: next_goal = 0.01_dp
-   !> Residual over the one before that Newton's method must reach in one of a few tries.
-   real(dp), parameter :: worthwhile = 0.5_dp
-   !> Tries without that.
-   integer, parameter :: most_failures = 3
    !> Part of the slopes below which they are left out.
    real(dp), parameter :: least_part = 0.05_dp
+   !> How far a bound without a wall strays on maps, in ranges.
+   real(dp), parameter :: stray = 1.0e-2_dp
    !> What may be left, over what is usual, below which a bound does not go on.
    real(dp), parameter :: least_care = 1.0e-9_dp
 
@@ -54,15 +57,18 @@ module adfric_periodic_attracted_contact
       real(dp) :: care = 1
       !> Gap b, what presses the cells together there [E*]; shape of the cells.
       real(dp), allocatable :: gap(:, :), force(:, :)
-      !> Has the cell a gap? Shape of the cells.
+      !> Has the cell a gap? All have where there is no wall. Shape of the cells.
       logical, allocatable :: is_open(:, :)
+      !> A gap that no state has less of.
+      real(dp) :: least_gap = 0
       !> Residual of b as a state [-].
       real(dp) :: residual = huge(1.0_dp)
    end type bound_t
 
 contains
 
-   !> Find the extremal state of a grid. It is long by its comments.
+   !> Find the extremal state of a grid. Without a wall the most adhered state is found first where the other one is wanted: it ends the
+   !> interval of the chords, which without it would reach to gaps at which the law is stiffest.
    subroutine solve_attracted_contact(state, operator, cells, tolerance, falls, has_guess, has_state, start)
       !> In: shape and mean pressure; with a guess also gap and region. Out: the state with F for its pressure; `is_converged` tells
       !> whether it was found.
@@ -81,24 +87,50 @@ contains
       !> Gap from which the bound begins; not given: without tension (falling) or 0 (rising).
       real(dp), intent(in), optional :: start(:, :)
       type(linear_step_t) :: work
-      type(bound_t) :: bound
-      type(contact_state_t) :: other, try
-      integer :: k, next_try
+      type(contact_state_t) :: other, adhered
       logical :: has_other
 
-      call new_linear_step(work, operator, state%shape)
-      state%gap_scale = maxval(state%shape) - minval(state%shape)
-      state%cell_stiffness = operator%mean_stiffness(operator%n_cells)
+      call new_linear_step(work, operator, state%shape, cells%has_wall())
+      call set_scales(state, operator)
+      has_other = .false.
+      if (has_guess) then
+         other = state
+         call find_state_near(work, other, operator, cells, tolerance, has_other)
+      end if
+      if (falls .and. .not. (has_other .or. cells%has_wall())) then
+         adhered = state
+         call move_bound(work, adhered, operator, cells, tolerance, .false., other, has_other, has_state)
+         has_other = has_state .and. adhered%is_converged
+         if (has_other) other = adhered
+      end if
+      call move_bound(work, state, operator, cells, tolerance, falls, other, has_other, has_state, start)
+   end subroutine solve_attracted_contact
+
+   !> Move a bound to the extremal state. It is long by its comments.
+   subroutine move_bound(work, state, operator, cells, tolerance, falls, other, has_other, has_state, start)
+      type(linear_step_t), intent(inout) :: work
+      !> In: shape, mean pressure and scales. Out: the state with F for its pressure; `is_converged` tells whether it was found.
+      type(contact_state_t), intent(inout) :: state
+      type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+      real(dp), intent(in) :: tolerance
+      logical, intent(in) :: falls
+      !> A state that is known; receives the one that is nearest to the bound.
+      type(contact_state_t), intent(inout) :: other
+      !> Is one known?
+      logical, intent(inout) :: has_other
+      !> Is there a state with contact?
+      logical, intent(out) :: has_state
+      !> Gap from which the bound begins, if it is given.
+      real(dp), intent(in), optional :: start(:, :)
+      type(bound_t) :: bound
+      integer :: k, next_try
+
       state%is_converged = .false.
       has_state = .true.
       bound%falls = falls
-      has_other = .false.
-      if (has_guess) then
-         try = state
-         call find_state_near(work, try, operator, cells, tolerance, has_other)
-         if (has_other) other = try
-      end if
-      call begin(work, bound, state, operator, start)
+      call begin(work, bound, state, operator, cells, has_state, start)
+      if (.not. has_state) return
       next_try = merge(2, 1, has_other)
       do k = 1, most_steps
          if (operator%is_stopped()) exit
@@ -107,14 +139,11 @@ contains
             state%is_converged = .true.
             exit
          end if
-         ! tensions are no larger in any state, and no state without contact is wanted
-         if (.not. falls .and. state%mean_pressure + mean_of(cells%tension(bound%gap)) < 0) then
-            has_state = .false.
-            return
-         end if
-         if (has_other) has_other = is_beyond(other%gap, bound, tolerance*state%gap_scale)
-         ! from above Newton's method is the step of the bound itself
-         if (k >= next_try .and. .not. falls) then
+         if (.not. falls) has_state = may_hold(bound, state, cells)
+         if (.not. has_state) return
+         if (has_other) has_other = is_beyond(other%gap, bound, slack(state, cells, tolerance))
+         ! from above Newton's method is the step of the bound itself, for a convex law
+         if (k >= next_try .and. .not. (falls .and. cells%has_wall())) then
             call look_near(work, bound, state, operator, cells, tolerance, other, has_other)
             next_try = k + 2 + k/4
          end if
@@ -134,9 +163,21 @@ contains
          state%n_iterations = state%n_iterations + 1
       end do
       call take(bound, state)
-   end subroutine solve_attracted_contact
+   end subroutine move_bound
 
-   !> Look for a state from the bound on; one that is less adhered than the known one is of no use.
+   !> May there be a state with contact above a bound that rises? Tensions are no larger in any state than beyond the gaps of the bound.
+   !> Without a wall the least state has contact: else a bit less gap everywhere would pull more in each cell.
+   pure logical function may_hold(bound, state, cells)
+      type(bound_t), intent(in) :: bound
+      !> Mean pressure.
+      type(contact_state_t), intent(in) :: state
+      type(attraction_cells_t), intent(in) :: cells
+
+      may_hold = .not. state%mean_pressure + mean_of(cells%tension_beyond(bound%gap)) < 0
+      if (may_hold .and. .not. cells%has_wall()) may_hold = has_contact(bound%gap, cells)
+   end function may_hold
+
+   !> Look for a state from the bound on; one that is farther from the bound than the known one is of no use.
    subroutine look_near(work, bound, state, operator, cells, tolerance, other, has_other)
       type(linear_step_t), intent(inout) :: work
       type(bound_t), intent(in) :: bound
@@ -155,8 +196,8 @@ contains
       try = state
       call take(bound, try)
       call find_state_near(work, try, operator, cells, tolerance, has_found)
-      if (has_found) has_found = is_beyond(try%gap, bound, tolerance*state%gap_scale)
-      if (has_found .and. has_other) has_found = sum(try%gap) < sum(other%gap)
+      if (has_found) has_found = is_beyond(try%gap, bound, slack(state, cells, tolerance))
+      if (has_found .and. has_other) has_found = merge(sum(try%gap) > sum(other%gap), sum(try%gap) < sum(other%gap), bound%falls)
       if (.not. has_found) return
       other = try
       has_other = .true.
@@ -180,49 +221,74 @@ contains
    end function mean_of
 
    !> Where the bound begins.
-   subroutine begin(work, bound, state, operator, start)
+   subroutine begin(work, bound, state, operator, cells, has_state, start)
       type(linear_step_t), intent(inout) :: work
       type(bound_t), intent(inout) :: bound
       !> Shape and mean pressure.
       type(contact_state_t), intent(in) :: state
       type(periodic_operator_t), intent(inout) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+      !> Receives whether there may be a state.
+      logical, intent(out) :: has_state
       !> Gap to begin from, if it is given.
       real(dp), intent(in), optional :: start(:, :)
+      type(linear_step_t) :: walled
       real(dp), allocatable :: nothing(:, :)
       integer :: outcome
 
       allocate (bound%gap, bound%force, mold=state%shape)
       allocate (bound%is_open(size(state%shape, 1), size(state%shape, 2)))
-      bound%gap(:, :) = 0
+      call set_least_gap(bound, state, operator, cells, has_state)
+      if (.not. has_state) return
+      bound%gap(:, :) = bound%least_gap
       if (present(start)) then
          bound%gap(:, :) = start
       else if (bound%falls .and. state%mean_pressure > 0) then
+         bound%gap(:, :) = 0
          call set_linear_force(state, operator, bound%gap, bound%force)
          bound%is_open(:, :) = bound%force < 0
          allocate (nothing, source=0*state%shape)
          associate (goal => 1.0e-6_dp*maxval(abs(bound%force)))
             ! a little less load leaves the bound on its side
             bound%force(:, :) = bound%force - goal
-            call work%solve(operator, nothing, goal, bound%is_open, bound%gap, bound%force, outcome)
+            if (cells%has_wall()) then
+               call work%solve(operator, nothing, goal, bound%is_open, bound%gap, bound%force, outcome)
+            else
+               call new_linear_step(walled, operator, state%shape, .true.)
+               call walled%solve(operator, nothing, goal, bound%is_open, bound%gap, bound%force, outcome)
+            end if
          end associate
          bound%gap(:, :) = max(bound%gap, 0.0_dp)
       else if (bound%falls) then
          bound%gap(:, :) = state%shape
       end if
-      bound%is_open(:, :) = bound%gap > 0
+      bound%is_open(:, :) = bound%gap > 0 .or. .not. cells%has_wall()
    end subroutine begin
 
-   !> What presses the cells together without a tension: q + A (g - g0).
-   subroutine set_linear_force(state, operator, gap, force)
+   !> A gap that no state has less of: 0 at a wall. Without one it is where the push, or the least tension, carries the full contact at
+   !> its lowest pressure. Where a state has its least gap, F is not above that of this gap everywhere, since all others only take
+   !> from it.
+   subroutine set_least_gap(bound, state, operator, cells, has_state)
+      type(bound_t), intent(inout) :: bound
+      !> Shape and mean pressure.
       type(contact_state_t), intent(in) :: state
       type(periodic_operator_t), intent(inout) :: operator
-      real(dp), intent(in) :: gap(:, :)
-      !> Receives it [E*].
-      real(dp), intent(out), contiguous :: force(:, :)
+      type(attraction_cells_t), intent(in) :: cells
+      !> Receives whether there is such a gap; else the load pulls more than all cells do.
+      logical, intent(out) :: has_state
+      real(dp) :: needed, part(2)
 
-      call operator%apply_stiffness(gap - state%shape, force)
-      force(:, :) = state%mean_pressure + force
-   end subroutine set_linear_force
+      has_state = .true.
+      bound%least_gap = 0
+      if (cells%has_wall()) return
+      call set_linear_force(state, operator, 0*state%shape, bound%force)
+      needed = -maxval(bound%force)
+      part = 1
+      if (allocated(cells%part)) part = [minval(cells%part), maxval(cells%part)]
+      needed = needed/merge(part(1), part(2), needed < 0)
+      has_state = needed < cells%law%stress
+      if (has_state) bound%least_gap = cells%law%gap_before_largest(needed)
+   end subroutine set_least_gap
 
    !> What presses the cells of a bound together, and how far the bound is from being a state.
    subroutine judge(bound, state, operator, cells)
@@ -232,28 +298,8 @@ contains
       type(periodic_operator_t), intent(inout) :: operator
       type(attraction_cells_t), intent(in) :: cells
 
-      call set_linear_force(state, operator, bound%gap, bound%force)
-      bound%force(:, :) = bound%force + cells%tension(bound%gap)
-      state%pressure_scale = scale_of(bound%force, cells)
-      bound%residual = violation_of(bound%force, bound%gap, state)
+      call set_force(state, operator, cells, bound%gap, bound%force, bound%residual)
    end subroutine judge
-
-   !> Unit of the pressure in the residual: the largest pressure and tension together [E*].
-   pure real(dp) function scale_of(force, cells) result(scale)
-      real(dp), intent(in) :: force(:, :)
-      type(attraction_cells_t), intent(in) :: cells
-
-      scale = max(maxval(force), 1.0e-3_dp*cells%law%stress)
-   end function scale_of
-
-   !> Largest violation of the conditions of a state [-].
-   pure real(dp) function violation_of(force, gap, state) result(violation)
-      real(dp), intent(in) :: force(:, :), gap(:, :)
-      !> Scales of pressure and gap.
-      type(contact_state_t), intent(in) :: state
-
-      violation = maxval(abs(min(force/state%pressure_scale, gap/state%gap_scale)))
-   end function violation_of
 
    !> A step of the bound towards the state, which it does not pass.
    subroutine step(work, bound, state, operator, cells, tolerance, other)
@@ -276,12 +322,15 @@ contains
       if (present(other)) then
          slope(:, :) = cells%largest_chord(bound%gap, other)
       else if (bound%falls) then
-         slope(:, :) = cells%largest_chord(bound%gap, 0*bound%gap)
+         slope(:, :) = cells%largest_chord(bound%gap, bound%least_gap + 0*bound%gap)
+      else if (.not. cells%has_wall()) then
+         ! no chord to a larger gap is larger
+         slope(:, :) = max(0.0_dp, cells%slope(bound%gap))
       end if
       if (.not. any(slope < 0)) bound%part = 0
+      goal = next_goal*bound%care*min(bound%residual, 1.0_dp)*state%pressure_scale
       ! nor may what is left count beside what contact carries in all
-      goal = next_goal*bound%care*min(bound%residual*state%pressure_scale, state%pressure_scale, &
-         & abs(state%mean_pressure + mean_of(cells%tension(bound%gap))))
+      if (cells%has_wall()) goal = min(goal, next_goal*bound%care*abs(state%mean_pressure + mean_of(cells%tension(bound%gap))))
       goal = max(tolerance/4*state%pressure_scale, goal)
       do
          if (bound%part < least_part) bound%part = 0
@@ -289,7 +338,7 @@ contains
          is_open = bound%is_open
          ! the problem of a load that differs by what may be left lies on the safe side
          force = bound%force + merge(-goal, goal, bound%falls)
-         call work%solve(operator, bound%part*slope, goal, is_open, gap, force, outcome)
+         call work%solve(operator, max(slope, bound%part*slope), goal, is_open, gap, force, outcome)
          if (outcome == step_solved .or. .not. bound%part > 0) exit
          bound%part = bound%part/2
          if (operator%is_stopped()) return
@@ -301,13 +350,24 @@ contains
       end if
       bound%care = 1
       if (bound%falls) then
-         bound%gap(:, :) = max(min(gap, bound%gap), 0.0_dp)
+         bound%gap(:, :) = max(min(gap, bound%gap), bound%least_gap)
       else
          bound%gap(:, :) = max(gap, bound%gap)
       end if
-      bound%is_open(:, :) = bound%gap > 0
+      bound%is_open(:, :) = bound%gap > 0 .or. .not. cells%has_wall()
       bound%part = min(1.0_dp, max(2*bound%part, 2*least_part))
    end subroutine step
+
+   !> Gap by which a state may lie on the wrong side of a bound. On maps, whose stiffness has some positive entries, a bound strays.
+   pure real(dp) function slack(state, cells, tolerance)
+      !> Scale of the gap.
+      type(contact_state_t), intent(in) :: state
+      type(attraction_cells_t), intent(in) :: cells
+      real(dp), intent(in) :: tolerance
+
+      slack = tolerance*state%gap_scale
+      if (size(state%shape, 2) > 1 .and. .not. cells%has_wall()) slack = max(slack, stray*cells%law%range)
+   end function slack
 
    !> Does a state lie beyond the bound, but for a small gap?
    pure logical function is_beyond(gap, bound, small)
@@ -331,47 +391,8 @@ contains
       type(periodic_operator_t), intent(inout) :: operator
       type(attraction_cells_t), intent(in) :: cells
 
-      call work%dominates(operator, cells%smallest_chord(other%gap, bound%gap), other%gap > 0 .or. bound%gap > 0, is_only)
+      call work%dominates(operator, cells%smallest_chord(other%gap, bound%gap), &
+         & other%gap > 0 .or. bound%gap > 0 .or. .not. cells%has_wall(), is_only)
    end function is_only
-
-   !> Newton's method for a state near a gap.
-   subroutine find_state_near(work, state, operator, cells, tolerance, has_found)
-      type(linear_step_t), intent(inout) :: work
-      !> In: gap to begin from. Out: the state, if it is found.
-      type(contact_state_t), intent(inout) :: state
-      type(periodic_operator_t), intent(inout) :: operator
-      type(attraction_cells_t), intent(in) :: cells
-      real(dp), intent(in) :: tolerance
-      logical, intent(out) :: has_found
-      real(dp) :: residual, best
-      integer :: k, n_failures, outcome
-
-      has_found = .false.
-      if (.not. allocated(state%pressure)) allocate (state%pressure, mold=state%shape)
-      state%is_open = state%gap > 0
-      best = huge(best)
-      n_failures = 0
-      do k = 1, most_tries
-         if (operator%is_stopped()) return
-         call set_linear_force(state, operator, state%gap, state%pressure)
-         state%pressure(:, :) = state%pressure + cells%tension(state%gap)
-         state%pressure_scale = scale_of(state%pressure, cells)
-         residual = violation_of(state%pressure, state%gap, state)
-         if (.not. residual > tolerance) then
-            ! no contact is no state that is wanted
-            has_found = any(.not. state%is_open)
-            state%is_converged = has_found
-            return
-         end if
-         if (residual > worthwhile*best) n_failures = n_failures + 1
-         if (n_failures > most_failures) return
-         best = min(best, residual)
-         call work%solve(operator, cells%slope(state%gap), max(tolerance/4, next_goal*min(residual, 1.0_dp)) &
-            & *state%pressure_scale, state%is_open, state%gap, state%pressure, outcome)
-         state%n_iterations = state%n_iterations + 1
-         if (outcome /= step_solved) return
-         state%gap(:, :) = max(state%gap, 0.0_dp)
-      end do
-   end subroutine find_state_near
 
 end module adfric_periodic_attracted_contact

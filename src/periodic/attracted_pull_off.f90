@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Pull-off of a periodic surface whose cells attract each other by any falling law: the least mean pressure that a state of the adhered
+!> Pull-off of a periodic surface whose cells attract each other by any law: the least mean pressure that a state of the adhered
 !> branch carries, on the finest grid.
 !>
 !> A state at a load bounds the states of all lower ones, so the search goes down from state to state, halving the interval between the
@@ -48,18 +48,23 @@ contains
       if (allocated(attraction%part)) cells%part = attraction%part
       pull_off = 0
       is_found = .false.
-      allocate (start, source=0*shape)
       associate (operator => solver%grids(size(solver%grids))%operator)
          if (attraction%has_turned) then
             state%shape = shape
             state%mean_pressure = attraction%turning_pressure
             call solve_attracted_contact(state, operator, cells, tolerance, .true., .false., has_state)
             if (.not. (has_state .and. state%is_converged)) return
-            start(:, :) = state%gap
+            start = state%gap
+            call cells%open_by(attraction%opening, .not. start > cells%contact_gap())
+         else
+            call cells%open_by(attraction%opening, .not. shape < 0)
          end if
-         call cells%open_by(attraction%opening, .not. start > 0)
          ! no state carries more than the whole tension
-         largest = sum(cells%tension(start))/size(start)
+         if (allocated(start)) then
+            largest = sum(cells%tension_beyond(start))/size(start)
+         else
+            largest = sum(cells%tension_beyond(0*shape))/size(shape)
+         end if
          without = -largest*(1 + wanted_error/2)
          undecided = without
          lowest = huge(lowest)
@@ -74,7 +79,7 @@ contains
                without = load
                undecided = max(undecided, load)
             else if (state%is_converged) then
-               start(:, :) = state%gap
+               start = state%gap
                lowest = load
             else
                undecided = load

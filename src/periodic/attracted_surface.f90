@@ -8,14 +8,16 @@ module adfric_periodic_attracted_surface
    use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_adhered
    use adfric_interface_attraction, only: attraction_t
    use adfric_periodic_attracted_contact, only: solve_attracted_contact
+   use adfric_periodic_attracted_state, only: violation_of
    use adfric_periodic_attraction_cells, only: attraction_cells_t
    use adfric_periodic_contact, only: contact_state_t
-   use adfric_periodic_grids, only: coarsen
+   use adfric_periodic_grids, only: coarsen, refine
+   use adfric_periodic_operator, only: periodic_operator_t
    use adfric_periodic_solver, only: check_shape, coarse_tolerance, contact_not_converged, contact_out_of_range, contact_solved, &
       & periodic_solution_t, periodic_solver_t, set_friction, set_full_pressure, set_solution, start_from_coarse
    implicit none (type, external)
    private
-   public :: attraction_in_units, periodic_attraction_t, solve_attracted_load
+   public :: attraction_in_units, cells_of_grids, collect_attracted, periodic_attraction_t, solve_attracted_load
 
    !> Attraction of a surface, and which of the states is wanted.
    type :: periodic_attraction_t
@@ -85,15 +87,13 @@ contains
       call check_shape(self, shape, error)
       if (allocated(error)) return
       n = size(self%grids)
-      allocate (states(n), cells(n))
+      allocate (states(n))
+      call cells_of_grids(self, attraction, cells)
       do k = n, 1, -1
-         cells(k)%law = attraction%law
          if (k == n) then
             allocate (states(k)%shape, source=shape)
-            if (allocated(attraction%part)) cells(k)%part = attraction%part
          else
             allocate (states(k)%shape, source=coarsen(states(k + 1)%shape))
-            if (allocated(attraction%part)) cells(k)%part = coarsen(cells(k + 1)%part)
          end if
          states(k)%mean_pressure = mean_pressure
       end do
@@ -102,7 +102,7 @@ contains
          turned%mean_pressure = attraction%turning_pressure
          call pass_grids(self, turned, cells, .true., tolerance, solution)
          do k = 1, n
-            if (allocated(turned(k)%gap)) call cells(k)%open_by(attraction%opening, .not. turned(k)%gap > 0)
+            if (allocated(turned(k)%gap)) call cells(k)%open_by(attraction%opening, .not. turned(k)%gap > cells(k)%contact_gap())
          end do
          if (solution%status == contact_solved) call pass_grids(self, states, cells, .false., tolerance, solution, turned)
       else
@@ -114,8 +114,31 @@ contains
          call pass_grids(self, states, cells, attraction%has_turned .or. .not. attraction%is_adhered, tolerance, solution)
       end if
       if (solution%status == contact_out_of_range .or. .not. allocated(states(n)%gap)) return
-      call collect(self, states, cells(n), solution)
+      call collect_attracted(self, states, cells(n), solution)
    end subroutine solve_attracted_load
+
+   !> Attraction of the cells of all grids.
+   subroutine cells_of_grids(self, attraction, cells)
+      !> The grids.
+      type(periodic_solver_t), intent(in) :: self
+      !> The law, and the works of the cells of the finest grid.
+      type(periodic_attraction_t), intent(in) :: attraction
+      !> Receives the attraction, from the coarsest grid to the finest.
+      type(attraction_cells_t), allocatable, intent(out) :: cells(:)
+      integer :: k, n
+
+      n = size(self%grids)
+      allocate (cells(n))
+      do k = n, 1, -1
+         cells(k)%law = attraction%law
+         if (.not. allocated(attraction%part)) cycle
+         if (k == n) then
+            cells(k)%part = attraction%part
+         else
+            cells(k)%part = coarsen(cells(k + 1)%part)
+         end if
+      end do
+   end subroutine cells_of_grids
 
    !> Find the states of all grids, from the coarsest to the finest.
    subroutine pass_grids(self, states, cells, falls, tolerance, solution, turned)
@@ -146,7 +169,7 @@ contains
             n_before = grid%operator%n_applied
             blank = state
             if (has_guess) then
-               call start_from_coarse(state, states(max(k - 1, 1)), grid%operator)
+               call start_fine(state, states(max(k - 1, 1)), grid%operator, cells(k))
                state%mean_pressure = blank%mean_pressure
             end if
             associate (grid_tolerance => merge(tolerance, coarse_tolerance, k == n))
@@ -169,10 +192,27 @@ contains
       if (has_state) solution%status = merge(contact_solved, contact_not_converged, states(n)%is_converged)
    end subroutine pass_grids
 
+   !> Begin from the gap of the next coarser grid.
+   subroutine start_fine(state, coarse, operator, cells)
+      !> Receives the gap to begin from.
+      type(contact_state_t), intent(inout) :: state
+      type(contact_state_t), intent(in) :: coarse
+      type(periodic_operator_t), intent(in) :: operator
+      type(attraction_cells_t), intent(in) :: cells
+
+      call start_from_coarse(state, coarse, operator)
+      if (cells%has_wall()) return
+      ! in contact the gap hardly knows of waves that only the finer grid has
+      state%gap = refine(coarse%gap, state%shape, operator%is_quarter)
+      where (state%gap > cells%contact_gap()) state%gap = max(cells%contact_gap(), state%gap + state%shape &
+         & - refine(coarse%shape, state%shape, operator%is_quarter))
+   end subroutine start_fine
+
    !> Collect what the grids have found.
-   subroutine collect(self, states, cells, solution)
+   subroutine collect_attracted(self, states, cells, solution)
+      !> Grids, operators and workspaces.
       type(periodic_solver_t), intent(inout) :: self
-      !> States of the grids, the finest last.
+      !> States of the grids, the finest last; without a gap where there is none.
       type(contact_state_t), intent(inout) :: states(:)
       !> Attraction of the finest grid.
       type(attraction_cells_t), intent(in) :: cells
@@ -188,6 +228,9 @@ contains
          if (.not. allocated(states(k)%gap)) exit
          first = k
       end do
+      do k = first, n
+         if (.not. cells%has_wall()) states(k)%is_open = states(k)%gap > cells%contact_gap()
+      end do
       load = states(n)%mean_pressure
       allocate (tension, source=cells%tension(states(n)%gap))
       ! contact carries the load and the tension
@@ -196,12 +239,19 @@ contains
       call set_solution(states(first:), self%grids(n)%operator, solution)
       states(n)%mean_pressure = load
       solution%mean_pressure = load
-      solution%pressure(:, :) = solution%pressure - tension
+      if (cells%has_wall()) then
+         solution%pressure(:, :) = solution%pressure - tension
+      else
+         ! the law is all that acts
+         solution%gap(:, :) = states(n)%gap
+         solution%pressure(:, :) = -tension
+         solution%residual = violation_of(states(n)%pressure, states(n)%gap, states(n), cells)
+      end if
       solution%share = tension/cells%law%stress
       solution%adhesion_energy = cells%energy(solution%gap)
       solution%opening_loss = cells%opening_loss(solution%gap)
       solution%elastic_energy = sum((solution%gap - states(n)%shape)*(solution%pressure - load))/(2*size(tension))
       call set_friction(self, states, states(n)%shape, solution)
-   end subroutine collect
+   end subroutine collect_attracted
 
 end module adfric_periodic_attracted_surface

@@ -1,15 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The attraction of the cells of a surface: a law for all, how much of it each cell has, and a law of opening for those that have been in
 !> contact. Chords bound the laws between gaps.
+!>
+!> The law of Lennard-Jones rises up to its largest tension. Its slope falls to the steepest gap and rises from there on. So the mean slope
+!> from a gap on falls as the other end goes away from it, and then rises: the largest chord is that to one of the ends.
 module adfric_periodic_attraction_cells
    use adfric_base_kinds, only: dp
-   use adfric_interface_attraction, only: attraction_t, law_table
+   use adfric_interface_attraction, only: attraction_t, law_lennard_jones, law_table
    implicit none (type, external)
    private
    public :: attraction_cells_t
 
    !> Difference of gaps, in units of the range, below which a chord is the slope at its end.
    real(dp), parameter :: least_difference = 1.0e-6_dp
+   !> Halvings of an interval of gaps in which the smallest chord ends.
+   integer, parameter :: n_halvings = 30
 
    !> Attraction of cells.
    type :: attraction_cells_t
@@ -25,7 +30,10 @@ module adfric_periodic_attraction_cells
       procedure :: open_by
       procedure :: opening_loss
       procedure :: tension
+      procedure :: tension_beyond
       procedure :: slope
+      procedure :: has_wall
+      procedure :: contact_gap
       procedure :: largest_chord
       procedure :: smallest_chord
       procedure :: energy
@@ -63,7 +71,7 @@ contains
    !> Tensions at gaps [E*].
    pure function tension(self, gap) result(tensions)
       class(attraction_cells_t), intent(in) :: self
-      !> Gaps, >= 0; shape of the cells.
+      !> Gaps, >= 0 but for Lennard-Jones's law; shape of the cells.
       real(dp), intent(in) :: gap(:, :)
       real(dp) :: tensions(size(gap, 1), size(gap, 2))
 
@@ -71,6 +79,30 @@ contains
       if (allocated(self%has_touched)) tensions = merge(self%opening%tension(gap), tensions, self%has_touched)
       if (allocated(self%part)) tensions = self%part*tensions
    end function tension
+
+   !> Largest tensions at gaps and beyond them [E*].
+   pure function tension_beyond(self, gap) result(tensions)
+      class(attraction_cells_t), intent(in) :: self
+      !> Gaps; shape of the cells.
+      real(dp), intent(in) :: gap(:, :)
+      real(dp) :: tensions(size(gap, 1), size(gap, 2))
+
+      tensions = self%tension(max(gap, self%contact_gap()))
+   end function tension_beyond
+
+   !> Is there a hard wall at the gap 0? Else the law pushes by itself.
+   pure logical function has_wall(self)
+      class(attraction_cells_t), intent(in) :: self
+
+      has_wall = self%law%has_wall()
+   end function has_wall
+
+   !> Largest gap of cells in contact: 0, and without a wall the gap of the largest tension.
+   pure real(dp) function contact_gap(self) result(gap)
+      class(attraction_cells_t), intent(in) :: self
+
+      gap = self%law%gap_of_largest()
+   end function contact_gap
 
    !> Their slopes.
    pure function slope(self, gap) result(slopes)
@@ -131,6 +163,8 @@ contains
 
       if (law%law == law_table) then
          chord = extreme_slope(law, min(from, to), max(from, to), is_largest)
+      else if (law%law == law_lennard_jones) then
+         chord = chord_without_wall(law, from, to, is_largest)
       else if (is_largest .neqv. to > from) then
          chord = law%slope(from)
       else if (abs(to - from) > least_difference*law%range) then
@@ -140,6 +174,41 @@ contains
          chord = law%slope(to)
       end if
    end function chord_of
+
+   !> The largest or smallest chord of Lennard-Jones's law.
+   pure real(dp) function chord_without_wall(law, from, to, is_largest) result(chord)
+      type(attraction_t), intent(in) :: law
+      !> Where the chord begins, and the other end of the interval.
+      real(dp), intent(in) :: from, to
+      logical, intent(in) :: is_largest
+      real(dp) :: near, far, middle
+      integer :: k
+
+      if (abs(to - from) > least_difference*law%range) then
+         chord = (law%tension(to) - law%tension(from))/(to - from)
+      else
+         chord = law%slope(to)
+      end if
+      if (is_largest) then
+         chord = max(chord, law%slope(from))
+         return
+      end if
+      chord = min(chord, law%slope(from))
+      near = law%gap_of_steepest()
+      if (.not. (near - from)*(to - near) > 0) return
+      ! the mean slope is smallest where it is the slope itself, behind the steepest gap
+      far = to
+      do k = 1, n_halvings
+         middle = (near + far)/2
+         if (law%slope(middle)*(middle - from) < law%tension(middle) - law%tension(from) .eqv. middle > from) then
+            near = middle
+         else
+            far = middle
+         end if
+      end do
+      ! slopes rise from the steepest gap on, so this is below all chords
+      if (abs(far - to) > 0) chord = min(chord, law%slope(near))
+   end function chord_without_wall
 
    !> Largest or smallest slope of a table between two gaps.
    pure real(dp) function extreme_slope(law, low, high, is_largest) result(extreme)

@@ -21,7 +21,7 @@ module adfric_periodic_chords
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: chord_fraction, part_in_contact
+   public :: chord_fraction, level_fraction, part_in_contact
 
 contains
 
@@ -52,6 +52,65 @@ contains
       end do
       fraction = (along(1) + along(2))/(2*size(gap))
    end function chord_fraction
+
+   !> Fraction of the surface where a field is below 0, by straight lines between the cells along both directions.
+   pure real(dp) function level_fraction(field, is_quarter) result(fraction)
+      !> The field in the middles of the cells; shape `(nx, ny)`.
+      real(dp), intent(in) :: field(:, :)
+      !> Is the map a quarter between planes of symmetry (else it goes on periodically)?
+      logical, intent(in) :: is_quarter
+      real(dp) :: along(2)
+      integer :: i, j
+
+      along = 0
+      do j = 1, size(field, 2)
+         along(1) = along(1) + part_below(field(:, j), is_quarter)
+      end do
+      fraction = along(1)/size(field)
+      if (size(field, 2) == 1) return
+      do i = 1, size(field, 1)
+         along(2) = along(2) + part_below(field(i, :), is_quarter)
+      end do
+      fraction = (along(1) + along(2))/(2*size(field))
+   end function level_fraction
+
+   !> Part of a row where a field is below 0, in cells.
+   pure real(dp) function part_below(field, is_quarter) result(part)
+      real(dp), intent(in) :: field(:)
+      !> Does the row end at planes of symmetry?
+      logical, intent(in) :: is_quarter
+      integer :: i, n
+
+      n = size(field)
+      part = 0
+      do i = 1, n - 1
+         part = part + between(field(i), field(i + 1))
+      end do
+      if (is_quarter) then
+         ! half a cell at either end
+         part = part + (between(field(1), field(1)) + between(field(n), field(n)))/2
+      else
+         part = part + between(field(n), field(1))
+      end if
+
+   contains
+
+      !> Part between two neighbours.
+      pure real(dp) function between(a, b)
+         real(dp), intent(in) :: a, b
+
+         if (a < 0 .and. b < 0) then
+            between = 1
+         else if (a < 0) then
+            between = -a/(b - a)
+         else if (b < 0) then
+            between = -b/(a - b)
+         else
+            between = 0
+         end if
+      end function between
+
+   end function part_below
 
    !> Chord of a row, in cells.
    pure real(dp) function chord_of(pressure, gap, cell, is_quarter) result(chord)

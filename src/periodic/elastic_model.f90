@@ -6,8 +6,8 @@ module adfric_periodic_elastic_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
    use adfric_interface_adhesion_rows, only: adhesion_law_t, n_adhesion_rows, set_adhesion_rows
-   use adfric_interface_attraction_rows, only: check_attraction, given_attraction_t, has_attraction, is_dugdale, largest_tension, &
-      & n_attraction_rows, resolve_attraction, set_attraction_rows
+   use adfric_interface_attraction_rows, only: check_attraction, given_attraction_t, has_attraction, has_wall_at_contact, &
+      & largest_tension, n_attraction_rows, resolve_attraction, set_attraction_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
       & has_poisson_ratio, n_one_body, n_two_bodies, set_modulus_rows
    use adfric_interface_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
@@ -31,7 +31,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
-   use adfric_periodic_chords, only: chord_fraction
+   use adfric_periodic_chords, only: chord_fraction, level_fraction
    use adfric_periodic_variables, only: get_elastic_results, is_wanted, n_elastic_solid, pull_off_row, in => periodic_input, &
       & out => periodic_output
    implicit none (type, external)
@@ -200,7 +200,7 @@ contains
       end associate
    end subroutine check_solid
 
-   !> Add to `problems` a penetration by a law other than Dugdale's, and a map that is not one of the cells.
+   !> Add to `problems` friction of a contact without an edge, and a map that is not one of the cells.
    subroutine check_law(self, values, problems)
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
@@ -208,8 +208,9 @@ contains
       type(periodic_surface_t) :: surface
 
       if (problems%count() > 0) return
-      if (.not. is_dugdale(adhesion_values(self, values)) .and. is_set(values(self%before_prescribed + in%penetration))) &
-         & call problems%add('operating', 'penetration', 'is prescribed with the law dugdale alone; give the mean pressure')
+      if (.not. has_wall_at_contact(adhesion_values(self, values)) .and. has_friction(friction_values(self, values))) &
+         & call problems%add('adhesion', 'law', 'is ''lennard_jones'', by which contact has no edge, beside a shear stress; '// &
+         & 'other laws have an edge')
       if (.not. allocated(self%given_attraction%map)) return
       call self%get_cells(values, surface)
       if (surface%is_quarter) then
@@ -356,6 +357,14 @@ contains
       end if
    end function tension_outside
 
+   !> Largest gap of what is in contact [m]: 0, or that of the largest tension where the law has no wall.
+   pure real(dp) function contact_gap(law) result(gap)
+      type(adhesion_law_t), intent(in) :: law
+
+      gap = 0
+      if (allocated(law%attraction)) gap = law%attraction%gap_of_largest()
+   end function contact_gap
+
    !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
       class(elastic_model_t), intent(in) :: self
@@ -378,7 +387,12 @@ contains
          results(out%adhesion_energy) = modulus*solution%adhesion_energy
          if (.not. allocated(law%attraction)) results(out%adhesion_fraction) = adhesion_fraction_of(solution)
          results(out%regime) = regime_of(solution)
-         results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
+         if (contact_gap(law) > 0) then
+            results(out%smooth_fraction) = level_fraction(solution%gap - contact_gap(law), surface%is_quarter)
+         else
+            results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), &
+               & surface%is_quarter)
+         end if
          call store_friction(friction_values(self, values), self%given_law, tension_outside(law, solution), &
             & modulus*solution%pressure, results, is_valid)
          if (.not. is_valid) error_estimate = huge(error_estimate)

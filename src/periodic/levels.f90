@@ -30,6 +30,7 @@ module adfric_periodic_levels
       logical :: is_quarter = .false.
    contains
       procedure :: set_open
+      procedure :: set_share
       procedure :: open_share
       procedure :: apply
    end type levels_t
@@ -59,17 +60,35 @@ contains
       class(levels_t), intent(inout) :: self
       !> Is the cell open? Shape of the cells of the finest grid.
       logical, intent(in), contiguous :: is_open(:, :)
-      integer :: k, j
+      integer :: j
 
       !$omp parallel do if(is_shared(size(is_open))) default(none) shared(self, is_open) private(j)
       do j = 1, size(is_open, 2)
          self%grids(1)%open(:, j) = merge(1.0_dp, 0.0_dp, is_open(:, j))
       end do
       !$omp end parallel do
+      call set_coarse_shares(self)
+   end subroutine set_open
+
+   !> Say how much each cell takes part.
+   subroutine set_share(self, share)
+      class(levels_t), intent(inout) :: self
+      !> From 0, where the cell is as good as closed, to 1; shape of the cells of the finest grid.
+      real(dp), intent(in), contiguous :: share(:, :)
+
+      self%grids(1)%open(:, :) = share
+      call set_coarse_shares(self)
+   end subroutine set_share
+
+   !> Shares of the cells of all grids but the finest.
+   subroutine set_coarse_shares(self)
+      class(levels_t), intent(inout) :: self
+      integer :: k
+
       do k = 2, size(self%grids)
          call average(self%grids(self%grids(k)%finer)%open, self%grids(k)%is_halved, self%grids(k)%open)
       end do
-   end subroutine set_open
+   end subroutine set_coarse_shares
 
    !> 1 in open cells, 0 in closed ones.
    function open_share(self) result(open)

@@ -11,6 +11,7 @@ module adfric_periodic_point
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
+   use adfric_periodic_attracted_penetration, only: solve_attracted_penetration
    use adfric_periodic_attracted_pull_off, only: find_attracted_pull_off
    use adfric_periodic_attracted_surface, only: periodic_attraction_t, solve_attracted_load
    use adfric_periodic_cohesion, only: new_cohesion
@@ -75,8 +76,7 @@ module adfric_periodic_point
       real(dp) :: tolerance = 1.0e-10_dp
       !> Adhesion, with its stress in E* and its range in m; not allocated: none.
       type(periodic_adhesion_t), allocatable :: adhesion
-      !> Attraction by another law, with stresses in E* and lengths in m; not allocated: none. At a mean pressure, of elastic
-      !> half-spaces alone.
+      !> Attraction by another law, with stresses in E* and lengths in m; not allocated: none. Of elastic half-spaces alone.
       type(periodic_attraction_t), allocatable :: attraction
       !> Friction, with its stress in E*; not allocated: none. Elastic half-spaces without adhesion alone.
       type(coulomb_t), allocatable :: friction
@@ -224,7 +224,12 @@ contains
 
       attraction = goal%attraction%in_length(surface%period(1))
       associate (solver => memory%solver, shape_in_periods => surface%shape/surface%period(1))
-         call solve_attracted_load(solver, shape_in_periods, goal%value, attraction, goal%tolerance, solution, error)
+         if (goal%is_pressure) then
+            call solve_attracted_load(solver, shape_in_periods, goal%value, attraction, goal%tolerance, solution, error)
+         else
+            call solve_attracted_penetration(solver, shape_in_periods, goal%value/surface%period(1), attraction, goal%tolerance, &
+               & solution, error)
+         end if
          if (allocated(error) .or. .not. goal%wants_pull_off) return
          call find_attracted_pull_off(solver, shape_in_periods, attraction, goal%tolerance, pull_off, is_found)
       end associate
