@@ -38,18 +38,24 @@ module adfric_periodic_area
 contains
 
    !> Count cells and sides.
-   pure type(area_t) function area_of_cells(is_contact, is_quarter) result(area)
+   pure type(area_t) function area_of_cells(is_contact, is_quarter, is_periodic) result(area)
       !> Is the cell in contact? Shape `(nx, ny)`.
       logical, intent(in) :: is_contact(:, :)
       !> Is the map a quarter between planes of symmetry (else it goes on periodically)?
       logical, intent(in) :: is_quarter
+      !> Does a map that is no quarter go on periodically along x, along y? Where it does not, the contact may end at the border, which
+      !> is no perimeter. Not present: it does along both.
+      logical, intent(in), optional :: is_periodic(2)
       integer :: nx, ny, n_sides
+      logical :: goes_on(2)
 
       nx = size(is_contact, 1)
       ny = size(is_contact, 2)
       n_sides = count(is_contact(2:, :) .neqv. is_contact(:nx - 1, :)) + count(is_contact(:, 2:) .neqv. is_contact(:, :ny - 1))
-      if (.not. is_quarter) n_sides = n_sides + count(is_contact(1, :) .neqv. is_contact(nx, :)) + &
-         count(is_contact(:, 1) .neqv. is_contact(:, ny))
+      goes_on = .not. is_quarter
+      if (present(is_periodic)) goes_on = goes_on .and. is_periodic
+      if (goes_on(1)) n_sides = n_sides + count(is_contact(1, :) .neqv. is_contact(nx, :))
+      if (goes_on(2)) n_sides = n_sides + count(is_contact(:, 1) .neqv. is_contact(:, ny))
       area%cells = real(count(is_contact), dp)/size(is_contact)
       area%perimeter = real(n_sides, dp)/size(is_contact)
       area%resolution = 1/real(size(is_contact), dp)
