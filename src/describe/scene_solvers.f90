@@ -141,7 +141,7 @@ contains
          if (.not. has_item(list, trim(words(k)))) nearest(k) = list(:scan(list//',', ',') - 1)
       end do
       ! over a solid that relaxes, and on a layer, a contact is solved while it slides: the solver asks for the velocity
-      if (.not. any(nearest(2) == [character(word_length) :: 'half_space', 'free_half_space']) .and. nearest(4) == 'press') nearest(4) = 'slide'
+      if (index(nearest(2), 'half_space') == 0 .and. nearest(4) == 'press') nearest(4) = 'slide'
    end subroutine find_nearest
 
    !> How far a row is from a scene: 0 if it has it.

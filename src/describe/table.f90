@@ -134,8 +134,8 @@ module adfric_describe_table
       character(:), allocatable :: unit
       !> What it is, for the results file.
       character(:), allocatable :: long_name
-      !> Names of the datasets that are the scales of its dimensions, the slowest first, separated by a blank; its own name makes it a
-      !> scale itself.
+      !> Names of the datasets that are the scales of its dimensions, the slowest first, separated by a blank; its own name makes it
+      !> a scale itself.
       character(:), allocatable :: dimensions
       !> Number of values along each dimension, the slowest first.
       integer, allocatable :: counts(:)

@@ -167,18 +167,21 @@ contains
       type(checksum_t) :: checksum
       logical, allocatable :: is_there(:, :)
       integer :: j
+      logical :: lacks_values
 
       flaw = ''
       if (any(dataset%counts < variable%least_count)) flaw = 'too few values in the dataset'
       if (any(dataset%counts > variable%most_count)) flaw = 'too many values in the dataset'
       if (len(flaw) > 0) return
+      allocate (is_there(size(values, 1), size(values, 2)))
       call find_lacking(variable, values, is_there, flaw)
+      lacks_values = .not. all(is_there)
       if (len(flaw) > 0) return
       call convert_units(dataset%units, variable%unit, values, flaw)
       if (len(flaw) > 0) return
       do j = 1, size(values, 2)
          call checksum%add_reals(values(:, j))
-         if (allocated(is_there)) call checksum%add_reals(merge(1.0_dp, 0.0_dp, is_there(:, j)))
+         if (lacks_values) call checksum%add_reals(merge(1.0_dp, 0.0_dp, is_there(:, j)))
       end do
       call add_attributes(dataset, checksum)
       dataset%checksum = checksum%to_text()
@@ -194,7 +197,7 @@ contains
          if (size_of_all > 0 .and. size_of_all < smallest) flaw = 'the values of the dataset are too small, the largest is '// &
             show_number(size_of_all)//', not 0 or >= '//show_number(smallest)
       end associate
-      if (allocated(is_there)) where (.not. is_there) values = not_a_number()
+      if (lacks_values) where (.not. is_there) values = not_a_number()
    end subroutine examine_values
 
    !> Find values that are no numbers. Where some may lack, another one stands for them, until all have been examined.
@@ -202,24 +205,24 @@ contains
       type(variable_t), intent(in) :: variable
       !> In: values as the file has them. Out: numbers alone.
       real(dp), intent(inout) :: values(:, :)
-      !> Receives which values are there; not allocated if all are.
-      logical, allocatable, intent(out) :: is_there(:, :)
+      !> Receives which values are there; same shape.
+      logical, intent(out) :: is_there(:, :)
       !> In: empty. Out: why the values will not do; empty if they will.
       character(:), allocatable, intent(inout) :: flaw
       integer :: j, cell(2)
 
+      is_there(:, :) = .true.
       do j = 1, size(values, 2)
          if (all(ieee_is_finite(values(:, j)))) cycle
+         is_there(:, j) = .not. ieee_is_nan(values(:, j))
          if (.not. variable%may_lack_values) then
             flaw = 'NaN or Inf in the dataset'
-         else if (.not. all(ieee_is_finite(values(:, j)) .or. ieee_is_nan(values(:, j)))) then
+         else if (.not. all(ieee_is_finite(values(:, j)) .or. .not. is_there(:, j))) then
             flaw = 'Inf in the dataset; what is not known is NaN'
-         else if (.not. allocated(is_there)) then
-            is_there = .not. ieee_is_nan(values)
          end if
          if (len(flaw) > 0) return
       end do
-      if (.not. allocated(is_there)) return
+      if (all(is_there)) return
       cell = findloc(is_there, .true.)
       if (any(cell == 0)) then
          flaw = 'all values of the dataset are NaN'

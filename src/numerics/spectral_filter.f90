@@ -182,7 +182,8 @@ contains
       real(dp), intent(out), contiguous :: y(:, :)
       !> Receives the sum of x times y over all samples.
       real(dp), intent(out), optional :: product
-      !> Imaginary part of each factor, of opposite sign for opposite waves; 0 if it is absent. Not for an even field; shape of `symbol`.
+      !> Imaginary part of each factor, of opposite sign for opposite waves; 0 if it is absent. Not for an even field; shape of
+      !> `symbol`.
       real(dp), intent(in), contiguous, optional :: imaginary(:, :)
       real(dp) :: products(self%n_field(2))
       integer :: part

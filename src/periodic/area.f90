@@ -43,8 +43,8 @@ contains
       logical, intent(in) :: is_contact(:, :)
       !> Is the map a quarter between planes of symmetry (else it goes on periodically)?
       logical, intent(in) :: is_quarter
-      !> Does a map that is no quarter go on periodically along x, along y? Where it does not, the contact may end at the border, which
-      !> is no perimeter. Not present: it does along both.
+      !> Does a map that is no quarter go on periodically along x, along y? Where it does not, the contact may end at the border,
+      !> which is no perimeter. Not present: it does along both.
       logical, intent(in), optional :: is_periodic(2)
       integer :: nx, ny, n_sides
       logical :: goes_on(2)

@@ -38,7 +38,8 @@ contains
       real(dp), intent(in) :: cell(2)
       !> Is the map a quarter between planes of symmetry (else it goes on periodically)?
       logical, intent(in) :: is_quarter
-      !> Does a map that is no quarter go on periodically along x, along y? Else the body ends there. Not present: it does along both.
+      !> Does a map that is no quarter go on periodically along x, along y? Else the body ends there. Not present: it does along
+      !> both.
       logical, intent(in), optional :: is_periodic(2)
       real(dp) :: tension, along(2), rate(2)
       integer :: i, j

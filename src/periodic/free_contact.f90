@@ -1,17 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Frictionless contact without adhesion of a rigid body with an elastic half-space that goes on beyond the body, on one grid.
 !>
-!> Unknown is the pressure. With the displacement u = S p (`adfric_periodic_free_operator`), the gap g0 of the undeformed surfaces at
-!> first touch and the approach delta,
+!> Unknown is the pressure. With the displacement u = S p (`adfric_periodic_free_operator`), the gap g0 of the undeformed surfaces
+!> at first touch and the approach delta,
 !>
 !>     g = u + g0 - delta,     p >= 0, g >= 0, p g = 0    on the cells of the body,     p = 0 elsewhere.
 !>
-!> The approach is given, or the sum of p is. The active-set method of `adfric_periodic_contact` serves here, too: its steps are the same
-!> whether the gap over the open region is solved for or the pressure over the closed one. So are the rules by which regions are
-!> changed (`adfric_periodic_region_search`), and the proof that this ends: S is positive definite, so its principal minors are
-!> positive. Over a region conjugate gradients solve for the pressure, with the approximate inverse of S, restricted to
-!> the region, as preconditioner M. Under a given load the approach is the multiplier of the constraint; directions are kept in the
-!> constraint by a projection in the preconditioner (N. I. M. Gould, M. E. Hribar, J. Nocedal, SIAM J. Sci. Comput. 23, 2001, 1376):
+!> The approach is given, or the sum of p is. The active-set method of `adfric_periodic_contact` serves here, too: its steps are the
+!> same whether the gap over the open region is solved for or the pressure over the closed one. So are the rules by which regions
+!> are changed (`adfric_periodic_region_search`), and the proof that this ends: S is positive definite, so its principal minors are
+!> positive. Over a region conjugate gradients solve for the pressure, with the approximate inverse of S, restricted to the region,
+!> as preconditioner M. Under a given load the approach is the multiplier of the constraint; directions are kept in the constraint
+!> by a projection in the preconditioner (N. I. M. Gould, M. E. Hribar, J. Nocedal, SIAM J. Sci. Comput. 23, 2001, 1376):
 !>
 !>     z = M (delta - g0 - u),   sum of z = 0.
 module adfric_periodic_free_contact
@@ -44,7 +44,8 @@ module adfric_periodic_free_contact
       logical :: has_load = .true.
       !> Sum of the pressures of all cells [E*], and approach, of which one is given.
       real(dp) :: total = 0, approach = 0
-      !> Largest violation of the conditions of contact, of a pressure over the largest one, of a gap over what that makes in one cell.
+      !> Largest violation of the conditions of contact, of a pressure over the largest one, of a gap over what that makes in one
+      !> cell.
       real(dp) :: residual = huge(1.0_dp)
       !> Changes of the region, and steps in all of them.
       integer :: n_rounds = 0, n_iterations = 0
@@ -77,8 +78,8 @@ contains
 
    !> Solve from the pressure and the region in `state`.
    subroutine solve_free_contact(state, operator, tolerance)
-      !> In: pressure and region to begin from, with the load or the approach. Out: the solution; `is_converged` tells whether it was
-      !> found.
+      !> In: pressure and region to begin from, with the load or the approach. Out: the solution; `is_converged` tells whether it
+      !> was found.
       type(free_state_t), intent(inout) :: state
       !> Operator of this grid, which counts how often it is applied.
       type(free_operator_t), intent(inout) :: operator

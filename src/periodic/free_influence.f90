@@ -14,9 +14,10 @@
 !> with an error of (1/7) (a/r)^6, and u = (4 a b/pi) D (1/r).
 !>
 !> Where the pressure goes on periodically along x, with the period L, the sum over all images has no limit, as the displacement of
-!> a line load has none. Their differences have one. The constant is chosen so that far from the line of images u goes to that of a line
-!> load, -(2/pi) q ln(|y|/d), with the load q = 4 a b/L per length and a distance d. The images beyond the M nearest ones on either
-!> side are summed by Euler and Maclaurin's formula, whose integral is -ln((X + R)/d)/L, X = (M + 1/2) L +- x, R^2 = X^2 + y^2:
+!> a line load has none. Their differences have one. The constant is chosen so that far from the line of images u goes to that of a
+!> line load, -(2/pi) q ln(|y|/d), with the load q = 4 a b/L per length and a distance d. The images beyond the M nearest ones on
+!> either side are summed by Euler and Maclaurin's formula, whose integral is -ln((X + R)/d)/L, X = (M + 1/2) L +- x, R^2 = X^2 +
+!> y^2:
 !>
 !>     sum over m > M of f(m) = int f dm + f'/24 - 7 f'''/5760 + 31 f'''''/967680,   f = 1/r,
 !>     f^(n) = (-L)^n n! P_n(X/R)/R^(n + 1),

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The model `free_surface`: a rigid body, given by its heights on a map, on an elastic half-space that goes on beyond the map without it.
+!> The model `free_surface`: a rigid body, given by its heights on a map, on an elastic half-space that goes on beyond the map
+!> without it.
 module adfric_periodic_free_model
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, file_failure
@@ -70,8 +71,9 @@ contains
       type(free_model_t), intent(out) :: self
 
       self%name = 'free_surface'
-      self%summary = 'a rigid body of given heights, alone or with images on two sides, on an elastic half-space: load, approach and area'
-      self%references = 'A. E. H. Love, Phil. Trans. R. Soc. Lond. A 228 (1929) 377; R. W. Hockney, Methods Comput. Phys. 9 (1970) 135'
+      self%summary = 'a rigid body of given heights on an elastic half-space, alone or periodic in one direction: load, area'
+      self%references = 'A. E. H. Love, Phil. Trans. R. Soc. Lond. A 228 (1929) 377; '// &
+         & 'R. W. Hockney, Methods Comput. Phys. 9 (1970) 135'
       self%variables = get_free_variables()
       self%results = get_free_results()
       self%profiles = contact_profiles()

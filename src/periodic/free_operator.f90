@@ -6,9 +6,9 @@
 !> Along a direction in which the surface goes on periodically the grid has the cells of the map. The mean displacement is
 !> absolute: it counts from the undisturbed surface, or, where there are images, from where a line load has none.
 !>
-!> `apply_stiffness` is an approximate inverse: of a map that goes on periodically in both directions, whose influence is that of the
-!> nearest image. It serves conjugate gradients as preconditioner. Pressures are in E*, displacements in the unit of the cells, both
-!> positive into the solid.
+!> `apply_stiffness` is an approximate inverse: of a map that goes on periodically in both directions, whose influence is that of
+!> the nearest image. It serves conjugate gradients as preconditioner. Pressures are in E*, displacements in the unit of the cells,
+!> both positive into the solid.
 module adfric_periodic_free_operator
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts

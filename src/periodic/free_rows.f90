@@ -18,8 +18,8 @@ module adfric_periodic_free_rows
    !> Variables in the order of their rows; a component is the index of its row, those of the modulus begin at `modulus`.
    type :: free_input_t
       !> Indices of the rows.
-      integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0, tolerance = 0, modulus = 0, others(n_two_bodies - 1) = 0, &
-         & boundaries = 0, load = 0, approach = 0, profiles = 0
+      integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0, tolerance = 0, modulus = 0, &
+         & others(n_two_bodies - 1) = 0, boundaries = 0, load = 0, approach = 0, profiles = 0
    end type free_input_t
    type(free_input_t), parameter, public :: free_input = transfer(counting, free_input_t())
    integer, parameter, public :: n_free_variables = storage_size(free_input)/storage_size(1)
@@ -49,7 +49,7 @@ contains
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
          & v(free_input%modulus:free_input%modulus + n_two_bodies - 1))
       v(free_input%boundaries) = choice(group='solid', name='boundaries', choices=known_boundaries, &
-         & meaning='how given heights go on beyond their map: with images (periodic; periodic_x: along x alone), or not at all (free)', &
+         & meaning='how given heights go on beyond their map: periodically, along x or y alone, or not at all (free)', &
          & default='free')
       v(free_input%load) = number(group='operating', name='load', unit='N', meaning='load, or that of one period', lower=0.0_dp)
       v(free_input%approach) = number(group='operating', name='approach', unit='m', &
@@ -82,7 +82,8 @@ contains
       r(free_output%smooth_area) = result_row(name='smooth_contact_area', unit='m^2', &
          & long_name='area of contact from where its edge cuts rows and columns of cells, which varies smoothly')
       r(free_output%smooth_area)%has_bends = .true.
-      r(free_output%mean_contact_pressure) = result_row(name='mean_contact_pressure', unit='Pa', long_name='load over area of contact')
+      r(free_output%mean_contact_pressure) = result_row(name='mean_contact_pressure', unit='Pa', &
+         & long_name='load over area of contact')
       r(free_output%mean_contact_pressure)%is_counted = .true.
       r(free_output%peak_pressure) = result_row(name='peak_pressure', unit='Pa', &
          & long_name='largest pressure of a cell; at sharp edges it grows with the number of cells')

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contact of a body that ends at the border of a map, or on either side of a strip, by nested grids.
 !>
-!> A contact is solved on the coarsest grid, then on ever finer ones, each from the pressure and the region of the one before. The three
-!> finest tell the errors of area, load and approach. Coarser ones than the finest are solved as far as these errors need it.
+!> A contact is solved on the coarsest grid, then on ever finer ones, each from the pressure and the region of the one before. The
+!> three finest tell the errors of area, load and approach. Coarser ones than the finest are solved as far as these errors need it.
 module adfric_periodic_free_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -33,7 +33,8 @@ module adfric_periodic_free_solver
    type :: free_solution_t
       !> Was the contact found on all grids?
       logical :: is_converged = .false.
-      !> Sum of pressure times area, approach, and bounds of their errors; an error is infinite (`huge`) where there are too few grids.
+      !> Sum of pressure times area, approach, and bounds of their errors; an error is infinite (`huge`) where there are too few
+      !> grids.
       real(dp) :: load = 0, approach = 0, load_error = huge(1.0_dp), approach_error = huge(1.0_dp)
       !> Area in contact as a share of the map.
       type(area_t) :: area
@@ -98,7 +99,7 @@ contains
       type(free_solution_t), intent(inout) :: solution
       type(field_t) :: fields(size(self%operators))
       type(free_state_t) :: states(size(self%operators))
-      integer :: k, n
+      integer :: k, before, n
       real(dp) :: goal
 
       n = size(self%operators)
@@ -114,8 +115,9 @@ contains
             if (has_load) states(k)%total = prescribed/product(operator%cell_size)
             call move_alloc(fields(k)%shape, states(k)%shape)
             call move_alloc(fields(k)%is_body, states(k)%is_body)
-            if (k == 1) call start(states(1))
-            if (k > 1) call start_from_coarse(states(k), states(k - 1), operator)
+            before = k - 1
+            if (k == 1) call start(states(k))
+            if (k > 1) call start_from_coarse(states(k), states(before), operator)
             goal = tolerance
             if (k < n) goal = max(goal, merge(tolerance_for_error, tolerance_of_start, k > n - grids_for_error))
             call solve_free_contact(states(k), operator, goal)
@@ -152,7 +154,7 @@ contains
       type(field_t), intent(out) :: fields(:)
       real(dp), intent(in) :: shape(:, :)
       logical, intent(in) :: is_body(:, :)
-      real(dp), allocatable :: weight(:, :), weighted(:, :)
+      real(dp), allocatable :: weight(:, :)
       integer :: k, nx, ny
 
       k = size(fields)
@@ -163,12 +165,12 @@ contains
          associate (fine => fields(k + 1))
             nx = size(fine%shape, 1)
             ny = size(fine%shape, 2)
-            weight = merge(1.0_dp, 0.0_dp, fine%is_body)
-            weighted = weight*fine%shape
-            weight = sum_of_four(weight, nx, ny)
-            weighted = sum_of_four(weighted, nx, ny)
-            fields(k)%is_body = weight > 0
-            fields(k)%shape = weighted/max(weight, 1.0_dp)
+            allocate (weight(nx/2, ny/2))
+            weight(:, :) = sum_of_four(merge(1.0_dp, 0.0_dp, fine%is_body), nx, ny)
+            allocate (fields(k)%is_body, source=weight > 0)
+            allocate (fields(k)%shape(nx/2, ny/2))
+            fields(k)%shape(:, :) = sum_of_four(fine%shape, nx, ny)/max(weight, 1.0_dp)
+            deallocate (weight)
          end associate
       end do
    end subroutine set_fields
@@ -188,14 +190,14 @@ contains
       type(free_state_t), intent(inout) :: state
 
       allocate (state%pressure, state%displacement, mold=state%shape)
-      state%is_contact = state%is_body
-      if (.not. state%has_load) state%is_contact = state%is_body .and. state%shape < state%approach
+      allocate (state%is_contact, source=state%is_body)
+      if (.not. state%has_load) state%is_contact(:, :) = state%is_body .and. state%shape < state%approach
       state%pressure(:, :) = merge(1.0_dp, 0.0_dp, state%is_contact)
       if (.not. state%has_load) state%pressure(:, :) = 0
    end subroutine start
 
-   !> Begin from pressure and region of the next coarser grid. A function that changes its sign at the edge of the contact tells where
-   !> this edge lies, and waves that only the finer grid has part the surfaces where they are higher than the pressure bears.
+   !> Begin from pressure and region of the next coarser grid. A function that changes its sign at the edge of the contact tells
+   !> where this edge lies, and waves that only the finer grid has part the surfaces where they are higher than the pressure bears.
    subroutine start_from_coarse(state, coarse, operator)
       !> Contact on the finer grid; receives pressure and region to begin from.
       type(free_state_t), intent(inout) :: state
@@ -205,14 +207,19 @@ contains
       real(dp), allocatable :: sign_function(:, :), detail(:, :)
 
       associate (width => maxval(operator%cell_size))
-         sign_function = merge(coarse%pressure, -(coarse%displacement + coarse%shape - coarse%approach)/width, coarse%is_contact)
-         detail = (state%shape - refine(coarse%shape, state%shape, .true.))/(2*width)
-         allocate (state%displacement, mold=state%shape)
-         state%is_contact = state%is_body .and. refine(sign_function, state%shape, .true.) >= detail
+         allocate (sign_function, mold=coarse%shape)
+         allocate (detail, state%displacement, mold=state%shape)
+         sign_function(:, :) = merge(coarse%pressure, -(coarse%displacement + coarse%shape - coarse%approach)/width, &
+            & coarse%is_contact)
+         detail(:, :) = (state%shape - refine(coarse%shape, state%shape, .true.))/(2*width)
+         allocate (state%is_contact, source=state%is_body)
+         state%is_contact(:, :) = state%is_body .and. refine(sign_function, state%shape, .true.) >= detail
          ! the load stands on something
-         if (.not. any(state%is_contact)) state%is_contact = state%is_body .and. refine(coarse%pressure, state%shape, .true.) > 0
+         if (.not. any(state%is_contact)) state%is_contact(:, :) = state%is_body .and. &
+            & refine(coarse%pressure, state%shape, .true.) > 0
       end associate
-      state%pressure = max(refine(coarse%pressure, state%shape, .true.), 0.0_dp)
+      allocate (state%pressure, mold=state%shape)
+      state%pressure(:, :) = max(refine(coarse%pressure, state%shape, .true.), 0.0_dp)
    end subroutine start_from_coarse
 
    !> Collect what the grids have found.
@@ -243,8 +250,9 @@ contains
          solution%residual = finest%residual
          solution%n_iterations = finest%n_iterations
          solution%approach = finest%approach
-         solution%pressure = merge(max(finest%pressure, 0.0_dp), 0.0_dp, finest%is_contact)
-         solution%gap = merge(max(finest%displacement + finest%shape - finest%approach, 0.0_dp), 0.0_dp, &
+         allocate (solution%pressure, solution%gap, mold=finest%shape)
+         solution%pressure(:, :) = merge(max(finest%pressure, 0.0_dp), 0.0_dp, finest%is_contact)
+         solution%gap(:, :) = merge(max(finest%displacement + finest%shape - finest%approach, 0.0_dp), 0.0_dp, &
             & finest%is_body .and. .not. finest%is_contact)
          solution%load = sum_of(solution%pressure)*cell
          if (finest%has_load .and. solution%load > 0) then

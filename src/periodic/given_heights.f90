@@ -120,7 +120,8 @@ contains
       integer, intent(in) :: axis
       logical, allocatable :: is_pair(:, :)
 
-      is_pair = self%is_body .and. cshift(self%is_body, 1, axis)
+      allocate (is_pair, source=self%is_body)
+      is_pair(:, :) = is_pair .and. cshift(self%is_body, 1, axis)
       if (self%has_border .and. axis == 1) is_pair(size(is_pair, 1), :) = .false.
       if (self%has_border .and. axis == 2) is_pair(:, size(is_pair, 2)) = .false.
       square = sum(merge((cshift(values, 1, axis) - values)**2, 0.0_dp, is_pair))/max(1, count(is_pair))
@@ -178,8 +179,8 @@ contains
       if (.not. self%has_border) return
       if (self%is_line()) call problems%add('surface', 'heights', &
          & 'have one dimension, x; a body that ends somewhere needs two, (ny, nx)')
-      if (is_set(values(rms_height)) .and. .not. self%root_mean_square > 0) call problems%add('surface', 'root_mean_square_height', &
-         & 'is given, but all heights are the same')
+      if (is_set(values(rms_height)) .and. .not. self%root_mean_square > 0) &
+         & call problems%add('surface', 'root_mean_square_height', 'is given, but all heights are the same')
    end subroutine check
 
    !> Periods and cells of the heights.
