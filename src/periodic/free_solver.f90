@@ -122,7 +122,6 @@ contains
             if (k < n) goal = max(goal, merge(tolerance_for_error, tolerance_of_start, k > n - grids_for_error))
             call solve_free_contact(states(k), operator, goal)
             if (operator%is_stopped()) return
-            if (k < n - grids_for_error + 1) deallocate (states(k)%displacement)
          end associate
       end do
       call set_solution(states, self%operators, solution)
