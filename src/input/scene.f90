@@ -216,13 +216,14 @@ contains
          & 'belongs to columns; give extent = ''foundation''')
    end subroutine check_extent
 
-   !> Boundaries are those of a map or a profile; a round or a line body is alone, and a wave has no end.
+   !> A round body, or one on a line, is alone, which boundaries that are periodic would deny.
    subroutine check_boundaries(scene, problems)
       type(scene_t), intent(in) :: scene
       type(problems_t), intent(inout) :: problems
 
-      if (len(scene%boundaries) == 0 .or. has_word('heights profile', scene%surface)) return
-      call problems%add('solid', 'boundaries', 'belongs to a surface of given heights, and this one is of kind '//scene%surface)
+      if (scene%boundaries /= 'periodic' .or. has_word('wave_1d wave_2d wave_product cosines profile heights', scene%surface)) return
+      call problems%add('solid', 'boundaries', 'are periodic under waves and given heights, and a body of kind '''//scene%surface &
+         //''' is alone')
    end subroutine check_boundaries
 
    !> Which modulus a master curve is one of: that of columns is Young's.

@@ -45,7 +45,7 @@ LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
 
 
 # the kind of scene in each column of the table
-KINDS = (1, 2, 3, 4, 5, 6, 15, 13, 14, 7, 11, 8, 12, 9, 10)
+KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 13, 14, 7, 11, 8, 12, 9, 10)
 
 
 def scene_of(surface, kind):
@@ -62,6 +62,7 @@ def scene_of(surface, kind):
             5: ELASTIC + f"&friction coulomb_coefficient = 0.3 /\n&operating {load}, {force} /\n",
             6: ELASTIC + "&friction coulomb_coefficient = 0.3 /\n&history loads = 1e-3, 1e-3, 1e-3, tangential_forces = 1e-4, -1e-4, 0.0 /\n",
             15: ELASTIC + adhesion + f"&history {path} /\n",
+            16: ELASTIC.replace(" /", ", boundaries = 'free' /") + "&operating load = 1e-5 /\n",
             7: RELAXING.format(more="") + f"&operating {load}, velocity = 0.01 /\n",
             8: LAYER + f"&operating {load}, velocity = 0.01 /\n",
             9: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
@@ -94,7 +95,7 @@ class Scenes(Runs):
         """The cells of `adfric help scenes`: surface, column, letter."""
         page, _ = self.run_program("help", "scenes")
         rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES
-                and len(line.split()) == 16 and set(line.split()[1:]) <= set("en-")]
+                and len(line.split()) == 17 and set(line.split()[1:]) <= set("en-")]
         self.assertEqual([row[0] for row in rows], list(SURFACES))
         return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
 
