@@ -221,7 +221,8 @@ contains
       type(scene_t), intent(in) :: scene
       type(problems_t), intent(inout) :: problems
 
-      if (scene%boundaries /= 'periodic' .or. has_word('wave_1d wave_2d wave_product cosines profile heights', scene%surface)) return
+      if (scene%boundaries /= 'periodic') return
+      if (has_word('wave_1d wave_2d wave_product cosines profile heights', scene%surface)) return
       call problems%add('solid', 'boundaries', 'are periodic under waves and given heights, and a body of kind '''//scene%surface &
          //''' is alone')
    end subroutine check_boundaries
