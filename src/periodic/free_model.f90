@@ -15,7 +15,6 @@ module adfric_periodic_free_model
    use adfric_describe_status, only: status_not_converged, status_out_of_memory, status_solved
    use adfric_describe_table, only: profile_axis_t
    use adfric_periodic_area, only: relative_error_of
-   use adfric_periodic_chords, only: beside_body, chord_fraction
    use adfric_periodic_free_rows, only: boundaries_periodic, get_free_results, &
       & get_free_variables, in => free_input, is_periodic_by, out => free_output
    use adfric_periodic_free_solver, only: free_solution_t, free_solver_t, new_free_solver, solve_free
@@ -177,7 +176,7 @@ contains
          counts(1) = counts(1) + state%solution%n_iterations
          if (.not. state%solution%is_converged) return
          status = status_solved
-         call store(self%given%is_body, values, state, modulus, results)
+         call store(values, state, modulus, results)
          error_estimate = error_of(state%solution, has_load)
       end select
    end subroutine solve_point
@@ -235,9 +234,7 @@ contains
    end function error_of
 
    !> Set the results of a point.
-   subroutine store(is_body, values, state, modulus, results)
-      !> Is the cell one of the body? Shape `(nx, ny)`.
-      logical, intent(in) :: is_body(:, :)
+   subroutine store(values, state, modulus, results)
       real(dp), intent(in) :: values(:)
       type(free_state_t), intent(in) :: state
       !> Contact modulus E* [Pa].
@@ -245,7 +242,6 @@ contains
       !> In: all NaN. Out: with what has a value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       real(dp) :: force, cell, map
-      real(dp), allocatable :: gap(:, :)
       integer :: i
 
       associate (s => state%solution, unit => state%surface%period(1), lengths => state%surface%period, n => state%n_cells)
@@ -259,9 +255,7 @@ contains
          if (is_set(values(in%approach))) results(out%approach) = values(in%approach)
          results(out%contact_area) = s%area%corrected*map
          results(out%contact_area_error) = s%area%error*map
-         allocate (gap, source=s%gap)
-         where (.not. is_body) gap = beside_body
-         results(out%smooth_area) = chord_fraction(s%pressure, gap, lengths/n/unit, .false., state%is_periodic)*map
+         results(out%smooth_area) = s%smooth_area*map
          if (s%area%corrected > 0) results(out%mean_contact_pressure) = results(out%load)/results(out%contact_area)
          results(out%peak_pressure) = maxval(s%pressure)*modulus
          results(out%elastic_energy) = s%elastic_energy*force*unit

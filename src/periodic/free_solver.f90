@@ -8,6 +8,7 @@ module adfric_periodic_free_solver
    use adfric_base_error, only: error_t
    use adfric_base_watch, only: watch_t
    use adfric_periodic_area, only: area_of_cells, area_t, refine_area
+   use adfric_periodic_chords, only: beside_body, chord_fraction
    use adfric_periodic_free_contact, only: free_state_t, solve_free_contact
    use adfric_periodic_free_operator, only: free_operator_t, new_free_operator
    use adfric_periodic_grids, only: n_grids_of, refine
@@ -38,6 +39,8 @@ module adfric_periodic_free_solver
       real(dp) :: load = 0, approach = 0, load_error = huge(1.0_dp), approach_error = huge(1.0_dp)
       !> Area in contact as a share of the map.
       type(area_t) :: area
+      !> The same by chords, which varies smoothly.
+      real(dp) :: smooth_area = 0
       !> Pressure and gap; 0 in contact and beside the body; shape of the cells.
       real(dp), allocatable :: pressure(:, :), gap(:, :)
       !> Half of the sum of pressure times displacement times area.
@@ -228,6 +231,7 @@ contains
       type(free_operator_t), intent(in) :: operators(:)
       type(free_solution_t), intent(inout) :: solution
       type(area_t) :: areas(size(states))
+      real(dp), allocatable :: gap(:, :)
       real(dp) :: loads(size(states)), cell
       integer :: k, n
 
@@ -253,6 +257,11 @@ contains
          solution%pressure(:, :) = merge(max(finest%pressure, 0.0_dp), 0.0_dp, finest%is_contact)
          solution%gap(:, :) = merge(max(finest%displacement + finest%shape - finest%approach, 0.0_dp), 0.0_dp, &
             & finest%is_body .and. .not. finest%is_contact)
+         allocate (gap, source=solution%gap)
+         where (.not. finest%is_body) gap = beside_body
+         solution%smooth_area = chord_fraction(solution%pressure, gap, operators(n)%cell_size, .false., operators(n)%is_periodic)
+         ! cells along a straight edge are all wrong together
+         solution%area%error = max(solution%area%error, safety*abs(solution%area%corrected - solution%smooth_area))
          solution%load = sum_of(solution%pressure)*cell
          if (finest%has_load .and. solution%load > 0) then
             solution%pressure(:, :) = solution%pressure*(finest%total*cell/solution%load)
