@@ -7,7 +7,7 @@ module adfric_periodic_free_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_watch, only: watch_t
-   use adfric_periodic_area, only: area_of_cells, area_t, refine_area
+   use adfric_periodic_area, only: area_of_cells, area_t, refine_area, scatter_of_runs
    use adfric_periodic_chords, only: beside_body, chord_fraction
    use adfric_periodic_free_contact, only: free_state_t, solve_free_contact
    use adfric_periodic_free_operator, only: free_operator_t, new_free_operator
@@ -261,7 +261,7 @@ contains
          where (.not. finest%is_body) gap = beside_body
          solution%smooth_area = chord_fraction(solution%pressure, gap, operators(n)%cell_size, .false., operators(n)%is_periodic)
          ! cells along a straight edge are all wrong together
-         solution%area%error = max(solution%area%error, safety*abs(solution%area%corrected - solution%smooth_area))
+         solution%area%error = max(solution%area%error, scatter_of_runs(finest%is_contact))
          solution%load = sum_of(solution%pressure)*cell
          if (finest%has_load .and. solution%load > 0) then
             solution%pressure(:, :) = solution%pressure*(finest%total*cell/solution%load)
