@@ -54,7 +54,7 @@ module adfric_periodic_free_contact
    end type free_state_t
 
    !> Workspace of the steps; arrays have the shape of the cells.
-   type :: steps_t
+   type :: free_steps_t
       !> What is left of the gap in contact, with the sign of a displacement that is missing; preconditioned; direction, and what
       !> displacement that makes.
       real(dp), allocatable, dimension(:, :) :: residual, correction, direction, image
@@ -64,15 +64,15 @@ module adfric_periodic_free_contact
       real(dp) :: sum_of_constant = 0, product_before = 0, product = 0
       !> Is the displacement that of the pressure, found anew and not carried along?
       logical :: is_fresh = .false.
-   end type steps_t
+   end type free_steps_t
 
    !> Largest values of a row of cells, 0 where there is none above 0.
-   type :: largest_t
+   type :: free_largest_t
       !> Pressure, and tension of cells in contact [E*].
       real(dp) :: peak = 0, pull = 0
       !> Gap or overlap in contact, and overlap elsewhere.
       real(dp) :: remaining = 0, overlap = 0
-   end type largest_t
+   end type free_largest_t
 
 contains
 
@@ -86,7 +86,7 @@ contains
       !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
       type(region_search_t) :: search
-      type(steps_t) :: steps
+      type(free_steps_t) :: steps
       type(verdict_t) :: verdict
       real(dp) :: peak
       integer :: n_checks
@@ -140,7 +140,7 @@ contains
    !> Begin steps: see to it that pressure, load and displacement are those of the region.
    subroutine begin_region(state, steps, operator)
       type(free_state_t), intent(inout) :: state
-      type(steps_t), intent(inout) :: steps
+      type(free_steps_t), intent(inout) :: steps
       !> Operator of this grid, which counts how often it is applied.
       type(free_operator_t), intent(inout) :: operator
       real(dp) :: total
@@ -166,7 +166,7 @@ contains
    !> Find what is missing of the displacement in contact, its correction, and the approach under a given load.
    subroutine find_correction(state, steps, operator)
       type(free_state_t), intent(inout) :: state
-      type(steps_t), intent(inout) :: steps
+      type(free_steps_t), intent(inout) :: steps
       type(free_operator_t), intent(inout) :: operator
       integer :: j
 
@@ -190,7 +190,7 @@ contains
    !> Take a step of conjugate gradients.
    subroutine step(state, steps, operator, is_stuck)
       type(free_state_t), intent(inout) :: state
-      type(steps_t), intent(inout) :: steps
+      type(free_steps_t), intent(inout) :: steps
       type(free_operator_t), intent(inout) :: operator
       !> Is there nothing to step along any more?
       logical, intent(out) :: is_stuck
@@ -221,7 +221,7 @@ contains
       type(verdict_t), intent(out) :: verdict
       !> Receives the largest pressure [E*].
       real(dp), intent(out) :: peak
-      type(largest_t) :: rows(size(state%shape, 2))
+      type(free_largest_t) :: rows(size(state%shape, 2))
       real(dp) :: wrong
       integer :: j
 
@@ -241,7 +241,7 @@ contains
    pure subroutine judge_row(pressure, gap, is_contact, is_body, largest)
       real(dp), intent(in) :: pressure(:), gap(:)
       logical, intent(in) :: is_contact(:), is_body(:)
-      type(largest_t), intent(out) :: largest
+      type(free_largest_t), intent(out) :: largest
       integer :: i
 
       do i = 1, size(gap)

@@ -47,7 +47,7 @@ module adfric_periodic_free_model
    end type free_model_t
 
    !> What a point leaves for the next one, and for its maps.
-   type, extends(point_state_t) :: free_state_t
+   type, extends(point_state_t) :: free_point_state_t
       !> Lengths and cells of the map, and the undeformed gap [m].
       type(periodic_surface_t) :: surface
       !> Boundaries that the solver is made for.
@@ -60,7 +60,7 @@ module adfric_periodic_free_model
       type(free_solver_t), allocatable :: solver
       !> Solution, with lengths in `length_x` and pressures in E*.
       type(free_solution_t) :: solution
-   end type free_state_t
+   end type free_point_state_t
 
 contains
 
@@ -154,11 +154,11 @@ contains
       real(dp) :: unit, modulus, prescribed
       logical :: has_load
 
-      if (.not. allocated(state)) allocate (free_state_t :: state)
+      if (.not. allocated(state)) allocate (free_point_state_t :: state)
       status = status_not_converged
       error_estimate = 0
       select type (state)
-      type is (free_state_t)
+      type is (free_point_state_t)
          call self%given%get_cells(values(in%heights:in%rms_height), state%surface)
          call self%given%get_shape(values(in%heights:in%rms_height), state%surface%shape)
          call prepare_solver(self, state, is_periodic_by(values(in%boundaries)), error)
@@ -184,7 +184,7 @@ contains
    !> Make a solver, unless that of the point before serves.
    subroutine prepare_solver(self, state, is_periodic, error)
       class(free_model_t), intent(in) :: self
-      type(free_state_t), intent(inout) :: state
+      type(free_point_state_t), intent(inout) :: state
       !> Does the surface go on periodically along x, along y?
       logical, intent(in) :: is_periodic(2)
       type(error_t), allocatable, intent(out) :: error
@@ -236,7 +236,7 @@ contains
    !> Set the results of a point.
    subroutine store(values, state, modulus, results)
       real(dp), intent(in) :: values(:)
-      type(free_state_t), intent(in) :: state
+      type(free_point_state_t), intent(in) :: state
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
       !> In: all NaN. Out: with what has a value; shape `(n_results)`.
@@ -278,7 +278,7 @@ contains
       real(dp), intent(inout) :: profiles(:, :, :)
 
       select type (state)
-      type is (free_state_t)
+      type is (free_point_state_t)
          profiles(:, :, 1) = state%solution%pressure*contact_modulus_of(values(in%modulus:in%modulus + n_two_bodies - 1))
          profiles(:, :, 2) = state%solution%gap*state%surface%period(1)
          where (.not. self%given%is_body) profiles(:, :, 2) = not_a_number()

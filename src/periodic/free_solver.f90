@@ -52,12 +52,12 @@ module adfric_periodic_free_solver
    end type free_solution_t
 
    !> A field on a grid.
-   type :: field_t
+   type :: free_field_t
       !> Gap of the undeformed surfaces on the cells.
       real(dp), allocatable :: shape(:, :)
       !> Is the cell one of the body?
       logical, allocatable :: is_body(:, :)
-   end type field_t
+   end type free_field_t
 
 contains
 
@@ -100,7 +100,7 @@ contains
       !> Largest residual on the finest grid [-].
       real(dp), intent(in) :: tolerance
       type(free_solution_t), intent(inout) :: solution
-      type(field_t) :: fields(size(self%operators))
+      type(free_field_t) :: fields(size(self%operators))
       type(free_state_t) :: states(size(self%operators))
       integer :: k, before, n
       real(dp) :: goal
@@ -153,7 +153,7 @@ contains
    !> The undeformed gap and the body on all grids: means over those of four cells that are of the body.
    subroutine set_fields(fields, shape, is_body)
       !> Receives the fields, the coarsest first.
-      type(field_t), intent(out) :: fields(:)
+      type(free_field_t), intent(out) :: fields(:)
       real(dp), intent(in) :: shape(:, :)
       logical, intent(in) :: is_body(:, :)
       real(dp), allocatable :: weight(:, :)
