@@ -166,6 +166,10 @@ contains
 
       call require(rows, values, [heights, length_x], problems)
       if (.not. is_set(values(heights))) return
+      if (self%has_border .and. self%is_line()) then
+         call problems%add('surface', 'heights', 'have one dimension, x; a body that ends somewhere needs two, (ny, nx)')
+         return
+      end if
       if (.not. self%is_line()) then
          call require(rows, values, [length_y], problems)
          if (is_set(values(length_x)) .and. is_set(values(length_y))) then
@@ -177,8 +181,6 @@ contains
          call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')
       end if
       if (.not. self%has_border) return
-      if (self%is_line()) call problems%add('surface', 'heights', &
-         & 'have one dimension, x; a body that ends somewhere needs two, (ny, nx)')
       if (is_set(values(rms_height)) .and. .not. self%root_mean_square > 0) &
          & call problems%add('surface', 'root_mean_square_height', 'is given, but all heights are the same')
    end subroutine check
