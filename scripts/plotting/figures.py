@@ -41,7 +41,6 @@ SHOWN = {
     ("wave_1d", "adhesion_stress"): ("pull_off_pressure", "adhesion_hysteresis"),
     ("wave_1d", "stress"): ("pull_off_pressure", "hysteresis_loss"),
     ("wave_2d_elastic", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
-    ("free_surface", "load"): ("contact_area", "approach", "peak_pressure", "moment_x"),
     ("surface_elastic", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("wave_1d", "velocity"): ("friction_coefficient", "contact_fraction", "contact_shift", "peak_pressure"),
 }
