@@ -35,6 +35,13 @@ def make_stripes(cells, stripes, weak):
     return np.tile(np.where(position < 0.5, 1.0, weak), (cells, 1))
 
 
+def shape_tip(heights, length, radius):
+    """Roughness [m] on a paraboloid about the middle of the map, (ny, nx); NaN beyond the circle that the map holds."""
+    position = ((np.arange(len(heights)) + 0.5) / len(heights) - 0.5) * length
+    square = position[:, None] ** 2 + position[None, :] ** 2
+    return np.where(square <= length ** 2 / 4, heights - square / (2 * radius), np.nan)
+
+
 def write_surface(path, heights, length, work=None):
     """Write the heights [m] and the distances of the samples, which `kind = 'map'` of `wavy_sliding` reads as well."""
     with h5py.File(path, "w") as file:
@@ -54,6 +61,8 @@ def main():
     """Read the options and write the file."""
     given = read_command_line(sys.argv[1:])
     heights = make_heights(given.cells, given.hurst, given.longest, given.shortest, given.rms, given.seed)
+    if given.tip is not None:
+        heights = shape_tip(heights, given.length, given.tip)
     work = make_stripes(given.cells, given.stripes, given.weak) if given.stripes else None
     write_surface(given.file, heights, given.length, work)
 

@@ -19,11 +19,15 @@ def read_command_line(arguments):
     parser.add_argument("--stripes", type=int, default=0,
                         help="also write a map of the work of adhesion, with so many weak stripes along y (default: none)")
     parser.add_argument("--weak", type=float, default=0.1, help="work of a weak stripe over that between them (default: %(default)s)")
+    parser.add_argument("--tip", type=float, metavar="RADIUS",
+                        help="put the roughness on a tip of this radius of curvature [m], which has no cells beyond its circle in the map")
     given = parser.parse_args(arguments)
     if given.stripes < 0 or 2 * given.stripes > given.cells:
         parser.error("--stripes: from 0 to half of the cells")
     if not given.weak >= 0:
         parser.error("--weak: 0 at least")
+    if given.tip is not None and not given.tip > 0:
+        parser.error("--tip: above 0")
     if given.cells < 2 * int(1 / given.shortest) + 2:
         parser.error("the cells are too few for the shortest wave: less than two along it")
     return given

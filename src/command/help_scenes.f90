@@ -11,30 +11,30 @@ module adfric_command_help_scenes
    use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of, long_name_of, meaning_of, &
       & rename_words, renamed_to
    use adfric_describe_scene_shapes, only: list_shapes
-   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, &
-      known_tractions, word_length
+   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, known_tractions, &
+      word_length
    implicit none (type, external)
    private
    public :: describe_scenes, describe_scene_list, describe_scene_name, list_scene_names
 
    !> Columns of the table: solid, interface, operation, and what they are.
-   integer, parameter :: n_columns = 15
+   integer, parameter :: n_columns = 16
    character(*), parameter :: columns(3, n_columns) = reshape([character(word_length) :: &
       & 'half_space', 'none', 'press', 'half_space', 'adhesion', 'press', 'half_space', 'shear', 'slide', &
       & 'half_space', 'adhesion+shear', 'slide', 'half_space', 'coulomb', 'tangential', 'half_space', 'coulomb', 'path', &
-      & 'half_space', 'adhesion', 'path', 'relaxing', 'none', 'path', 'relaxing', 'adhesion', 'path', &
-      & 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', &
-      & 'layer', 'none', 'slide', 'layer', 'adhesion', 'slide', &
-      & 'foundation', 'none', 'slide', 'foundation', 'adhesion', 'slide'], &
-      & [3, n_columns])
+      & 'half_space', 'adhesion', 'path', 'free_half_space', 'none', 'press', 'relaxing', 'none', 'path', &
+      & 'relaxing', 'adhesion', 'path', 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', &
+      & 'layer', 'none', 'slide', 'layer', 'adhesion', 'slide', 'foundation', 'none', 'slide', &
+      & 'foundation', 'adhesion', 'slide'], [3, n_columns])
    character(*), parameter :: heads(n_columns) = [character(72) :: &
       & 'elastic half-space, pressed', 'elastic half-space, pressed, with adhesion', &
       & 'elastic half-space, sliding with a shear strength', &
       & 'elastic half-space, sliding with adhesion and a shear strength', &
       & 'elastic half-space, tangential force below mu P (Coulomb)', 'elastic half-space, path of loads and tangential forces', &
       & 'elastic half-space, path of loads, approaches or a spring with adhesion', &
-      & 'viscoelastic half-space, history in time', 'viscoelastic half-space, history in time with adhesion', &
-      & 'viscoelastic half-space, sliding', 'viscoelastic half-space, sliding with adhesion', 'viscoelastic layer, sliding', &
+      & 'elastic half-space with free boundaries, pressed', 'viscoelastic half-space, history in time', &
+      & 'viscoelastic half-space, history in time with adhesion', 'viscoelastic half-space, sliding', &
+      & 'viscoelastic half-space, sliding with adhesion', 'viscoelastic layer, sliding', &
       & 'viscoelastic layer, sliding with adhesion', 'viscoelastic foundation (columns), sliding', &
       & 'viscoelastic foundation (columns), sliding with adhesion']
    !> Variables that choose the solver: group, name, meaning, and words.

@@ -16,13 +16,15 @@ module adfric_describe_scene_facts
       character(:), allocatable :: surface
       !> Word of `&solid extent`.
       character(:), allocatable :: extent
+      !> Word of `&solid boundaries`; empty or not allocated if there is none, and the surface is periodic if it has given heights.
+      character(:), allocatable :: boundaries
       !> Words of `&operating state` and of `&adhesion theory`; empty if there is none.
       character(:), allocatable :: state, theory
       !> Word of `&solid curve_modulus`; empty or not allocated if there is none.
       character(:), allocatable :: curve
       !> Does the scene say that shear stress does not move the contact?
       logical :: is_uncoupled = .false.
-      !> One of: `half_space`, `relaxing`, `layer`, `foundation`.
+      !> One of: `half_space`, `relaxing`, `layer`, `foundation`; with `free_` before it where boundaries are not periodic.
       character(:), allocatable :: solid
       !> One of: `none`, `adhesion`, `shear`, `coulomb`, `adhesion+shear`, `adhesion+coulomb`.
       character(:), allocatable :: interface
@@ -70,7 +72,9 @@ module adfric_describe_scene_facts
    !> Words of a scene, and what is said of it.
    character(*), parameter :: phrases(*) = [character(70) :: &
       & 'half_space on an elastic half-space', 'relaxing on a viscoelastic half-space', 'layer on a viscoelastic layer', &
-      & 'foundation on a foundation', &
+      & 'foundation on a foundation', 'free_half_space on an elastic half-space with free boundaries', &
+      & 'free_relaxing on a viscoelastic half-space with free boundaries', &
+      & 'free_layer on a viscoelastic layer with free boundaries', 'free_foundation on a foundation with free boundaries', &
       & 'adhesion with adhesion', 'shear with a shear strength', 'coulomb with a coefficient of friction', &
       & 'adhesion+shear with adhesion and a shear strength', 'adhesion+coulomb with adhesion and a coefficient of friction', &
       & 'press pressed', 'slide sliding', 'tangential under a tangential force', 'path along a path of loading']
@@ -106,6 +110,7 @@ contains
       self%solid = self%extent
       if (self%extent == 'half_space' .and. self%has('relaxes')) self%solid = 'relaxing'
       if (self%solid == 'relaxing') self%facts = self%facts//' relaxing'
+      if (has_border(self)) self%solid = 'free_'//self%solid
       self%interface = 'none'
       if (self%has('adhesion')) self%interface = 'adhesion'
       if (self%has('shear') .or. self%has('coulomb')) then
@@ -117,6 +122,14 @@ contains
       if (slides) self%operation = 'slide'
       if (self%has('path')) self%operation = 'path'
    end subroutine find_facts
+
+   !> Does the surface end somewhere, in one direction at least?
+   pure logical function has_border(self)
+      type(scene_t), intent(in) :: self
+
+      has_border = .false.
+      if (allocated(self%boundaries)) has_border = len(self%boundaries) > 0 .and. self%boundaries /= 'periodic'
+   end function has_border
 
    !> Which modulus a master curve is one of, as a fact behind a blank. With a Poisson's ratio it is Young's, unless the scene says
    !> that it is the contact modulus.

@@ -4,7 +4,7 @@ module adfric_describe_scene_solvers
    use adfric_base_words, only: get_word, has_word
    implicit none (type, external)
    private
-   public :: scenes, n_scenes, known_surfaces, known_tractions, known_extents, known_curves, word_length
+   public :: scenes, n_scenes, known_surfaces, known_tractions, known_extents, known_boundaries, known_curves, word_length
    public :: accuracy_of, accuracy_of_scene, answers, find_nearest
 
    !> Round bodies.
@@ -15,6 +15,8 @@ module adfric_describe_scene_solvers
       & 'rounded_punch rounded_cone polynomial flat_punch ellipsoid cylinder line_punch wedge line_polynomial '// &
       & 'wave_1d wave_2d wave_product cosines profile heights spectrum'
    character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer foundation'
+   !> Words of `&solid boundaries`: how a surface of given heights goes on beyond its map.
+   character(*), parameter :: known_boundaries = 'periodic free periodic_x periodic_y'
    !> Words of `&solid curve_modulus`: which modulus a master curve is one of.
    character(*), parameter :: known_curves = 'young contact'
 
@@ -57,6 +59,7 @@ module adfric_describe_scene_solvers
       & 'profile,heights half_space none,adhesion press surface_elastic numerical', &
       & 'profile,heights half_space shear,adhesion+shear press,slide surface_elastic numerical', &
       & 'profile,heights half_space coulomb press,tangential surface_elastic numerical', &
+      & 'heights free_half_space none press free_surface numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing none path surface_time numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer none press,slide surface_sliding numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer adhesion press,slide surface_sliding numerical', &
@@ -149,7 +152,7 @@ contains
          if (.not. has_item(list, trim(words(k)))) nearest(k) = list(:scan(list//',', ',') - 1)
       end do
       ! over a solid that relaxes, and on a layer, a contact is solved while it slides: the solver asks for the velocity
-      if (nearest(2) /= 'half_space' .and. nearest(4) == 'press') nearest(4) = 'slide'
+      if (index(nearest(2), 'half_space') == 0 .and. nearest(4) == 'press') nearest(4) = 'slide'
    end subroutine find_nearest
 
    !> How far a row is from a scene: 0 if it has it.

@@ -44,6 +44,8 @@ module adfric_describe_table
       integer :: largest_rank = 1, least_count = 1
       !> Most values that a dataset may have along each dimension.
       integer :: most_count = huge(1)
+      !> May a dataset lack values, which are NaN then?
+      logical :: may_lack_values = .false.
       !> May the numbers of a dataset of one dimension stand in the input, in place of the name of the dataset?
       logical :: is_list = .false.
       !> Names of the datasets of one dimension and equal length that the variable takes from a group of a file, and their SI units,
@@ -132,8 +134,8 @@ module adfric_describe_table
       character(:), allocatable :: unit
       !> What it is, for the results file.
       character(:), allocatable :: long_name
-      !> Names of the datasets that are the scales of its dimensions, the slowest first, separated by a blank; its own name makes it a
-      !> scale itself.
+      !> Names of the datasets that are the scales of its dimensions, the slowest first, separated by a blank; its own name makes it
+      !> a scale itself.
       character(:), allocatable :: dimensions
       !> Number of values along each dimension, the slowest first.
       integer, allocatable :: counts(:)

@@ -4,6 +4,7 @@ module adfric_input_dataset
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_units, only: unit_t, to_si
    use adfric_base_text, only: longest_name, show_count, show_number, show_text
    use adfric_hdf5_samples, only: read_numbers
@@ -164,21 +165,23 @@ contains
       !> What is wrong with the dataset or its values; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       type(checksum_t) :: checksum
+      logical, allocatable :: is_there(:, :)
       integer :: j
+      logical :: lacks_values
 
       flaw = ''
       if (any(dataset%counts < variable%least_count)) flaw = 'too few values in the dataset'
       if (any(dataset%counts > variable%most_count)) flaw = 'too many values in the dataset'
       if (len(flaw) > 0) return
-      do j = 1, size(values, 2)
-         if (all(ieee_is_finite(values(:, j)))) cycle
-         flaw = 'NaN or Inf in the dataset'
-         return
-      end do
+      allocate (is_there(size(values, 1), size(values, 2)))
+      call find_lacking(variable, values, is_there, flaw)
+      lacks_values = .not. all(is_there)
+      if (len(flaw) > 0) return
       call convert_units(dataset%units, variable%unit, values, flaw)
       if (len(flaw) > 0) return
       do j = 1, size(values, 2)
          call checksum%add_reals(values(:, j))
+         if (lacks_values) call checksum%add_reals(merge(1.0_dp, 0.0_dp, is_there(:, j)))
       end do
       call add_attributes(dataset, checksum)
       dataset%checksum = checksum%to_text()
@@ -194,7 +197,39 @@ contains
          if (size_of_all > 0 .and. size_of_all < smallest) flaw = 'the values of the dataset are too small, the largest is '// &
             show_number(size_of_all)//', not 0 or >= '//show_number(smallest)
       end associate
+      if (lacks_values) where (.not. is_there) values = not_a_number()
    end subroutine examine_values
+
+   !> Find values that are no numbers. Where some may lack, another one stands for them, until all have been examined.
+   pure subroutine find_lacking(variable, values, is_there, flaw)
+      type(variable_t), intent(in) :: variable
+      !> In: values as the file has them. Out: numbers alone.
+      real(dp), intent(inout) :: values(:, :)
+      !> Receives which values are there; same shape.
+      logical, intent(out) :: is_there(:, :)
+      !> In: empty. Out: why the values will not do; empty if they will.
+      character(:), allocatable, intent(inout) :: flaw
+      integer :: j, cell(2)
+
+      is_there(:, :) = .true.
+      do j = 1, size(values, 2)
+         if (all(ieee_is_finite(values(:, j)))) cycle
+         is_there(:, j) = .not. ieee_is_nan(values(:, j))
+         if (.not. variable%may_lack_values) then
+            flaw = 'NaN or Inf in the dataset'
+         else if (.not. all(ieee_is_finite(values(:, j)) .or. .not. is_there(:, j))) then
+            flaw = 'Inf in the dataset; what is not known is NaN'
+         end if
+         if (len(flaw) > 0) return
+      end do
+      if (all(is_there)) return
+      cell = findloc(is_there, .true.)
+      if (any(cell == 0)) then
+         flaw = 'all values of the dataset are NaN'
+         return
+      end if
+      values(:, :) = merge(values, values(cell(1), cell(2)), is_there)
+   end subroutine find_lacking
 
    !> Convert values to SI units.
    pure subroutine convert_units(units, wanted, values, flaw)

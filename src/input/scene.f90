@@ -19,15 +19,15 @@ module adfric_input_scene
    use adfric_run_converted_model, only: convert_model
    use adfric_describe_scene_facts, only: describe_scene, find_facts, is_named, scene_t, words_of
    use adfric_describe_scene_names, only: rename_tables
-   use adfric_describe_scene_solvers, only: answers, find_nearest, known_curves, known_extents, known_surfaces, known_tractions, &
-      n_scenes, scenes, word_length
+   use adfric_describe_scene_solvers, only: answers, find_nearest, known_boundaries, known_curves, known_extents, known_surfaces, &
+      known_tractions, n_scenes, scenes, word_length
    implicit none (type, external)
    private
    public :: make_model, find_solver, make_solver, naming
 
    !> Names that stand for the scene itself.
-   character(*), parameter :: names_of_scene = 'surface%kind solid%extent solid%curve_modulus traction%kind '// &
-      & 'operating%state'
+   character(*), parameter :: names_of_scene = 'surface%kind solid%extent solid%boundaries solid%curve_modulus '// &
+      & 'traction%kind operating%state'
    !> Variables that name other variables.
    character(*), parameter :: naming = 'variable variables with abscissa'
 
@@ -193,6 +193,8 @@ contains
       scene%extent = 'half_space'
       call read_choice(r, 'solid', 'extent', known_extents, scene%extent)
       call check_extent(scene, r%problems)
+      scene%boundaries = ''
+      call read_choice(r, 'solid', 'boundaries', known_boundaries, scene%boundaries)
       scene%curve = ''
       call read_choice(r, 'solid', 'curve_modulus', known_curves, scene%curve)
       call check_curve(scene, r%problems)
@@ -209,6 +211,7 @@ contains
       else
          call read_kind('traction', known_tractions)
       end if
+      if (r%problems%count() == n_before) call check_boundaries(scene, r%problems)
       if (r%problems%count() > n_before) scene%surface = ''
 
    contains
@@ -245,6 +248,17 @@ contains
          & is_named(scene%names, 'solid%stiffnesses'))) call problems%add('solid', 'stiffness', &
          & 'belongs to columns; give extent = ''foundation''')
    end subroutine check_extent
+
+   !> A round body, or one on a line, is alone, which boundaries that are periodic would deny.
+   subroutine check_boundaries(scene, problems)
+      type(scene_t), intent(in) :: scene
+      type(problems_t), intent(inout) :: problems
+
+      if (scene%boundaries /= 'periodic') return
+      if (has_word('wave_1d wave_2d wave_product cosines profile heights', scene%surface)) return
+      call problems%add('solid', 'boundaries', 'are periodic under waves and given heights, and a body of kind '''//scene%surface &
+         //''' is alone')
+   end subroutine check_boundaries
 
    !> Which modulus a master curve is one of: that of columns is Young's.
    subroutine check_curve(scene, problems)

@@ -7,7 +7,8 @@
 !>
 !> The field passes memory three times: rows there; columns there, times the symbol, and back; rows back. Lines are transformed one
 !> by one, each as any other, by as many threads as OpenMP gives: the result has the same bits for any number of them. A filter
-!> owns its plans and its buffers; one field goes through it at a time. The file is long by two kinds of fields, which share the passes.
+!> owns its plans and its buffers; one field goes through it at a time. A general field may be smaller than its transforms. It goes
+!> on with zeros then, whose rows are not transformed. The file is long by two kinds of fields, which share the passes.
 module adfric_numerics_spectral_filter
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t
    use adfric_base_kinds, only: dp
@@ -32,8 +33,10 @@ module adfric_numerics_spectral_filter
       private
       !> Is the field even about the ends of its range, so that cosine transforms will do?
       logical :: is_even = .false.
-      !> Number of samples in each direction.
+      !> Number of samples of a transform in each direction.
       integer :: n(2) = 0
+      !> Number of samples of the field in each direction; behind them it is 0.
+      integer :: n_field(2) = 0
       !> Factor of a transform followed by its inverse.
       real(dp), public :: gain = 1
       !> Number of modes in each direction.
@@ -46,7 +49,7 @@ module adfric_numerics_spectral_filter
       type(c_ptr) :: modes_memory = c_null_ptr, rows_memory = c_null_ptr, columns_memory = c_null_ptr
       !> A row of samples for each part; shape `(nx, n_parts)`, but that rows are a little longer where that keeps them in place.
       real(dp), pointer, contiguous :: rows(:, :) => null()
-      !> Modes of a general field along x, then along both; shape `(nx/2 + 1, ny)` or a little wider.
+      !> Modes of the rows of a general field along x, then along both; shape `(nx/2 + 1, n_field(2))` or a little wider.
       complex(dp), pointer, contiguous :: waves(:, :) => null()
       !> Some columns of `waves` for each part; shape `(ny, n_together, n_parts)`.
       complex(dp), pointer, contiguous :: wave_columns(:, :, :) => null()
@@ -68,7 +71,7 @@ module adfric_numerics_spectral_filter
 contains
 
    !> Make the plans of a size.
-   subroutine new_spectral_filter(self, nx, ny, is_even, is_measured, error)
+   subroutine new_spectral_filter(self, nx, ny, is_even, is_measured, error, n_field)
       !> Receives the plans and buffers; of no use after an error.
       type(spectral_filter_t), intent(out) :: self
       !> Number of samples in each direction, 1 or more.
@@ -79,6 +82,8 @@ contains
       logical, intent(in) :: is_measured
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
+      !> Number of samples of a general field, nx and ny at most, which goes on with zeros; not present: nx and ny.
+      integer, intent(in), optional :: n_field(2)
       integer(c_int) :: flag
 
       if (min(nx, ny) < 1) then
@@ -87,6 +92,10 @@ contains
       end if
       self%is_even = is_even
       self%n = [nx, ny]
+      self%n_field = self%n
+      if (present(n_field)) self%n_field = n_field
+      if (has_asserts) call assert(all(self%n_field <= self%n) .and. (.not. is_even .or. all(self%n_field == self%n)), &
+         & 'new_spectral_filter: a general field has no more samples than its transforms, an even one as many')
       self%gain = real(nx, dp)*ny*merge(4, 1, is_even)
       self%n_modes = [merge(nx, nx/2 + 1, is_even), ny]
       self%n_parts = int(min(real(most_parts, dp), max(1.0_dp, real(nx, dp)*ny/samples_of_part)))
@@ -111,7 +120,7 @@ contains
       wide = self%n(1) + mod(self%n(1), 2)
       height = self%n(2) + mod(self%n(2), 2)
       width = width_of(self%n_modes(1))
-      self%modes_memory = fftw_malloc(merge(1, 2, self%is_even)*n_bytes*width*self%n(2))
+      self%modes_memory = fftw_malloc(merge(1, 2, self%is_even)*n_bytes*width*self%n_field(2))
       if (.not. c_associated(self%modes_memory)) return
       self%rows_memory = fftw_malloc(n_bytes*wide*self%n_parts)
       if (.not. c_associated(self%rows_memory)) return
@@ -123,7 +132,7 @@ contains
          call c_f_pointer(self%columns_memory, self%cosine_columns, [height, n_together, self%n_parts])
          self%cosines(:, :) = 0
       else
-         call c_f_pointer(self%modes_memory, self%waves, [width, self%n(2)])
+         call c_f_pointer(self%modes_memory, self%waves, [width, self%n_field(2)])
          call c_f_pointer(self%columns_memory, self%wave_columns, [height, n_together, self%n_parts])
          self%waves(:, :) = 0
       end if
@@ -167,18 +176,19 @@ contains
       class(spectral_filter_t), intent(inout) :: self
       !> Factor of each mode; shape `(n_modes(2), n_modes(1))`, y first; it has to contain the division by `gain`.
       real(dp), intent(in), contiguous :: symbol(:, :)
-      !> The field; shape `(nx, ny)`.
+      !> The field; shape `(nx, ny)`, or `n_field`.
       real(dp), intent(in), contiguous :: x(:, :)
-      !> Receives the field with its modes multiplied; shape `(nx, ny)`.
+      !> Receives the field with its modes multiplied; shape of `x`.
       real(dp), intent(out), contiguous :: y(:, :)
       !> Receives the sum of x times y over all samples.
       real(dp), intent(out), optional :: product
-      !> Imaginary part of each factor, of opposite sign for opposite waves; 0 if it is absent. Not for an even field; shape of `symbol`.
+      !> Imaginary part of each factor, of opposite sign for opposite waves; 0 if it is absent. Not for an even field; shape of
+      !> `symbol`.
       real(dp), intent(in), contiguous, optional :: imaginary(:, :)
-      real(dp) :: products(self%n(2))
+      real(dp) :: products(self%n_field(2))
       integer :: part
 
-      if (has_asserts) call assert(all(shape(x) == self%n) .and. all(shape(y) == self%n), &
+      if (has_asserts) call assert(all(shape(x) == self%n_field) .and. all(shape(y) == self%n_field), &
          & 'apply: fields have the shape of the plans')
       if (has_asserts) call assert(size(symbol, 1) == self%n_modes(2) .and. size(symbol, 2) == self%n_modes(1), &
          & 'apply: there is a factor for each mode')
@@ -255,8 +265,9 @@ contains
       real(dp), intent(in), contiguous :: x(:, :)
       integer :: j
 
-      do j = first_of(part, self%n_parts, self%n(2)), first_of(part + 1, self%n_parts, self%n(2)) - 1
-         self%rows(:self%n(1), part) = x(:, j)
+      do j = first_of(part, self%n_parts, self%n_field(2)), first_of(part + 1, self%n_parts, self%n_field(2)) - 1
+         self%rows(:self%n_field(1), part) = x(:, j)
+         self%rows(self%n_field(1) + 1:self%n(1), part) = 0
          if (self%is_even) then
             call fftw_execute_r2r(self%row_there, self%rows(:, part), self%cosines(:, j))
          else
@@ -301,10 +312,11 @@ contains
          do group = first_of(part, self%n_parts, n_groups), first_of(part + 1, self%n_parts, n_groups) - 1
             first = (group - 1)*n_together
             n = min(n_together, self%n_modes(1) - first)
-            do j = 1, self%n(2)
+            do j = 1, self%n_field(2)
                columns(j, :) = self%waves(first + 1:first + n_together, j)
             end do
             do i = 1, n
+               columns(self%n_field(2) + 1:self%n(2), i) = 0
                call fftw_execute_dft(self%column_there, columns(:, i), columns(:, i))
                if (present(imaginary)) then
                   call turn(columns(:self%n(2), i), symbol(:, first + i), imaginary(:, first + i))
@@ -317,7 +329,7 @@ contains
                end if
                call fftw_execute_dft(self%column_back, columns(:, i), columns(:, i))
             end do
-            do j = 1, self%n(2)
+            do j = 1, self%n_field(2)
                self%waves(first + 1:first + n_together, j) = columns(j, :)
             end do
          end do
@@ -383,7 +395,7 @@ contains
       real(dp) :: total
       integer :: i, j
 
-      do j = first_of(part, self%n_parts, self%n(2)), first_of(part + 1, self%n_parts, self%n(2)) - 1
+      do j = first_of(part, self%n_parts, self%n_field(2)), first_of(part + 1, self%n_parts, self%n_field(2)) - 1
          if (self%is_even) then
             call fftw_execute_r2r(self%row_back, self%cosines(:, j), self%rows(:, part))
          else
@@ -391,7 +403,7 @@ contains
          end if
          total = 0
          !$omp simd reduction(+:total)
-         do i = 1, self%n(1)
+         do i = 1, self%n_field(1)
             y(i, j) = self%rows(i, part)
             total = total + x(i, j)*y(i, j)
          end do

@@ -21,34 +21,43 @@ module adfric_periodic_chords
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: chord_fraction, level_fraction, part_in_contact
+   public :: chord_fraction, level_fraction, part_in_contact, beside_body
+
+   !> Gap of cells that are none of the body.
+   real(dp), parameter :: beside_body = huge(1.0_dp)
 
 contains
 
    !> Fraction of the surface in contact.
-   pure real(dp) function chord_fraction(pressure, gap, cell, is_quarter) result(fraction)
+   pure real(dp) function chord_fraction(pressure, gap, cell, is_quarter, is_periodic) result(fraction)
       !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
-      !> Gap there, 0 in contact; shape of `pressure`.
+      !> Gap there, 0 in contact, and `beside_body` where there is no body; shape of `pressure`.
       real(dp), intent(in) :: gap(:, :)
       !> Sizes of a cell along x and y, in the unit of the gap.
       real(dp), intent(in) :: cell(2)
       !> Is the map a quarter between planes of symmetry (else it goes on periodically)?
       logical, intent(in) :: is_quarter
+      !> Does a map that is no quarter go on periodically along x, along y? Else the body ends there. Not present: it does along
+      !> both.
+      logical, intent(in), optional :: is_periodic(2)
       real(dp) :: tension, along(2), rate(2)
       integer :: i, j
+      logical :: has_ends(2)
 
       tension = max(-minval(pressure), 0.0_dp)
+      has_ends = is_quarter
+      if (present(is_periodic)) has_ends = has_ends .or. .not. is_periodic
       along = 0
       ! a part in contact has cell^2 c for its factor
       rate = cell*sqrt(merge(2/3.0_dp, 1.0_dp, size(gap, 2) > 1))
       do j = 1, size(gap, 2)
-         along(1) = along(1) + chord_of(pressure(:, j) + tension, gap(:, j), rate(1), is_quarter)
+         along(1) = along(1) + chord_of(pressure(:, j) + tension, gap(:, j), rate(1), has_ends(1))
       end do
       fraction = along(1)/size(gap)
       if (size(gap, 2) == 1) return
       do i = 1, size(gap, 1)
-         along(2) = along(2) + chord_of(pressure(i, :) + tension, gap(i, :), rate(2), is_quarter)
+         along(2) = along(2) + chord_of(pressure(i, :) + tension, gap(i, :), rate(2), has_ends(2))
       end do
       fraction = (along(1) + along(2))/(2*size(gap))
    end function chord_fraction
@@ -113,13 +122,13 @@ contains
    end function part_below
 
    !> Chord of a row, in cells.
-   pure real(dp) function chord_of(pressure, gap, cell, is_quarter) result(chord)
+   pure real(dp) function chord_of(pressure, gap, cell, has_ends) result(chord)
       !> Pressure above the tension of a zone of adhesion [E*], and gap.
       real(dp), intent(in) :: pressure(:), gap(:)
       !> Size of a cell times cos t, in the unit of the gap.
       real(dp), intent(in) :: cell
-      !> Does the row end at planes of symmetry?
-      logical, intent(in) :: is_quarter
+      !> Does the row end, at planes of symmetry or at the border of the body (else it goes on periodically)?
+      logical, intent(in) :: has_ends
       integer :: i, n
 
       n = size(gap)
@@ -127,7 +136,7 @@ contains
       do i = 1, n - 1
          chord = chord + part_of(i, i + 1)
       end do
-      if (is_quarter) then
+      if (has_ends) then
          ! half a cell at either end
          if (.not. gap(1) > 0) chord = chord + 0.5_dp
          if (.not. gap(n) > 0) chord = chord + 0.5_dp
@@ -144,6 +153,9 @@ contains
 
          if (gap(i) > 0 .and. gap(k) > 0) then
             part_of = 0
+         else if (max(gap(i), gap(k)) >= beside_body) then
+            ! the body ends with its cell
+            part_of = 0.5_dp
          else if (gap(i) > 0) then
             part_of = part_in_contact(pressure(k), gap(i), cell)
          else if (gap(k) > 0) then

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The heights of a rough body as an input gives them: in the middles of equal cells that fill a period, from x = 0 and y = 0 on,
-!> positive towards the solid. The summits touch first.
+!> positive towards the solid. The summits touch first. A body that ends at the border of its map, or on either side of a strip, may
+!> lack cells; where it lacks one there is no body.
 module adfric_periodic_given_heights
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_number
@@ -27,11 +29,15 @@ module adfric_periodic_given_heights
 
    !> Heights of an input.
    type :: given_heights_t
-      !> Depths below the highest summit, shape `(nx, ny)` [m]; ny = 1 for a surface that does not vary along y.
+      !> Does the map end at its border, in one direction at least? Else it is a period, of which no cell is missing.
+      logical :: has_border = .false.
+      !> Is the cell one of the body? Shape of `depths`.
+      logical, allocatable :: is_body(:, :)
+      !> Depths below the highest summit, shape `(nx, ny)` [m]; ny = 1 for a surface that does not vary along y; 0 beside the body.
       real(dp), allocatable :: depths(:, :)
       !> Root of the mean square of the heights about their mean [m].
       real(dp) :: root_mean_square = 0
-      !> Mean squares of the differences of neighbours along x and y, of the first and the last cell too [m^2].
+      !> Mean squares of the differences of neighbours along x and y [m^2], in a period of the first and the last cell, too.
       real(dp) :: differences(2) = 0
       !> Cell of the lowest height, along x and y.
       integer :: lowest(2) = 1
@@ -69,36 +75,56 @@ contains
       class(given_heights_t), intent(inout) :: self
       !> Row of the heights; its name is part of the messages.
       type(variable_t), intent(in) :: row
-      !> Heights of the rough body [m]; shape `(nx, ny)`, ny = 1 if they do not vary along y.
+      !> Heights of the rough body [m], NaN where there is none; shape `(nx, ny)`, ny = 1 if they do not vary along y.
       real(dp), intent(in) :: values(:, :)
       type(problems_t), intent(inout) :: problems
+      real(dp) :: largest
+      integer :: cell(2)
 
-      if (maxval(values) > minval(values)) then
-         self%depths = maxval(values) - values
-         self%lowest = maxloc(self%depths)
-         associate (largest => maxval(self%depths))
-            self%root_mean_square = largest*sqrt(variance_of(self%depths/largest))
-            self%differences = largest**2*[mean_square_step(self%depths/largest, 1), mean_square_step(self%depths/largest, 2)]
-         end associate
+      self%is_body = .not. ieee_is_nan(values)
+      cell = findloc(self%is_body, .true.)
+      self%depths = merge(values, values(cell(1), cell(2)), self%is_body)
+      self%depths = maxval(self%depths) - self%depths
+      where (.not. self%is_body) self%depths = 0
+      self%lowest = maxloc(self%depths)
+      largest = maxval(self%depths)
+      if (largest > 0) then
+         self%root_mean_square = largest*sqrt(variance_of(self%depths/largest, self%is_body))
+         self%differences(1) = largest**2*mean_square_step(self, self%depths/largest, 1)
+         self%differences(2) = largest**2*mean_square_step(self, self%depths/largest, 2)
+      else if (self%has_border) then
+         ! a flat punch
+         self%root_mean_square = 0
+         self%differences = 0
       else
          call problems%add(row%group, row%name, 'all heights are the same')
       end if
    end subroutine take
 
    !> Mean square about the mean.
-   pure real(dp) function variance_of(values) result(variance)
+   pure real(dp) function variance_of(values, is_body) result(variance)
+      !> Values, 0 beside the body.
       real(dp), intent(in) :: values(:, :)
+      logical, intent(in) :: is_body(:, :)
+      real(dp) :: mean
 
-      variance = sum((values - sum(values)/size(values))**2)/size(values)
+      mean = sum(values)/count(is_body)
+      variance = sum(merge((values - mean)**2, 0.0_dp, is_body))/count(is_body)
    end function variance_of
 
-   !> Mean square of the differences of neighbours, round the period.
-   pure real(dp) function mean_square_step(values, axis) result(square)
+   !> Mean square of the differences of neighbours, round the period if it is one.
+   pure real(dp) function mean_square_step(self, values, axis) result(square)
+      type(given_heights_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
       !> 1 along x, 2 along y.
       integer, intent(in) :: axis
+      logical, allocatable :: is_pair(:, :)
 
-      square = sum((cshift(values, 1, axis) - values)**2)/size(values)
+      allocate (is_pair, source=self%is_body)
+      is_pair(:, :) = is_pair .and. cshift(self%is_body, 1, axis)
+      if (self%has_border .and. axis == 1) is_pair(size(is_pair, 1), :) = .false.
+      if (self%has_border .and. axis == 2) is_pair(:, size(is_pair, 2)) = .false.
+      square = sum(merge((cshift(values, 1, axis) - values)**2, 0.0_dp, is_pair))/max(1, count(is_pair))
    end function mean_square_step
 
    !> Root of the mean square of the slope [-].
@@ -140,6 +166,10 @@ contains
 
       call require(rows, values, [heights, length_x], problems)
       if (.not. is_set(values(heights))) return
+      if (self%has_border .and. self%is_line()) then
+         call problems%add('surface', 'heights', 'have one dimension, x; a body that ends somewhere needs two, (ny, nx)')
+         return
+      end if
       if (.not. self%is_line()) then
          call require(rows, values, [length_y], problems)
          if (is_set(values(length_x)) .and. is_set(values(length_y))) then
@@ -150,6 +180,9 @@ contains
       else if (is_set(values(length_y))) then
          call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')
       end if
+      if (.not. self%has_border) return
+      if (is_set(values(rms_height)) .and. .not. self%root_mean_square > 0) &
+         & call problems%add('surface', 'root_mean_square_height', 'is given, but all heights are the same')
    end subroutine check
 
    !> Periods and cells of the heights.
@@ -201,8 +234,10 @@ contains
    end function describe
 
    !> A line for edges that do not meet.
-   function doubt(self) result(text)
+   function doubt(self, is_periodic) result(text)
       class(given_heights_t), intent(in) :: self
+      !> Does the surface go on periodically along x, along y? Not present: it does along both.
+      logical, intent(in), optional :: is_periodic(2)
       character(:), allocatable :: text
       character(*), parameter :: axes = 'xy'
       type(seam_t) :: seam
@@ -211,6 +246,9 @@ contains
 
       text = ''
       do k = 1, merge(1, 2, self%is_line())
+         if (present(is_periodic)) then
+            if (.not. is_periodic(k)) cycle
+         end if
          seam = seam_of(self%depths, k)
          if (.not. seam%is_open()) cycle
          write (steps, '(es9.2, a, es9.2, a)') seam%step, ' m, inside at most', seam%largest, ' m'

@@ -47,7 +47,7 @@ LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
 
 
 # the kind of scene in each column of the table
-KINDS = (1, 2, 3, 4, 5, 6, 15, 13, 14, 7, 11, 8, 12, 9, 10)
+KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 13, 14, 7, 11, 8, 12, 9, 10)
 
 
 def scene_of(surface, kind):
@@ -64,6 +64,7 @@ def scene_of(surface, kind):
             5: ELASTIC + f"&friction coulomb_coefficient = 0.3 /\n&operating {load}, {force} /\n",
             6: ELASTIC + "&friction coulomb_coefficient = 0.3 /\n&history loads = 1e-3, 1e-3, 1e-3, tangential_forces = 1e-4, -1e-4, 0.0 /\n",
             15: ELASTIC + adhesion + f"&history {path} /\n",
+            16: ELASTIC.replace(" /", ", boundaries = 'free' /") + "&operating load = 1e-5 /\n",
             7: RELAXING.format(more="") + f"&operating {load}, velocity = 0.01 /\n",
             8: LAYER + f"&operating {load}, velocity = 0.01 /\n",
             9: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
@@ -98,7 +99,7 @@ class Scenes(Runs):
         """The cells of `adfric help scenes`: surface, column, letter."""
         page, _ = self.run_program("help", "scenes")
         rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES
-                and len(line.split()) == 16 and set(line.split()[1:]) <= set("ent-")]
+                and len(line.split()) == 17 and set(line.split()[1:]) <= set("ent-")]
         self.assertEqual([row[0] for row in rows], list(SURFACES))
         return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
 
@@ -727,6 +728,52 @@ class Scenes(Runs):
         # a thickness that is swept is one
         self.write(without + "&sweep variable = 'thickness', values = 1e-5, 1e-4 /\n")
         self.run_program("check", "run.nml")
+
+    def test_boundaries(self):
+        """Heights end where boundaries say so; what has no solver there, and bodies that are alone anyway, are refused in one line."""
+        free = scene_of("heights", 16)
+        with h5py.File(self.folder/"z.h5", "r+") as file:
+            heights = file["map"][()]
+            heights[:3] = np.nan
+            file["masked"] = heights
+            heights[0, 0] = np.inf
+            file["infinite"] = heights
+            file["nothing"] = np.full((8, 8), np.nan)
+        masked = free.replace("/map", "/masked")
+        for scene, message in (
+                (free + ADHESION, "&adhesion: nothing solves heights on an elastic half-space with free boundaries with adhesion, pressed; the nearest"),
+                (free + "&friction coulomb_coefficient = 0.3 /\n", "&friction: nothing solves heights on an elastic half-space with free boundaries with a coefficient"),
+                (free + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with a shear strength, pressed"),
+                (scene_of("heights", 7).replace("&solid ", "&solid boundaries = 'periodic_x', "), "&solid: nothing solves heights on a viscoelastic half-space with free boundaries"),
+                (scene_of("heights", 8).replace("&solid ", "&solid boundaries = 'free', "), "&solid: nothing solves heights on a viscoelastic layer with free boundaries"),
+                (scene_of("heights", 9).replace("&solid ", "&solid boundaries = 'free', "), "&solid: nothing solves heights on a foundation with free boundaries"),
+                (scene_of("profile", 1).replace("&solid ", "&solid boundaries = 'free', "), "nothing solves profile on an elastic half-space with free boundaries"),
+                (scene_of("sphere", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "&solid boundaries: are periodic under waves and given heights, and a body of kind 'sphere' is alone"),
+                (free.replace("'free'", "'open'"), "&solid boundaries"),
+                (free.replace("load = 1e-5", "load = 1e-5, mean_pressure = 1e5"), "&operating mean_pressure: unknown variable, allowed: load, approach"),
+                (free.replace("load = 1e-5", "load = 1e-5, approach = 1e-7"), "&operating load: "),
+                (free.replace("load = 1e-5", "load = -1e-5"), "&operating load: "),
+                (free.replace("/map", "/profile"), "&surface heights: have one dimension, x; a body that ends somewhere needs two, (ny, nx)"),
+                (free.replace("/map", "/infinite"), "&surface heights: Inf in the dataset; what is not known is NaN"),
+                (free.replace("/map", "/nothing"), "&surface heights: all values of the dataset are NaN"),
+                (masked.replace("boundaries = 'free'", "boundaries = 'periodic'").replace("load = 1e-5", "mean_pressure = 1e5"), "&surface heights: NaN or Inf in the dataset")):
+            self.write(scene)
+            _, errors = self.run_program("check", "run.nml", status=2)
+            self.assertIn(message, errors)
+            self.assertEqual(1, len(errors.splitlines()), errors)
+        for scene, solver in ((masked, "free_surface"), (free.replace("'free'", "'periodic_y'"), "free_surface"),
+                              (scene_of("heights", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "surface_elastic"),
+                              (scene_of("wave_2d", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "wave_2d_elastic")):
+            self.write(scene)
+            self.run_program("run", "--quiet", "--force", "run.nml")
+            self.assertEqual(solver, results_of(self.folder/"run.h5")[1])
+        self.write(masked + "&output profiles = .true. /\n")
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        with h5py.File(self.folder/"run.h5") as file:
+            self.assertTrue(np.isnan(np.squeeze(file["gap"][()])[:3]).all())
+            pressure = np.squeeze(file["pressure"][()])
+            self.assertFalse(pressure[:3].any())
+            np.testing.assert_allclose(pressure.sum()*(1e-4/32)**2, 1e-5, rtol=1e-12)
 
     def test_help_on_names(self):
         """What scenes say of a name stands first, and what models say of it behind."""

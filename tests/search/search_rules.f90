@@ -404,7 +404,7 @@ contains
       type(drawn_case_t), intent(in) :: drawn
       type(answer_t), intent(in) :: answer
       character(:), allocatable, intent(inout) :: fault
-      character(*), parameter :: rising(3, 8) = reshape([character(20) :: &
+      character(*), parameter :: rising(3, 10) = reshape([character(20) :: &
          & 'wavy_sliding', 'load', 'penetration', &
          & 'hertz', 'load', 'contact_half_width', &
          & 'rigid_punch', 'load', 'contact_half_width', &
@@ -412,7 +412,9 @@ contains
          & 'wave_1d', 'mean_pressure', 'contact_fraction', &
          & 'wave_2d_elastic', 'mean_pressure', 'penetration', &
          & 'wave_2d_elastic', 'mean_pressure', 'contact_fraction', &
-         & 'surface_elastic', 'mean_pressure', 'penetration'], [3, 8])
+         & 'surface_elastic', 'mean_pressure', 'penetration', &
+         & 'free_surface', 'load', 'approach', &
+         & 'free_surface', 'approach', 'load'], [3, 10])
       real(dp) :: last, error
       integer :: row, k, i
       logical :: is_first

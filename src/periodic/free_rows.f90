@@ -1,0 +1,99 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Rows of the tables of `free_surface`: a body of given heights that ends at the border of its map.
+module adfric_periodic_free_rows
+   use adfric_base_counting, only: counting
+   use adfric_base_kinds, only: dp
+   use adfric_describe_rows, only: any_number, choice, number, positive, result_row, switch
+   use adfric_describe_table, only: result_t, variable_t
+   use adfric_periodic_given_heights, only: n_heights_rows, set_heights_rows
+   use adfric_solid_contact_modulus, only: n_two_bodies, set_modulus_rows
+   implicit none (type, external)
+   private
+   public :: get_free_variables, get_free_results, is_periodic_by
+
+   !> Words of `boundaries`, and the number of the first one: what is periodic in both directions has another solver.
+   character(*), parameter :: known_boundaries = 'periodic free periodic_x periodic_y'
+   integer, parameter, public :: boundaries_periodic = 1
+
+   !> Variables in the order of their rows; a component is the index of its row, those of the modulus begin at `modulus`.
+   type :: free_input_t
+      !> Indices of the rows.
+      integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0, tolerance = 0, modulus = 0, &
+         & others(n_two_bodies - 1) = 0, boundaries = 0, load = 0, approach = 0, profiles = 0
+   end type free_input_t
+   type(free_input_t), parameter, public :: free_input = transfer(counting, free_input_t())
+   integer, parameter, public :: n_free_variables = storage_size(free_input)/storage_size(1)
+
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: free_output_t
+      !> Indices of the rows.
+      integer :: load = 0, approach = 0, contact_area = 0, contact_area_error = 0, smooth_area = 0, mean_contact_pressure = 0, &
+         & peak_pressure = 0, elastic_energy = 0, moment_x = 0, moment_y = 0, violation = 0
+   end type free_output_t
+   type(free_output_t), parameter, public :: free_output = transfer(counting, free_output_t())
+   integer, parameter, public :: n_free_results = storage_size(free_output)/storage_size(1)
+
+contains
+
+   !> The table of variables.
+   function get_free_variables() result(v)
+      type(variable_t), allocatable :: v(:)
+
+      allocate (v(n_free_variables))
+      call set_heights_rows(v(:n_heights_rows))
+      v(free_input%length_x)%meaning = 'length of the map along x, along which the heights vary fastest'
+      v(free_input%length_y)%meaning = 'length of the map along y'
+      v(free_input%heights)%may_lack_values = .true.
+      v(free_input%tolerance) = any_number(group='numerics', name='contact_tolerance', unit='-', &
+         & meaning='largest violation of the conditions of contact', default=1.0e-7_dp, lower=1.0e-11_dp, upper=1.0e-3_dp)
+      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
+         & v(free_input%modulus:free_input%modulus + n_two_bodies - 1))
+      v(free_input%boundaries) = choice(group='solid', name='boundaries', choices=known_boundaries, &
+         & meaning='how given heights go on beyond their map: periodically, along x or y alone, or not at all (free)', &
+         & default='free')
+      v(free_input%load) = number(group='operating', name='load', unit='N', meaning='load, or that of one period', lower=0.0_dp)
+      v(free_input%approach) = number(group='operating', name='approach', unit='m', &
+         & meaning='approach of the body from first touch of the undisturbed surface, instead')
+      v(free_input%profiles) = switch(group='output', name='profiles', &
+         & meaning='write maps of pressure and gap for every point', default=.false.)
+   end function get_free_variables
+
+   !> Does the surface go on periodically along x, along y?
+   pure function is_periodic_by(boundaries) result(is_periodic)
+      !> Value of the variable `boundaries`, the number of its word.
+      real(dp), intent(in) :: boundaries
+      logical :: is_periodic(2)
+
+      is_periodic = [nint(boundaries) == boundaries_periodic + 2, nint(boundaries) == boundaries_periodic + 3]
+   end function is_periodic_by
+
+   !> The table of results.
+   function get_free_results() result(r)
+      type(result_t), allocatable :: r(:)
+
+      allocate (r(n_free_results))
+      r(free_output%load) = result_row(name='load', unit='N', long_name='load, or that of one period', is_main=.true.)
+      r(free_output%approach) = result_row(name='approach', unit='m', is_main=.true., &
+         & long_name='approach from first touch of the undisturbed surface; of a period from where a line load has no displacement')
+      r(free_output%contact_area) = result_row(name='contact_area', unit='m^2', long_name='area of contact', is_main=.true.)
+      r(free_output%contact_area_error) = result_row(name='contact_area_error', unit='m^2', &
+         & long_name='bound of its error, from coarser grids')
+      r(free_output%contact_area:free_output%contact_area_error)%is_counted = .true.
+      r(free_output%smooth_area) = result_row(name='smooth_contact_area', unit='m^2', &
+         & long_name='area of contact from where its edge cuts rows and columns of cells, which varies smoothly')
+      r(free_output%smooth_area)%has_bends = .true.
+      r(free_output%mean_contact_pressure) = result_row(name='mean_contact_pressure', unit='Pa', &
+         & long_name='load over area of contact')
+      r(free_output%mean_contact_pressure)%is_counted = .true.
+      r(free_output%peak_pressure) = result_row(name='peak_pressure', unit='Pa', &
+         & long_name='largest pressure of a cell; at sharp edges it grows with the number of cells')
+      r(free_output%elastic_energy) = result_row(name='elastic_energy', unit='J', long_name='energy of the elastic solid')
+      r(free_output%moment_x) = result_row(name='moment_x', unit='N m', &
+         & long_name='moment of the pressure about the x axis through the middle of the map, sum of (y - length_y/2) p')
+      r(free_output%moment_y) = result_row(name='moment_y', unit='N m', &
+         & long_name='moment of the pressure about the y axis through the middle of the map, -sum of (x - length_x/2) p')
+      r(free_output%violation) = result_row(name='contact_violation', unit='-', &
+         & long_name='largest violation of g >= 0, p >= 0, g p = 0')
+   end function get_free_results
+
+end module adfric_periodic_free_rows
