@@ -357,6 +357,14 @@ def adhesion_cells(folder):
     return table(["cells per zone", "another state", "error above estimate", "area, median", "largest", "penetration [D]", "too strong", "weak"], body)
 
 
+def free_surface(folder):
+    """Bodies that end, on a half-space that goes on."""
+    body = [[row["body"], row["cells"], time(row["ms"]), row["steps"],
+             *(["", ""] if row["body"] == "rough" else [error(row["error"]), error(row["area_error"])]), error(row["estimate"]), error(row["area_estimate"])]
+            for row in rows_of(folder, "free_surface")]
+    return table(["body", "cells along x", "time [ms]", "steps", "error", "of the area", "estimate", "of the area"], body)
+
+
 def adhesion_laws(folder):
     """A wave that adheres by each law of attraction."""
     body = [[f"`{row['law']}`", row["cells"], f"{time(row['ms_least'])} to {time(row['ms_most'])}",
@@ -404,7 +412,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_laws, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip)}
+    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_laws, free_surface, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip)}
 
 
 def main():

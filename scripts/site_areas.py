@@ -64,7 +64,6 @@ AREAS = {
         "Adhesion of periodic surfaces": "docs/theory/periodic_adhesion.md",
         "Laws of attraction on surfaces": "docs/theory/attraction_laws.md",
         "Opening with more work": "docs/theory/surface_opening.md",
-        "Laws of attraction on surfaces": "docs/theory/attraction_laws.md",
         "Sliding over rubber": "docs/theory/periodic_sliding.md",
         "Adhesion while sliding": "docs/theory/adhesion_in_sliding.md",
         "Slip and friction of rough surfaces": "docs/theory/periodic_slip.md",
