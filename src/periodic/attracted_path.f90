@@ -27,6 +27,8 @@ module adfric_periodic_attracted_path
    !> The least load and tension together that count, in units of the largest tension, and the residual of states on the path: far apart
    !> the load of a state that is less exact would not follow the tension.
    real(dp), parameter :: least_carried = 1.0e-8_dp, path_tolerance = 1.0e-10_dp
+   !> Difference of tensions over the largest one that is none: next to a fold states are good to the root of their residual.
+   real(dp), parameter :: like_tension = 1.0e-4_dp
    !> Round-off of an energy, over the energy.
    real(dp), parameter :: rounding = 1.0e-13_dp
    !> Change of the mean gap that is none, in units of the range of the undeformed gap.
@@ -108,7 +110,7 @@ contains
       call find_state_near(self%work, state, self%operator, self%cells, min(tolerance, path_tolerance), has_found)
    end subroutine find
 
-   !> See `gap_path_t`: is the energy of a step that of a path without a jump?
+   !> See `gap_path_t`: is the energy of a step that of a path without a jump, and does it lead back?
    logical function is_step(self, state, next)
       class(attracted_path_t), intent(inout) :: self
       type(contact_state_t), intent(in) :: state, next
@@ -123,7 +125,21 @@ contains
       energies = [energy_of(self, state), energy_of(self, next)]
       is_step = abs(energies(2) - energies(1) - (state%mean_pressure + next%mean_pressure)/2*change) &
          & <= loss_of_step*carried*abs(change) + rounding*maxval(abs(energies))
+      if (is_step) is_step = leads_back(self, state, next)
    end function is_step
+
+   !> Does Newton's method lead from the end of a step to its start? From another curve of states it leads to that.
+   logical function leads_back(self, state, next)
+      class(attracted_path_t), intent(inout) :: self
+      type(contact_state_t), intent(in) :: state, next
+      type(contact_state_t) :: back
+
+      back = next
+      back%mean_gap = state%mean_gap
+      call self%find(back, passing_tolerance, leads_back)
+      if (.not. leads_back) return
+      leads_back = maxval(abs(self%cells%tension(back%gap) - self%cells%tension(state%gap))) <= like_tension*self%cells%law%stress
+   end function leads_back
 
    !> Energy of solid and attraction over area [E* times the unit of the gap].
    real(dp) function energy_of(self, state) result(energy)

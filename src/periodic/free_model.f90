@@ -6,6 +6,7 @@ module adfric_periodic_free_model
    use adfric_base_error, only: error_t, file_failure
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_describe_check, only: refuse_swept, require_one
    use adfric_describe_derived, only: add_derived, derived_t
@@ -109,8 +110,32 @@ contains
          & values(in%modulus:in%modulus + n_two_bodies - 1), problems, .false.)
       if (nint(values(in%boundaries)) == boundaries_periodic) call problems%add('solid', 'boundaries', &
          & 'are periodic in both directions, which the model surface_elastic solves')
+      call check_images(self, values, problems)
       call require_one(self%variables, values, [in%load, in%approach], .true., problems)
    end subroutine check_values
+
+   !> A cell that is much longer than the period of its images has no sum of them (`adfric_periodic_free_influence`).
+   subroutine check_images(self, values, problems)
+      class(free_model_t), intent(in) :: self
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      type(periodic_surface_t) :: surface
+      logical :: is_periodic(2)
+      real(dp) :: across
+      integer :: along
+
+      if (.not. allocated(self%given%is_body)) return
+      if (.not. (is_set(values(in%heights)) .and. is_set(values(in%length_x)) .and. is_set(values(in%length_y)))) return
+      is_periodic = is_periodic_by(values(in%boundaries))
+      if (count(is_periodic) /= 1) return
+      call self%given%get_cells(values(in%heights:in%rms_height), surface)
+      along = merge(1, 2, is_periodic(1))
+      across = surface%period(3 - along)/surface%n_cells(3 - along)
+      if (across > surface%period(along)) call problems%add('surface', merge('length_x', 'length_y', along == 1), &
+         & 'is a period shorter than the cells are long across it, given '//show_number(surface%period(along))// &
+         & ' m, allowed: at least '//show_number(across)//' m')
+   end subroutine check_images
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)

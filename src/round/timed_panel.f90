@@ -17,6 +17,8 @@ module adfric_round_timed_panel
 
    !> An error that asks for a much shorter panel.
    real(dp), parameter :: cannot_solve = 1.0e30_dp
+   !> Largest part of a piece that the edge is guessed to pass from the first node of a panel to the second one, over their distance.
+   real(dp), parameter :: most_of_piece = 0.1_dp
 
    !> A panel. Its values are those at the nodes.
    type :: timed_panel_t
@@ -182,13 +184,16 @@ contains
       !> Receives the first node at which depth and memory are set: 2 where the edge is at the end of the piece.
       integer, intent(out) :: first
       type(instant_t) :: instant
-      real(dp) :: memory(size(faded, 2)), since
+      real(dp) :: memory(size(faded, 2)), since, part
       integer :: j
 
       instant%leg = self%leg
       since = time_between(self%legs, pile%marks(pile%count), mark_of(self))
       first = 1
       faded = 0
+      ! a jump leaves a piece of no time
+      part = most_of_piece
+      if (most_of_piece*pile%spans(pile%count) > panel%span) part = panel%span/pile%spans(pile%count)
       associate (ends => pile%ends(:, pile%count))
          panel%position(1) = ends(2)
          do j = 1, n_nodes
@@ -199,8 +204,7 @@ contains
                if (abs(pile%value_at(ends(2), instant)) <= small) first = 2
             end if
             if (j < first) cycle
-            panel%position(j) = pile%position_at(instant, panel%position(max(1, j - 1)), guess_of(panel%position, j, &
-               & panel%span/pile%spans(pile%count)))
+            panel%position(j) = pile%position_at(instant, panel%position(max(1, j - 1)), guess_of(panel%position, j, part))
             call pile%read_piece(panel%position(j), panel%depth(j), memory)
             faded(j, :) = memory*exp(-pile%lag_of(pile%count, panel%position(j), instant%since)*pile%rates)
          end do
@@ -208,16 +212,16 @@ contains
    end subroutine pass_piece
 
    !> A guess of the position at a node from those before.
-   pure real(dp) function guess_of(position, j, ratio) result(guess)
+   pure real(dp) function guess_of(position, j, part) result(guess)
       real(dp), intent(in) :: position(n_nodes)
       integer, intent(in) :: j
-      !> Length of the panel over that of the piece.
-      real(dp), intent(in) :: ratio
+      !> Length of the panel over that of the piece, at most `most_of_piece`.
+      real(dp), intent(in) :: part
 
       if (j == 1) then
          guess = position(1)
       else if (j == 2) then
-         guess = position(1) - min(0.1_dp, ratio)*(panel_nodes(2) - panel_nodes(1))
+         guess = position(1) - part*(panel_nodes(2) - panel_nodes(1))
       else if (j == 3) then
          guess = position(2) + (position(2) - position(1))*(panel_nodes(3) - panel_nodes(2))/(panel_nodes(2) - panel_nodes(1))
       else
