@@ -3,8 +3,8 @@
 !> int q^3 C f dq = (1/pi) int f t dt.
 !>
 !> Panels end where the pieces of the spectrum do, and are short in ln t and in ln q: where the slope hardly grows, many waves have
-!> next to the same t. Toward the slope of all waves panels are halved, for near full contact the gap goes as exp(-2 p^2/(E t)^2) and
-!> lives there. In a part of a piece that begins at q_a with the mean square slope M_a, the nodes have
+!> next to the same t. Toward the slope of all waves panels are halved, for near full contact the gap is of exp(-2 p^2/(E t)^2).
+!> In a part of a piece that begins at q_a with the mean square slope M_a the nodes have
 !>
 !>     q = q_a exp(log1p(a z)/a),   z = M_a expm1(2 ln(t/t_a))/(2 pi C_a q_a^4),   a = 4 + s,
 !>
