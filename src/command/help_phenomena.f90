@@ -10,7 +10,7 @@ module adfric_command_help_phenomena
    !> Columns of the table: names, what it is, words of an input, shipped inputs, and pages of the documents.
    integer, parameter :: names = 1, meaning = 2, scene = 3, inputs = 4, pages = 5, n_columns = 5
    !> Number of rows of the table.
-   integer, parameter :: n_rows = 28
+   integer, parameter :: n_rows = 29
    !> One row for each phenomenon. Names, inputs and pages are separated by a blank; a name may stand in several rows.
    character(*), parameter :: table(n_columns, n_rows) = reshape([character(160) :: &
       & 'hertz', 'smooth bodies pressed together, without adhesion (Hertz)', &
@@ -86,6 +86,10 @@ module adfric_command_help_phenomena
       & 'roughness rough greenwood', 'rough surfaces: area, pressure and pull-off of measured or made heights', &
       & '&surface kind = ''heights'' or ''profile''', 'surface_elastic surface_stickiness rubber_map', &
       & 'theory/periodic_contact theory/periodic_adhesion guide/import', &
+      & 'spectrum psd persson roughness road rubber bush gibson thomas nayak', &
+      & 'rough surfaces by statistical theories of their power spectrum (Persson; Bush, Gibson, Thomas)', &
+      & '&surface kind = ''spectrum''; &power_spectrum; &operating mean_pressure, velocity', &
+      & 'theories_pressure theories_rubber', 'theory/rough_theories guide/from_a_spectrum_to_friction', &
       & 'afm force_curve cantilever', 'force curves and force maps of a force microscope, and their fits', &
       & '&data file, abscissa, ordinate; &free variable', 'fit_force_distance fit_map force_map', &
       & 'guide/fit_of_a_force_map guide/fit'], [n_columns, n_rows])

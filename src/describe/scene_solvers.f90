@@ -151,6 +151,7 @@ contains
          nearest(k) = words(k)
          if (.not. has_item(list, trim(words(k)))) nearest(k) = list(:scan(list//',', ',') - 1)
       end do
+      if (is_kin_of_heights(row, words)) nearest(1) = 'heights'
       ! over a solid that relaxes, and on a layer, a contact is solved while it slides: the solver asks for the velocity
       if (index(nearest(2), 'half_space') == 0 .and. nearest(4) == 'press') nearest(4) = 'slide'
    end subroutine find_nearest
@@ -168,6 +169,18 @@ contains
       do k = 1, 4
          if (.not. has_item(get_word(scenes(row), k), trim(words(k)))) distance = distance + weights(k)
       end do
+      ! a surface known by its spectrum is most like one of heights
+      if (is_kin_of_heights(row, words)) distance = distance - 1
    end function count_differences
+
+   !> Is the surface of a scene known by its spectrum alone, and has a row heights?
+   pure logical function is_kin_of_heights(row, words)
+      !> Number of the row.
+      integer, intent(in) :: row
+      !> Surface, solid, interface and operation.
+      character(*), intent(in) :: words(4)
+
+      is_kin_of_heights = words(1) == 'spectrum' .and. has_item(get_word(scenes(row), 1), 'heights')
+   end function is_kin_of_heights
 
 end module adfric_describe_scene_solvers

@@ -10,10 +10,10 @@ module adfric_rough_atlas
    use adfric_base_text, only: newline
    use adfric_base_words, only: pad
    use adfric_rough_height_spectrum, only: height_spectrum_t
-   use adfric_rough_variables, only: n_shares, suffixes
+   use adfric_rough_variables, only: n_shares, share_yang_persson, suffixes
    implicit none (type, external)
    private
-   public :: describe_bands, find_band, quantity_area, quantity_gap, quantity_stiffness
+   public :: describe_bands, compared_constant, find_band, quantity_area, quantity_gap, quantity_stiffness
 
    !> Quantities that were compared.
    integer, parameter :: quantity_area = 1, quantity_gap = 2, quantity_stiffness = 3
@@ -26,6 +26,8 @@ module adfric_rough_atlas
    real(dp), parameter :: same = 1.0e-6_dp
    !> Least and largest Nayak's parameter.
    real(dp), parameter :: least_nayak = 1.5_dp, largest_nayak = 118
+   !> Yang and Persson's constant that was compared.
+   real(dp), parameter :: compared_constant = 0.45_dp
    !> Ratios of the theories, `persson`, `yang_persson`, `wang_mueser`.
    real(dp), parameter :: least_area(n_pressures, n_shares) = reshape([ &
       & 0.6569_dp, 0.6561_dp, 0.6673_dp, 0.6893_dp, 0.7292_dp, 0.794_dp, 0.8849_dp, 0.9723_dp, 0.9958_dp, &
@@ -87,10 +89,12 @@ contains
    end subroutine find_band
 
    !> What `adfric check` says of a pressure: the ratios, and what they are within.
-   function describe_bands(spectrum, pressure) result(text)
+   function describe_bands(spectrum, pressure, constant) result(text)
       type(height_spectrum_t), intent(in) :: spectrum
       !> p/(E g).
       real(dp), intent(in) :: pressure
+      !> Yang and Persson's constant; nothing is known of another one than `compared_constant`.
+      real(dp), intent(in) :: constant
       character(:), allocatable :: text
       integer, parameter :: column = 34
       character(12) :: numbers(2)
@@ -108,6 +112,7 @@ contains
       text = 'ratio to surface_elastic at p/(E g) ='//trim(numbers(1))//', of 12 self-affine spectra:'//newline
       do quantity = 1, size(names)
          do share = 1, n_shares
+            if (share == share_yang_persson .and. abs(constant - compared_constant) > same) cycle
             call find_band(quantity, share, pressure, spectrum%nayak_parameter(), least, largest, is_known)
             write (numbers, '(f4.2)') least, largest
             text = text//pad('  '//trim(names(quantity))//'_'//trim(suffixes(share)), column)//trim(numbers(1))//' to '// &

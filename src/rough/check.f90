@@ -82,7 +82,7 @@ contains
          call c%refuse(in%adhesion, 'stands beside a solid that relaxes; its pull-off has no theory here')
          call check_spectrum(variables(in%material(1):in%temperature), values(in%material(1):in%temperature), given, &
             & is_swept(in%material(1):in%temperature), c%problems)
-         call c%need([in%mean_pressure])
+         call check_pressure(c, values)
          call c%add(in%velocity, 'is missing [m/s]; '//needs_velocity, .not. c%has(in%velocity))
          return
       end if
@@ -95,9 +95,20 @@ contains
             & .not. has_adhesion([values(in%adhesion), 0.0_dp, 0.0_dp]))
          call c%refuse([in%mean_pressure], 'stands beside adhesion, whose theories give pull-off alone')
       else
-         call c%need([in%mean_pressure])
+         call check_pressure(c, values)
       end if
    end subroutine check_solid
+
+   !> A pressure, where one is needed: beside adhesion it is refused at any size, so its row allows 0.
+   subroutine check_pressure(c, values)
+      type(checks_t), intent(in) :: c
+      real(dp), intent(in) :: values(:)
+
+      call c%need([in%mean_pressure])
+      if (.not. c%has(in%mean_pressure)) return
+      call c%add(in%mean_pressure, 'is below 1e-30, given '//show_number(values(in%mean_pressure))// &
+         & ' [Pa]; the theories need a load', values(in%mean_pressure) < 1.0e-30_dp)
+   end subroutine check_pressure
 
    !> A self-affine spectrum.
    subroutine check_self_affine(c, values)

@@ -36,6 +36,7 @@ module adfric_rough_height_spectrum
       procedure :: moment
       procedure :: moment_up_to
       procedure :: wave_number_of_slope
+      procedure :: piece_of_slope
       procedure :: density_at
       procedure :: scale_by
       procedure :: root_mean_square_height
@@ -130,7 +131,7 @@ contains
       real(dp), intent(in) :: q
       integer :: i
 
-      i = max(1, count(self%q(:size(self%power) - 1) <= q))
+      i = max(1, count_up_to(self%q(:size(self%power) - 1), q))
       moment = self%sums(n, i - 1) + moment_of_piece(self, i, n, q)
    end function moment_up_to
 
@@ -142,12 +143,40 @@ contains
       real(dp) :: z, a
       integer :: i
 
-      i = max(1, count(self%sums(2, :size(self%power) - 1) <= mean_square))
+      i = self%piece_of_slope(mean_square)
       a = 4 + self%power(i)
       z = (mean_square - self%sums(2, i - 1))/(2*pi*self%density(i)*self%q(i - 1)**4)
       q = self%q(i)
       if (a*z > -1) q = min(q, self%q(i - 1)*exp(z*log_1p_over(a*z)))
    end function wave_number_of_slope
+
+   !> Number of the piece in which the waves reach a mean square slope.
+   pure integer function piece_of_slope(self, mean_square) result(i)
+      class(height_spectrum_t), intent(in) :: self
+      !> Mean square slope, from 0 to M_2.
+      real(dp), intent(in) :: mean_square
+
+      i = max(1, count_up_to(self%sums(2, :size(self%power) - 1), mean_square))
+   end function piece_of_slope
+
+   !> How many numbers of a list are at most a value, by halves.
+   pure integer function count_up_to(list, value) result(n)
+      !> Numbers, not falling.
+      real(dp), intent(in) :: list(:)
+      real(dp), intent(in) :: value
+      integer :: above, middle
+
+      n = 0
+      above = size(list) + 1
+      do while (above - n > 1)
+         middle = (n + above)/2
+         if (list(middle) <= value) then
+            n = middle
+         else
+            above = middle
+         end if
+      end do
+   end function count_up_to
 
    !> (exp(y) - 1)/y.
    elemental real(dp) function exponential_ratio(y) result(value)
@@ -185,7 +214,7 @@ contains
       n = size(self%power)
       density = 0
       if (q < self%q(0) .or. q > self%q(n)) return
-      i = min(n, count(self%q <= q))
+      i = min(n, count_up_to(self%q, q))
       density = self%density(i)*(q/self%q(i - 1))**self%power(i)
    end function density_at
 

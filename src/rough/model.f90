@@ -2,11 +2,14 @@
 !> The model `rough_theories`: what statistical theories say of a surface with a power spectral density, pressed on an elastic
 !> half-space, sliding over a viscoelastic one, or parting from an adhesive one. The file is long by its answers to `model_t`.
 module adfric_rough_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: newline
    use adfric_base_unset, only: is_set
    use adfric_describe_derived, only: add_derived, derived_t
+   use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_model, only: model_t
    use adfric_describe_status, only: status_not_converged, status_solved
    use adfric_describe_table, only: profile_axis_t
@@ -36,6 +39,8 @@ module adfric_rough_model
    real(dp), parameter :: widest_pressed = 0.8_dp, widest_sliding = 0.35_dp
    !> Relative error of all results, of series and quadratures.
    real(dp), parameter :: error_of_results = 1.0e-9_dp
+   !> What `adfric check` says of a body that slides.
+   character(*), parameter :: uncompared = 'theories of sliding were not compared with a numerical answer: no ratios are known'
 
    !> What all points of a run share.
    type :: shared_t
@@ -66,6 +71,7 @@ module adfric_rough_model
       procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_doubts
+      procedure :: measure
    end type rough_theories_t
 
    !> What a point leaves for the next one.
@@ -76,6 +82,8 @@ module adfric_rough_model
       type(height_spectrum_t) :: spectrum
       !> Nodes of its integrals.
       type(wave_nodes_t) :: nodes
+      !> Logarithm of the least slope of the nodes of sliding over the last one; 0: there are none.
+      real(dp) :: least = 0
       !> Areas of the corrected forms.
       type(area_function_t) :: areas(2:n_shares)
       !> Energies of the forms.
@@ -244,13 +252,13 @@ contains
 
       text = ''
       if (relaxes(values)) then
-         text = describe_spectrum(values(in%material(1):in%temperature), self%given)
+         text = describe_spectrum(values(in%material(1):in%temperature), self%given)//uncompared//newline
          return
       end if
       if (adheres(values)) return
       call make_spectrum(values, self%density, spectrum, is_possible)
       if (is_possible) text = describe_bands(spectrum, values(in%mean_pressure)/elastic_modulus(values) &
-         & /spectrum%root_mean_square_slope())
+         & /spectrum%root_mean_square_slope(), values(in%yang_persson_constant))
    end function describe_case
 
    !> See `model_t`: frequencies beyond those of the solid.
@@ -267,6 +275,24 @@ contains
       if (is_possible) text = doubt_spectrum(values(in%material(1):in%temperature), self%given, &
          & abs(values(in%velocity))*[spectrum%q(0), spectrum%q(size(spectrum%power))])
    end function describe_doubts
+
+   !> See `model_t`: the slope of all waves.
+   subroutine measure(self, values, results, measures)
+      class(rough_theories_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+      type(height_spectrum_t) :: spectrum
+      logical :: is_possible
+
+      call make_spectrum(values, self%density, spectrum, is_possible)
+      if (is_possible) measures(doubt_slope_too_steep) = spectrum%root_mean_square_slope()
+      associate (unused => results)
+      end associate
+   end subroutine measure
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
@@ -305,8 +331,7 @@ contains
          call set_surface(self, values(:, i), surface)
          if (.not. surface%is_possible) cycle
          if (relaxes(values(:, i))) then
-            call solve_sliding(self, surface, values(:, i), results(:, i))
-            is_converged = .true.
+            call solve_sliding(self, surface, values(:, i), results(:, i), is_converged)
          else if (adheres(values(:, i))) then
             call solve_pull_off(shared, surface, values(:, i), results(:, i), is_converged)
          else
@@ -341,10 +366,8 @@ contains
       surface%shares(share_plain) = plain_share()
       surface%shares(share_yang_persson) = yang_persson_share(values(in%yang_persson_constant))
       surface%shares(share_wang_mueser) = wang_mueser_share()
-      if (relaxes(values)) then
-         call new_wave_nodes(surface%nodes, surface%spectrum, widest_sliding, least_for_squares)
-         return
-      end if
+      surface%least = 0
+      if (relaxes(values)) return
       call new_wave_nodes(surface%nodes, surface%spectrum, widest_pressed, least_for_gap)
       if (adheres(values)) return
       do k = 2, n_shares
@@ -375,14 +398,16 @@ contains
          call surface%areas(k)%contact_fraction(pressure, results(out%contact_fraction(k)), is_found)
          is_converged = is_converged .and. is_found
       end do
-      ! beyond, contact is full to all digits: no gap, and no stiffness that is a number
+      ! beyond, contact is full to all digits, and gap and stiffness have no value
       states%energy = surface%spectrum%moment(1)/4
       if (pressure < most_pressure) then
          call get_persson_states(surface%nodes, shared%functions, pressure, surface%shares, states)
+         is_converged = is_converged .and. all(ieee_is_finite([states%gap, states%stiffness, states%energy]))
+         if (.not. is_converged) return
+         results(out%mean_gap(:n_shares)) = states%gap
          results(out%normal_stiffness(:n_shares)) = modulus*states%stiffness
          results(out%conductance_factor(:n_shares)) = states%stiffness
       end if
-      results(out%mean_gap(:n_shares)) = states%gap
       results(out%elastic_energy) = modulus*states%energy
       h = surface%spectrum%root_mean_square_height()
       guess = 1
@@ -425,24 +450,37 @@ contains
       end do
       results(out%pastewka_robbins) = pastewka_robbins(surface%spectrum, work, range)
       results(out%full_contact_work_ratio) = 4*work/surface%spectrum%moment(1)
+      is_converged = is_converged .and. all(ieee_is_finite(results([out%pull_off_pressure, out%pastewka_robbins, &
+         & out%full_contact_work_ratio])))
    end subroutine solve_pull_off
 
    !> The friction of a surface that slides.
-   subroutine solve_sliding(self, surface, values, results)
+   subroutine solve_sliding(self, surface, values, results, is_converged)
       class(rough_theories_t), intent(in) :: self
-      type(surface_state_t), intent(in) :: surface
+      !> Out: with the nodes of the pressure.
+      type(surface_state_t), intent(inout) :: surface
       real(dp), intent(in) :: values(:)
       !> In: all NaN. Out: results of the point.
       real(dp), intent(inout) :: results(:)
+      logical, intent(out) :: is_converged
       type(prony_t) :: prony
       type(rubber_friction_t) :: friction
-      real(dp) :: direction
+      real(dp) :: direction, least
 
       direction = merge(-1, 1, values(in%velocity) < 0)
       call get_spectrum(values(in%material(1):in%temperature), self%given, prony)
+      ! slopes count up to the one at which contact is full, also of the solid at its hardest
+      least = least_for_squares + floor(min(0.0_dp, log(values(in%mean_pressure)/(prony%relaxed + sum(prony%moduli)) &
+         & /surface%spectrum%root_mean_square_slope())))
+      if (abs(least - surface%least) > 0) then
+         call new_wave_nodes(surface%nodes, surface%spectrum, widest_sliding, least)
+         surface%least = least
+      end if
       ! all times are those of the temperature, or the speed over their factor
       call get_rubber_friction(surface%nodes, prony, values(in%mean_pressure), abs(values(in%velocity)) &
          & *shift_factor_of(values(in%material(1):in%temperature), self%given), surface%shares, friction)
+      is_converged = friction%is_finite
+      if (.not. is_converged) return
       results(out%contact_fraction(share_plain)) = friction%contact_fraction
       results(out%friction_coefficient) = direction*friction%coefficients
       results(out%full_contact_friction_coefficient) = direction*friction%full_contact

@@ -9,6 +9,7 @@
 !>     < cos phi Im E > = sum E_i D(x_i)/x_i,
 !>     < |E|^2 > = E_0^2 + sum B_i D(x_i),   B_i = 2 E_i (E_0 + sum_j E_j tau_j/(tau_i + tau_j))
 module adfric_rough_rubber_friction
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_numerics_gauss, only: gauss_integrals_10
    use adfric_rough_separation_functions, only: energy_share_t
@@ -26,6 +27,8 @@ module adfric_rough_rubber_friction
       real(dp), allocatable :: coefficients(:)
       !> Coefficient of friction if contact were full.
       real(dp) :: full_contact = 0
+      !> Are they numbers? If not, nothing is known.
+      logical :: is_finite = .true.
    end type rubber_friction_t
 
 contains
@@ -41,7 +44,6 @@ contains
       type(rubber_friction_t), intent(out) :: friction
       real(dp) :: loss(n_of_panel), square(n_of_panel), of_full(n_of_panel), g(n_of_panel), fraction(n_of_panel), before
       real(dp), allocatable :: products(:), moduli(:)
-      real(dp) :: half
       integer :: i, k, n
 
       ! moduli over the pressure, so that nothing depends on units
@@ -59,9 +61,10 @@ contains
                square(k) = square(k) + e_0**2
             end do
             ! G at the nodes and at the end of the panel
-            half = log(nodes%ends(i)/nodes%ends(i - 1))/2
-            g = before + half*matmul(gauss_integrals_10, nodes%t(:, i)**2*square)/4
+            g = before + nodes%widths(i)/2*matmul(gauss_integrals_10, nodes%t(:, i)**2*square)/4
             before = before + sum(nodes%weights(:, i)*nodes%t(:, i)**2*square)/4
+            friction%is_finite = minval(g) > 0
+            if (.not. friction%is_finite) return
             fraction = erf(1/(2*nodes%slope*sqrt(g)))
             of_full = nodes%slope**2*nodes%weights(:, i)*nodes%t(:, i)**2*loss
             friction%full_contact = friction%full_contact + sum(of_full)
@@ -71,6 +74,8 @@ contains
          end do
       end associate
       friction%contact_fraction = erf(1/(2*nodes%slope*sqrt(before)))
+      friction%is_finite = ieee_is_finite(friction%contact_fraction) .and. ieee_is_finite(friction%full_contact) &
+         & .and. all(ieee_is_finite(friction%coefficients))
    end subroutine get_rubber_friction
 
    !> Means over the directions of a wave: of cos phi Im E, and of |E|^2 less the relaxed part.

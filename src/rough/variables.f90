@@ -100,7 +100,8 @@ contains
          v(in%material(1):in%temperature - 1)%has_bare_name = .not. is_of_solid(v(in%material(1):in%temperature - 1))
          v(in%velocity) = number(group='operating', name='velocity', unit='m/s', &
             & meaning='sliding velocity over a solid that relaxes')
-         v(in%mean_pressure) = positive(group='operating', name='mean_pressure', unit='Pa', meaning='load over the nominal area')
+         v(in%mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', &
+            & meaning='load over the nominal area, > 0', lower=0.0_dp)
          call set_stress_rows(v(in%adhesion(1):in%adhesion(n_stress_rows)))
          v(in%yang_persson_constant) = any_number(group='estimates', name='yang_persson_constant', unit='-', &
             & meaning='gamma of the energy gamma A + (1 - gamma) A^3 of waves in a part A of the area', default=0.45_dp, &

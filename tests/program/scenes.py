@@ -126,6 +126,17 @@ class Scenes(Runs):
         self.assertRegex(errors, r"^run.nml: &adhesion law: unknown variable, allowed: .*; the nearest scene that has it is wave_1d on an elastic "
                          r"half-space with adhesion, pressed \(line \d\)\n$")
 
+    def test_spectrum_beside_what_it_has_not(self):
+        """A law of attraction leads from a spectrum to heights, and a pressure beside adhesion is refused at any size."""
+        text = scene_of("spectrum", 2)
+        self.write(text.replace("adhesion_stress", "law = 'exponential', adhesion_stress").replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
+        _, errors = self.run_program("run", "run.nml", status=2)
+        self.assertRegex(errors, r"&adhesion law: .*; the nearest scene that has it is heights on an elastic half-space with adhesion")
+        for pressure in "0.0", "1e5":
+            self.write(f"{text}\n&operating mean_pressure = {pressure} /\n")
+            _, errors = self.run_program("run", "run.nml", status=2)
+            self.assertIn("mean_pressure: stands beside adhesion, whose theories give pull-off alone", errors)
+
     def test_readme(self):
         """README shows the same cells in three tables; surfaces with the same cells share a row, as far as a line of the page allows."""
         words = {"exact": "e", "numerical": "n", "theory": "t", "": "-"}
