@@ -7,7 +7,7 @@ module adfric_rough_check
    use adfric_base_unset, only: is_set
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
-   use adfric_interface_adhesion_rows, only: check_stress, has_adhesion
+   use adfric_interface_adhesion_rows, only: check_stress, has_adhesion, n_stress_rows
    use adfric_rough_height_spectrum, only: height_spectrum_t
    use adfric_rough_variables, only: given_density_t, in => rough_input, is_rising, make_spectrum
    use adfric_solid_contact_modulus, only: check_contact_modulus
@@ -90,7 +90,7 @@ contains
          & values(in%contact_modulus:in%second_poisson_ratio), c%problems, .true.)
       call c%refuse([in%temperature, in%velocity], 'has no meaning without &material; over an elastic solid nothing rubs')
       if (adheres(values)) then
-         call check_stress(variables(in%adhesion), values(in%adhesion), c%problems)
+         call check_stress(variables(in%adhesion(1):in%adhesion(n_stress_rows)), values(in%adhesion), c%problems)
          if (is_set(values(in%adhesion(1)))) call c%add(in%adhesion(1), 'is 0; leave adhesion out, or give a tension', &
             & .not. has_adhesion([values(in%adhesion), 0.0_dp, 0.0_dp]))
          call c%refuse([in%mean_pressure], 'stands beside adhesion, whose theories give pull-off alone')

@@ -129,7 +129,7 @@ class Scenes(Runs):
     def test_spectrum_beside_what_it_has_not(self):
         """A law of attraction leads from a spectrum to heights, and a pressure beside adhesion is refused at any size."""
         text = scene_of("spectrum", 2)
-        self.write(text.replace("adhesion_stress", "law = 'exponential', adhesion_stress").replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
+        self.write(text.replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
         _, errors = self.run_program("run", "run.nml", status=2)
         self.assertRegex(errors, r"&adhesion law: .*; the nearest scene that has it is heights on an elastic half-space with adhesion")
         for pressure in "0.0", "1e5":
