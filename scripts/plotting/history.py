@@ -20,7 +20,7 @@ def draw_history(results):
     # a history in time has no need of steps
     known = [pair for pair in PANELS if pair[1] in fields and (pair[0] in fields or pair[0] == "step" and "time" not in fields)]
     shown = [pair for pair in known if pair != ("approach", "load") or _varies(fields["load"].values)]
-    has_moduli = results.several and "storage_modulus" in results.fields and np.isfinite(results.fields["storage_modulus"].values).any()
+    has_moduli = bool(results.several) and "storage_modulus" in results.fields and np.isfinite(results.fields["storage_modulus"].values).any()
     figure, panels = make_panels(len(shown) + has_moduli)
     points = list(np.ndindex(*results.status.shape))
     colours = COLOURS if len(points) <= len(COLOURS) else plt.get_cmap("viridis")(np.linspace(0, 1, len(points)))

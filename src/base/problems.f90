@@ -37,7 +37,7 @@ module adfric_base_problems
 
 contains
 
-   !> Add a problem to the list, if it is not there yet: what is read twice is wrong once.
+   !> Add a problem to the list.
    pure subroutine add(self, group, variable, text, index, line)
       class(problems_t), intent(inout) :: self
       !> Namelist group, without `&`; empty if there is none.
@@ -51,7 +51,6 @@ contains
       !> Line of the file, from 1; 0 or absent if it is not known.
       integer, intent(in), optional :: line
       type(problem_t) :: item
-      integer :: k
 
       item%group = group
       item%variable = variable
@@ -59,12 +58,6 @@ contains
       if (present(index)) item%index = index
       if (present(line)) item%line = line
       if (.not. allocated(self%items)) allocate (self%items(0))
-      do k = 1, size(self%items)
-         associate (other => self%items(k))
-            if (other%index == item%index .and. other%line == item%line .and. other%group == group .and. &
-               & other%variable == variable .and. other%text == text) return
-         end associate
-      end do
       self%items = [self%items, item]
    end subroutine add
 

@@ -278,7 +278,8 @@ class CompletionTest(Installed):
         self.assertLessEqual({"models", "input", "outputs", "sphere", "surface_elastic", "foundation", "load", "contact_area"}, topics)
         for topic in sorted(topics)[::10]:
             self.succeed(TREE / "adfric", "help", topic)
-        self.assertEqual({"wave_1d", "wave_1d_elastic", "wave_2d", "wave_2d_elastic", "wave_3d", "wave_product"}, self.complete("adfric help wave_"))
+        self.assertEqual({"wave_1d", "wave_1d_elastic", "wave_2d", "wave_2d_elastic", "wave_3d", "wave_numbers", "wave_product"},
+                         self.complete("adfric help wave_"))
 
     @unittest.skipUnless(shutil.which("zsh"), "there is no zsh")
     def test_zsh(self):

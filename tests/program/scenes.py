@@ -137,6 +137,14 @@ class Scenes(Runs):
             _, errors = self.run_program("run", "run.nml", status=2)
             self.assertIn("mean_pressure: stands beside adhesion, whose theories give pull-off alone", errors)
 
+    def test_said_once(self):
+        """What both the scene and its solver read is wrong once."""
+        self.write(scene_of("paraboloid", 2).replace("&job", "&job units = 'reduced' x,"))
+        _, errors = self.run_program("run", "run.nml", status=2)
+        lines = errors.splitlines()
+        self.assertIn("&job units", errors)
+        self.assertEqual(len(set(lines)), len(lines))
+
     def test_readme(self):
         """README shows the same cells in three tables; surfaces with the same cells share a row, as far as a line of the page allows."""
         words = {"exact": "e", "numerical": "n", "theory": "t", "": "-"}
