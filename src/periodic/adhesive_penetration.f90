@@ -19,8 +19,6 @@
 !> A body that slides over a viscoelastic solid has ordered branches where its order margin is not below 0 (`adfric_solid_order_margin`).
 !> Elsewhere the same search is made, and its state is one of slow parting or approach at the velocity of the point. Where the search
 !> does not end, time stepping at the mean gap decides (`adfric_periodic_sliding_steps`).
-!>
-!> The file is long by the search through loads, whose steps share a window.
 module adfric_periodic_adhesive_penetration
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -31,6 +29,7 @@ module adfric_periodic_adhesive_penetration
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_gap_path, only: penetration_of
    use adfric_periodic_grids, only: coarsen
+   use adfric_periodic_load_window, only: begin_window, beyond, closed, load_window_t, most_attempts, most_looks
    use adfric_periodic_maps, only: sum_of
    use adfric_periodic_sliding_steps, only: solve_by_steps
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_friction, set_full_pressure, &
@@ -39,44 +38,15 @@ module adfric_periodic_adhesive_penetration
    private
    public :: solve_adhesive_penetration
 
-   !> Loads that narrow the window before the state is followed, and attempts to follow it, at most.
-   integer, parameter :: most_narrowing = 5, most_attempts = 30
-   !> Distance to the penetration from which a state is followed at once, and one that is none, in units of the range of the
-   !> undeformed gap.
-   real(dp), parameter :: near = 0.02_dp, none = 1.0e-9_dp
-   !> Mean gap in the same unit at which contact is full.
-   real(dp), parameter :: closed = 1.0e-12_dp
-   !> How far beyond the loads on the way the branch is looked at, in units of the load that contact carries.
-   real(dp), parameter :: beyond = 2.0e-2_dp
-   !> How often it is looked at twice as far beyond, where that has not told anything, but for one.
-   integer, parameter :: most_looks = 4
+   !> Loads that narrow the window before the state is followed, at most.
+   integer, parameter :: most_narrowing = 5
 
    !> What is known of the branch under a load.
-   type :: window_t
-      !> Is the adhered branch wanted, that comes from larger loads? Else the other, that comes from smaller ones.
-      logical :: is_adhered = .true.
-      !> The wanted penetration, and a distance that is none; in the unit of the gap.
-      real(dp) :: penetration = 0, none = 0
+   type, extends(load_window_t) :: window_t
       !> Mean pressure without adhesion [E*], 0 where there is no contact.
       real(dp) :: bare_load = 0
-      !> Load of `state`, and load whose state has passed the penetration [E*].
-      real(dp) :: load = 0, passed = 0
-      !> Excess of the penetration over the wanted one under these loads.
-      real(dp) :: excess = 0, passed_excess = 0
-      !> Is `passed_excess` known?
-      logical :: has_passed_excess = .false.
-      !> The state that has not passed the penetration yet.
-      type(contact_state_t) :: state
-      !> Has it been found?
-      logical :: has_state = .false.
-      !> Is it one under `load`, so that it bounds those under loads that come after it on the branch?
-      logical :: is_of_load = .false.
       !> States of a turn on all grids, once they are known.
       type(contact_state_t), allocatable :: turned(:)
-      !> Gap of the turn; not allocated before it is known.
-      real(dp), allocatable :: gap_of_turn(:, :)
-      !> Has the last load told something?
-      logical :: is_known = .true.
    end type window_t
 
 contains
@@ -101,8 +71,7 @@ contains
       solution%status = contact_out_of_range
       if (.not. sum_of(shape)/size(shape) - penetration > closed*(maxval(shape) - minval(shape))) return
       branch = adhesion
-      window%penetration = penetration
-      window%none = none*(maxval(shape) - minval(shape))
+      call begin_window(window, penetration, shape)
       call solve_bare(self, shape, tolerance, window, solution, error)
       if (allocated(error)) return
       call choose_side(self, shape, tolerance, branch, window, solution, error)
@@ -202,8 +171,8 @@ contains
          return
       end if
       do k = 1, most_narrowing
-         if (abs(window%excess) <= near*(maxval(shape) - minval(shape))) exit
-         call look(self, shape, next_load(window), branch, tolerance, window, solution, error)
+         if (window%is_near()) exit
+         call look(self, shape, window%next_load(), branch, tolerance, window, solution, error)
          if (allocated(error)) return
       end do
    end subroutine open_window
@@ -231,16 +200,6 @@ contains
       end associate
    end subroutine start_apart
 
-   !> A load between the ends of the window: on the line through both, or in the middle.
-   pure real(dp) function next_load(window) result(load)
-      type(window_t), intent(in) :: window
-      real(dp) :: part
-
-      part = 0.5_dp
-      if (window%has_passed_excess) part = min(max(window%excess/(window%excess - window%passed_excess), 0.05_dp), 0.95_dp)
-      load = window%load + part*(window%passed - window%load)
-   end function next_load
-
    !> Solve under a load, and take note on which side of the penetration its state is.
    subroutine look(self, shape, load, branch, tolerance, window, solution, error)
       type(periodic_solver_t), intent(inout) :: self
@@ -256,36 +215,16 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t) :: state
       type(periodic_solution_t) :: found
-      real(dp) :: excess
-      logical :: has_contact
 
-      if (window%is_of_load .and. merge(load <= window%load, load >= window%load, window%is_adhered)) then
+      if (window%is_bound_of(load)) then
          call solve_adhesive_state(self, shape, load, branch, tolerance, window%turned, state, found, error, window%state)
       else
          call solve_adhesive_state(self, shape, load, branch, tolerance, window%turned, state, found, error)
       end if
       if (allocated(error)) return
       solution%n_pairs = solution%n_pairs + found%n_pairs
-      has_contact = found%status == contact_solved
       window%is_known = found%status /= contact_not_converged
-      if (has_contact) excess = penetration_of(state) - window%penetration
-      if (.not. has_contact) then
-         ! loads that no state of the branch carries are those below it
-         if (window%is_adhered .and. window%is_known) then
-            window%passed = load
-            window%has_passed_excess = .false.
-         end if
-      else if (merge(excess >= -window%none, excess <= window%none, window%is_adhered)) then
-         window%state = state
-         window%load = load
-         window%excess = excess
-         window%has_state = .true.
-         window%is_of_load = .true.
-      else
-         window%passed = load
-         window%passed_excess = excess
-         window%has_passed_excess = .true.
-      end if
+      call window%take_note(load, state, found%status == contact_solved)
    end subroutine look
 
    !> Follow the state of the window to the penetration, until no other load is in question.
@@ -327,8 +266,8 @@ contains
          if (.not. window%has_state) exit
          has_arrived = .false.
          ! more of the window is cut off where the loads on the way have not been enough
-         if (k > 1 .and. abs(window%excess) > near*(maxval(shape) - minval(shape))) &
-            & call look(self, shape, next_load(window), branch, tolerance, window, solution, error)
+         if (k > 1 .and. .not. window%is_near()) &
+            & call look(self, shape, window%next_load(), branch, tolerance, window, solution, error)
          if (allocated(error)) return
       end do
       window%state = state

@@ -12,8 +12,6 @@
 !>
 !> Loads are tried until one that has passed delta lies near. The state before it is followed to delta. Where the branch under a load
 !> a little beyond all loads on this path has passed delta, or has no state, no other load is in question.
-!>
-!> The file is long by the search through loads, whose steps share a window.
 module adfric_periodic_attracted_penetration
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -25,6 +23,7 @@ module adfric_periodic_attracted_penetration
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_gap_path, only: penetration_of
    use adfric_periodic_grids, only: coarsen
+   use adfric_periodic_load_window, only: begin_window, beyond, closed, load_window_t, most_attempts, most_looks
    use adfric_periodic_linear_step, only: linear_step_t, new_linear_step
    use adfric_periodic_operator, only: periodic_operator_t
    use adfric_periodic_solver, only: check_shape, coarse_tolerance, contact_not_converged, contact_out_of_range, contact_solved, &
@@ -33,42 +32,13 @@ module adfric_periodic_attracted_penetration
    private
    public :: solve_attracted_penetration
 
-   !> Loads that narrow the window before the state is followed, attempts to follow it, and doublings of a load, at most.
-   integer, parameter :: most_narrowing = 6, most_attempts = 30, most_doublings = 60
-   !> Distance to the penetration from which a state is followed at once, and one that is none, in units of the range of the
-   !> undeformed gap.
-   real(dp), parameter :: near = 0.02_dp, none = 1.0e-9_dp
-   !> Mean gap in the same unit at which contact is full, at a wall.
-   real(dp), parameter :: closed = 1.0e-12_dp
-   !> How far beyond the loads on the way the branch is looked at, in units of load and tension.
-   real(dp), parameter :: beyond = 2.0e-2_dp
-   !> How often it is looked at twice as far beyond, where that has not told anything, but for one.
-   integer, parameter :: most_looks = 4
+   !> Loads that narrow the window before the state is followed, and doublings of a load, at most.
+   integer, parameter :: most_narrowing = 6, most_doublings = 60
 
    !> What is known of the branch under a load.
-   type :: attracted_window_t
-      !> Is the adhered branch wanted, that comes from larger loads? Else the other, that comes from smaller ones.
-      logical :: is_adhered = .true.
-      !> The wanted penetration, and a distance that is none; in the unit of the gap.
-      real(dp) :: penetration = 0, none = 0
+   type, extends(load_window_t) :: attracted_window_t
       !> Largest residual of a state [-].
       real(dp) :: tolerance = 0
-      !> Load of `state`, and load whose state has passed the penetration [E*].
-      real(dp) :: load = 0, passed = 0
-      !> Excess of the penetration over the wanted one under these loads.
-      real(dp) :: excess = 0, passed_excess = 0
-      !> Is `passed_excess` known?
-      logical :: has_passed_excess = .false.
-      !> The state that has not passed the penetration yet.
-      type(contact_state_t) :: state
-      !> Has it been found?
-      logical :: has_state = .false.
-      !> Is it one under `load`, so that it bounds those under loads that come after it on the branch?
-      logical :: is_of_load = .false.
-      !> Gap of the turn, from which contact opens; not allocated: all has been in contact.
-      real(dp), allocatable :: gap_of_turn(:, :)
-      !> Has the last load told something?
-      logical :: is_known = .true.
    end type attracted_window_t
 
 contains
@@ -100,8 +70,7 @@ contains
       solution%status = contact_out_of_range
       call cells_of_grids(self, attraction, cells)
       n = size(self%grids)
-      window%penetration = penetration
-      window%none = none*(maxval(shape) - minval(shape))
+      call begin_window(window, penetration, shape)
       window%tolerance = tolerance
       associate (closest => closed*(maxval(shape) - minval(shape)))
          if (cells(n)%has_wall() .and. .not. sum(shape)/size(shape) - penetration > closest) return
@@ -168,7 +137,7 @@ contains
       call solve_load(window, operator, shape, cells, attraction%turning_pressure, state)
       if (.not. window%is_known) return
       window%is_adhered = penetration_of(state) - window%penetration >= -window%none
-      call take_note(window, attraction%turning_pressure, state)
+      call window%take_note(attraction%turning_pressure, state, allocated(state%gap))
       if (.not. window%is_adhered) return
       window%gap_of_turn = state%gap
       call cells%open_by(attraction%opening, .not. state%gap > cells%contact_gap())
@@ -189,7 +158,7 @@ contains
 
       ! without a start it is that of full contact, or of no tension
       if (window%is_adhered .and. allocated(window%gap_of_turn)) start = window%gap_of_turn
-      if (window%is_of_load .and. merge(load <= window%load, load >= window%load, window%is_adhered)) start = window%state%gap
+      if (window%is_bound_of(load)) start = window%state%gap
       state%shape = shape
       state%mean_pressure = load
       ! a body that is pulled does not come into contact by itself
@@ -199,38 +168,6 @@ contains
       window%is_known = state%is_converged .or. .not. has_state
       if (.not. has_state .and. allocated(state%gap)) deallocate (state%gap)
    end subroutine solve_load
-
-   !> Take note on which side of the penetration the state of a load is.
-   subroutine take_note(window, load, state)
-      !> What is known; receives one more state or load.
-      type(attracted_window_t), intent(inout) :: window
-      !> Mean pressure [E*].
-      real(dp), intent(in) :: load
-      !> Its state; without a gap where there is none.
-      type(contact_state_t), intent(in) :: state
-      real(dp) :: excess
-
-      if (.not. window%is_known) return
-      if (.not. allocated(state%gap)) then
-         ! loads that no state of the branch carries are those below it
-         if (.not. window%is_adhered) return
-         window%passed = load
-         window%has_passed_excess = .false.
-         return
-      end if
-      excess = penetration_of(state) - window%penetration
-      if (merge(excess >= -window%none, excess <= window%none, window%is_adhered)) then
-         window%state = state
-         window%load = load
-         window%excess = excess
-         window%has_state = .true.
-         window%is_of_load = .true.
-      else
-         window%passed = load
-         window%passed_excess = excess
-         window%has_passed_excess = .true.
-      end if
-   end subroutine take_note
 
    !> Solve under a load, and take note of it.
    subroutine look(window, operator, shape, path, load)
@@ -242,7 +179,7 @@ contains
       type(contact_state_t) :: state
 
       call solve_load(window, operator, shape, path%cells, load, state)
-      call take_note(window, load, state)
+      call window%take_note(load, state, allocated(state%gap))
    end subroutine look
 
    !> Find a state that has not passed the penetration, and a load that has.
@@ -292,8 +229,8 @@ contains
          if (operator%is_stopped()) exit
          ! next to a fold a bound takes long; the path goes on from what is known
          if (.not. window%is_known) exit
-         if (abs(window%excess) <= near*(maxval(shape) - minval(shape))) exit
-         call look(window, operator, shape, path, next_load(window))
+         if (window%is_near()) exit
+         call look(window, operator, shape, path, window%next_load())
       end do
       window%is_known = .true.
    end subroutine open_window
@@ -318,16 +255,6 @@ contains
       end associate
       window%is_of_load = .false.
    end subroutine start_apart
-
-   !> A load between the ends of the window: on the line through both, or in the middle.
-   pure real(dp) function next_load(window) result(load)
-      type(attracted_window_t), intent(in) :: window
-      real(dp) :: part
-
-      part = 0.5_dp
-      if (window%has_passed_excess) part = min(max(window%excess/(window%excess - window%passed_excess), 0.05_dp), 0.95_dp)
-      load = window%load + part*(window%passed - window%load)
-   end function next_load
 
    !> Follow the state of the window to the penetration, until no other load is in question.
    subroutine search(window, operator, shape, path)
@@ -359,8 +286,8 @@ contains
          if (.not. window%has_state) exit
          has_arrived = .false.
          ! more of the window is cut off where the loads on the path have not been enough
-         if (k > 1 .and. abs(window%excess) > near*(maxval(shape) - minval(shape))) &
-            & call look(window, operator, shape, path, next_load(window))
+         if (k > 1 .and. .not. window%is_near()) &
+            & call look(window, operator, shape, path, window%next_load())
       end do
       window%state = state
       window%state%is_converged = has_arrived .and. window%is_known
