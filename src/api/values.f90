@@ -280,8 +280,7 @@ contains
       if (present(path)) file = path
       text = problems%line_of(1, file)
       do i = 2, problems%count()
-         ! what is read twice is wrong once
-         if (index(newline//text//newline, newline//problems%line_of(i, file)//newline) > 0) cycle
+         if (problems%is_repeated(i)) cycle
          text = text//newline//problems%line_of(i, file)
       end do
       call set_error(error, input_failure, text)

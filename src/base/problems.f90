@@ -32,6 +32,7 @@ module adfric_base_problems
       procedure :: add
       procedure :: is_enough
       procedure :: count => count_problems
+      procedure :: is_repeated
       procedure :: line_of
    end type problems_t
 
@@ -67,6 +68,19 @@ contains
 
       is_enough = self%is_given_up .or. self%count() >= most_problems
    end function is_enough
+
+   !> Has an earlier problem the same line? What is read twice is wrong once.
+   pure logical function is_repeated(self, i)
+      class(problems_t), intent(in) :: self
+      !> Index of the problem in the list, from 1.
+      integer, intent(in) :: i
+      integer :: k
+
+      is_repeated = .false.
+      do k = 1, i - 1
+         if (self%line_of(k, '') == self%line_of(i, '')) is_repeated = .true.
+      end do
+   end function is_repeated
 
    !> Number of problems.
    pure integer function count_problems(self)

@@ -59,15 +59,12 @@ contains
       type(problems_t), intent(in) :: problems
       !> Name of the input, which stands before every line.
       character(*), intent(in) :: file
-      character(:), allocatable :: line
       integer :: i
 
       if (.not. allocated(self%errors)) self%errors = ''
-      line = ''
       do i = 1, problems%count()
-         ! what is read twice is wrong once
-         line = printable(problems%line_of(i, file))//newline
-         if (index(newline//self%errors, newline//line) == 0) self%errors = self%errors//line
+         if (problems%is_repeated(i)) cycle
+         self%errors = self%errors//printable(problems%line_of(i, file))//newline
       end do
       if (problems%is_enough()) self%errors = self%errors//printable(file)// &
          ': the rest of the input has not been examined, there may be more to mend'//newline
