@@ -235,16 +235,8 @@ contains
       real(dp), intent(in) :: s
       !> Receives the weights; shape `(n_nodes)`.
       real(dp), intent(out) :: weights(n_nodes)
-      integer :: j
 
-      do j = 1, n_nodes
-         if (abs(s - panel_nodes(j)) > 0) cycle
-         weights = 0
-         weights(j) = 1
-         return
-      end do
-      weights = barycentric/(s - panel_nodes)
-      weights = weights/sum(weights)
+      call set_weights(s - panel_nodes, weights)
    end subroutine get_weights
 
    !> The same for a position that is known by its distance from the end, to all digits of this distance.
@@ -253,17 +245,26 @@ contains
       real(dp), intent(in) :: x
       !> Receives the weights; shape `(n_nodes)`.
       real(dp), intent(out) :: weights(n_nodes)
+
+      call set_weights(x - nodes_from_end, weights)
+   end subroutine get_weights_from_end
+
+   !> Weights by the distances from the nodes.
+   pure subroutine set_weights(distances, weights)
+      !> Position less that of each node.
+      real(dp), intent(in) :: distances(n_nodes)
+      real(dp), intent(out) :: weights(n_nodes)
       integer :: j
 
       do j = 1, n_nodes
-         if (abs(x - nodes_from_end(j)) > 0) cycle
+         if (abs(distances(j)) > 0) cycle
          weights = 0
          weights(j) = 1
          return
       end do
-      weights = barycentric/(x - nodes_from_end)
+      weights = barycentric/distances
       weights = weights/sum(weights)
-   end subroutine get_weights_from_end
+   end subroutine set_weights
 
    !> Size of what a polynomial may lack: the larger one of its last two coefficients.
    pure real(dp) function get_tail(values) result(tail)

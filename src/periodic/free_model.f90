@@ -122,7 +122,7 @@ contains
       type(problems_t), intent(inout) :: problems
       type(periodic_surface_t) :: surface
       logical :: is_periodic(2)
-      real(dp) :: across
+      real(dp) :: sizes(2)
       integer :: along
 
       if (.not. allocated(self%given%is_body)) return
@@ -131,10 +131,10 @@ contains
       if (count(is_periodic) /= 1) return
       call self%given%get_cells(values(in%heights:in%rms_height), surface)
       along = merge(1, 2, is_periodic(1))
-      across = surface%period(3 - along)/surface%n_cells(3 - along)
-      if (across > surface%period(along)) call problems%add('surface', merge('length_x', 'length_y', along == 1), &
+      sizes = surface%cell_sizes()
+      if (sizes(3 - along) > surface%period(along)) call problems%add('surface', merge('length_x', 'length_y', along == 1), &
          & 'is a period shorter than the cells are long across it, given '//show_number(surface%period(along))// &
-         & ' m, allowed: at least '//show_number(across)//' m')
+         & ' m, allowed: at least '//show_number(sizes(3 - along))//' m')
    end subroutine check_images
 
    !> See `model_t`.
@@ -153,14 +153,12 @@ contains
       real(dp), intent(in) :: values(:)
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
       type(periodic_surface_t) :: surface
-      integer :: i, along
+      integer :: along
 
       allocate (axes(2))
       call self%given%get_cells(values(in%heights:in%rms_height), surface)
       do along = 1, 2
-         associate (n => surface%n_cells(along))
-            call set_coordinate(axes(3 - along), self%profile_axes, 3 - along, [(surface%period(along)*(i - 0.5_dp)/n, i=1, n)])
-         end associate
+         call set_coordinate(axes(3 - along), self%profile_axes, 3 - along, surface%middles(along))
       end do
    end subroutine get_profile_axes
 

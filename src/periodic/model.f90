@@ -238,14 +238,12 @@ contains
       real(dp), intent(in) :: values(:)
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
       type(periodic_surface_t) :: surface
-      integer :: i, n, along
+      integer :: along
 
       allocate (axes(2))
       call self%get_cells(values, surface)
       do along = 1, 2
-         n = surface%n_cells(along)
-         call set_coordinate(axes(3 - along), self%profile_axes, 3 - along, &
-            & [(surface%period(along)*(i - 0.5_dp)/(n*merge(2, 1, surface%is_quarter)), i=1, n)])
+         call set_coordinate(axes(3 - along), self%profile_axes, 3 - along, surface%middles(along))
       end do
    end subroutine get_profile_axes
 

@@ -64,6 +64,7 @@ module adfric_periodic_point
       class(periodic_solid_t), allocatable :: solid
    contains
       procedure :: cell_sizes
+      procedure :: middles
    end type periodic_surface_t
 
    !> What is prescribed at a point.
@@ -114,6 +115,19 @@ contains
 
       sizes = self%period/(self%n_cells*merge(2, 1, self%is_quarter))
    end function cell_sizes
+
+   !> Coordinates of the middles of the cells along x or y [m].
+   pure function middles(self, along)
+      class(periodic_surface_t), intent(in) :: self
+      !> 1 along x, 2 along y.
+      integer, intent(in) :: along
+      real(dp) :: middles(self%n_cells(along))
+      integer :: i
+
+      associate (n => self%n_cells(along))
+         middles = [(self%period(along)*(i - 0.5_dp)/(n*merge(2, 1, self%is_quarter)), i=1, n)]
+      end associate
+   end function middles
 
    !> Solve a point; an error means that there is no memory.
    subroutine solve_periodic(surface, goal, memory, solution, slip, error)

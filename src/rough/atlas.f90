@@ -16,8 +16,8 @@ module adfric_rough_atlas
    public :: describe_bands, compared_constant, find_band, quantity_area, quantity_gap, quantity_stiffness
 
    !> Quantities that were compared.
-   integer, parameter :: quantity_area = 1, quantity_gap = 2, quantity_stiffness = 3
-   character(*), parameter :: names(*) = [character(16) :: 'contact_fraction', 'mean_gap', 'normal_stiffness']
+   integer, parameter :: quantity_area = 1, quantity_gap = 2, quantity_stiffness = 3, n_quantities = 3
+   character(*), parameter :: names(n_quantities) = [character(16) :: 'contact_fraction', 'mean_gap', 'normal_stiffness']
 
    !> Pressures p/(E g) at which theories were compared.
    integer, parameter :: n_pressures = 9
@@ -28,31 +28,29 @@ module adfric_rough_atlas
    real(dp), parameter :: least_nayak = 1.5_dp, largest_nayak = 118
    !> Yang and Persson's constant that was compared.
    real(dp), parameter :: compared_constant = 0.45_dp
-   !> Ratios of the theories, `persson`, `yang_persson`, `wang_mueser`.
-   real(dp), parameter :: least_area(n_pressures, n_shares) = reshape([ &
+   !> Ratios of the theories, `persson`, `yang_persson`, `wang_mueser`: of the area, then of the gap, then of the stiffness.
+   real(dp), parameter :: least_ratios(n_pressures, n_shares, n_quantities) = reshape([ &
       & 0.6569_dp, 0.6561_dp, 0.6673_dp, 0.6893_dp, 0.7292_dp, 0.794_dp, 0.8849_dp, 0.9723_dp, 0.9958_dp, &
       & 0.9789_dp, 0.9756_dp, 0.9869_dp, 0.9941_dp, 0.9977_dp, 0.9832_dp, 0.9638_dp, 0.9793_dp, 0.996_dp, &
-      & 0.8813_dp, 0.8805_dp, 0.8961_dp, 0.9265_dp, 0.9741_dp, 1.015_dp, 1.002_dp, 0.985_dp, 0.9962_dp], [n_pressures, n_shares])
-   real(dp), parameter :: largest_area(n_pressures, n_shares) = reshape([ &
-      & 0.7604_dp, 0.77_dp, 0.7834_dp, 0.793_dp, 0.8194_dp, 0.8645_dp, 0.918_dp, 0.9785_dp, 0.9972_dp, &
-      & 1.133_dp, 1.145_dp, 1.159_dp, 1.144_dp, 1.121_dp, 1.071_dp, 0.9999_dp, 0.9855_dp, 0.9974_dp, &
-      & 1.02_dp, 1.033_dp, 1.052_dp, 1.066_dp, 1.095_dp, 1.105_dp, 1.039_dp, 0.9912_dp, 0.9976_dp], [n_pressures, n_shares])
-   real(dp), parameter :: least_gap(n_pressures, n_shares) = reshape([ &
+      & 0.8813_dp, 0.8805_dp, 0.8961_dp, 0.9265_dp, 0.9741_dp, 1.015_dp, 1.002_dp, 0.985_dp, 0.9962_dp, &
       & 1.571_dp, 1.388_dp, 1.256_dp, 1.025_dp, 0.8539_dp, 0.6493_dp, 0.4376_dp, 0.2564_dp, 0.1691_dp, &
       & 0.9602_dp, 0.9597_dp, 0.9674_dp, 0.988_dp, 0.9653_dp, 0.9201_dp, 0.7604_dp, 0.5145_dp, 0.3528_dp, &
-      & 1.003_dp, 0.9599_dp, 0.9375_dp, 0.917_dp, 0.9274_dp, 0.9329_dp, 0.9418_dp, 0.7438_dp, 0.5364_dp], [n_pressures, n_shares])
-   real(dp), parameter :: largest_gap(n_pressures, n_shares) = reshape([ &
-      & 1.76_dp, 1.509_dp, 1.373_dp, 1.17_dp, 1.02_dp, 0.8438_dp, 0.6422_dp, 0.4257_dp, 0.2849_dp, &
-      & 1.175_dp, 1.135_dp, 1.095_dp, 1.067_dp, 1.038_dp, 1.042_dp, 1.026_dp, 0.8436_dp, 0.5937_dp, &
-      & 1.181_dp, 1.086_dp, 1.04_dp, 0.9861_dp, 1.006_dp, 1.028_dp, 1.158_dp, 1.199_dp, 0.9012_dp], [n_pressures, n_shares])
-   real(dp), parameter :: least_stiffness(n_pressures, n_shares) = reshape([ &
+      & 1.003_dp, 0.9599_dp, 0.9375_dp, 0.917_dp, 0.9274_dp, 0.9329_dp, 0.9418_dp, 0.7438_dp, 0.5364_dp, &
       & 0.311_dp, 0.4287_dp, 0.489_dp, 0.5926_dp, 0.721_dp, 0.9027_dp, 1.248_dp, 2.003_dp, 2.875_dp, &
       & 0.6668_dp, 0.7789_dp, 0.8043_dp, 0.8764_dp, 0.8865_dp, 0.9194_dp, 0.9254_dp, 1.053_dp, 1.388_dp, &
-      & 0.5577_dp, 0.7347_dp, 0.8318_dp, 0.9266_dp, 1.019_dp, 0.9515_dp, 0.9603_dp, 0.7821_dp, 0.922_dp], [n_pressures, n_shares])
-   real(dp), parameter :: largest_stiffness(n_pressures, n_shares) = reshape([ &
+      & 0.5577_dp, 0.7347_dp, 0.8318_dp, 0.9266_dp, 1.019_dp, 0.9515_dp, 0.9603_dp, 0.7821_dp, 0.922_dp], &
+      & [n_pressures, n_shares, n_quantities])
+   real(dp), parameter :: largest_ratios(n_pressures, n_shares, n_quantities) = reshape([ &
+      & 0.7604_dp, 0.77_dp, 0.7834_dp, 0.793_dp, 0.8194_dp, 0.8645_dp, 0.918_dp, 0.9785_dp, 0.9972_dp, &
+      & 1.133_dp, 1.145_dp, 1.159_dp, 1.144_dp, 1.121_dp, 1.071_dp, 0.9999_dp, 0.9855_dp, 0.9974_dp, &
+      & 1.02_dp, 1.033_dp, 1.052_dp, 1.066_dp, 1.095_dp, 1.105_dp, 1.039_dp, 0.9912_dp, 0.9976_dp, &
+      & 1.76_dp, 1.509_dp, 1.373_dp, 1.17_dp, 1.02_dp, 0.8438_dp, 0.6422_dp, 0.4257_dp, 0.2849_dp, &
+      & 1.175_dp, 1.135_dp, 1.095_dp, 1.067_dp, 1.038_dp, 1.042_dp, 1.026_dp, 0.8436_dp, 0.5937_dp, &
+      & 1.181_dp, 1.086_dp, 1.04_dp, 0.9861_dp, 1.006_dp, 1.028_dp, 1.158_dp, 1.199_dp, 0.9012_dp, &
       & 0.4608_dp, 0.5048_dp, 0.5575_dp, 0.7241_dp, 0.8899_dp, 1.191_dp, 1.774_dp, 3.285_dp, 5.007_dp, &
       & 1.009_dp, 1.068_dp, 1.101_dp, 1.084_dp, 1.058_dp, 1.03_dp, 1.102_dp, 1.68_dp, 2.412_dp, &
-      & 0.8282_dp, 0.904_dp, 0.9717_dp, 1.062_dp, 1.172_dp, 1.194_dp, 1.052_dp, 1.202_dp, 1.596_dp], [n_pressures, n_shares])
+      & 0.8282_dp, 0.904_dp, 0.9717_dp, 1.062_dp, 1.172_dp, 1.194_dp, 1.052_dp, 1.202_dp, 1.596_dp], &
+      & [n_pressures, n_shares, n_quantities])
 
 contains
 
@@ -75,17 +73,8 @@ contains
       k = max(1, count(pressures <= pressure*(1 + same)))
       last = min(n_pressures, k + 1)
       if (abs(pressure - pressures(k)) <= same*pressure) last = k
-      select case (quantity)
-      case (quantity_area)
-         least = minval(least_area(k:last, share))
-         largest = maxval(largest_area(k:last, share))
-      case (quantity_gap)
-         least = minval(least_gap(k:last, share))
-         largest = maxval(largest_gap(k:last, share))
-      case default
-         least = minval(least_stiffness(k:last, share))
-         largest = maxval(largest_stiffness(k:last, share))
-      end select
+      least = minval(least_ratios(k:last, share, quantity))
+      largest = maxval(largest_ratios(k:last, share, quantity))
    end subroutine find_band
 
    !> What `adfric check` says of a pressure: the ratios, and what they are within.
@@ -110,7 +99,7 @@ contains
          return
       end if
       text = 'ratio to surface_elastic at p/(E g) ='//trim(numbers(1))//', of 12 self-affine spectra:'//newline
-      do quantity = 1, size(names)
+      do quantity = 1, n_quantities
          do share = 1, n_shares
             if (share == share_yang_persson .and. abs(constant - compared_constant) > same) cycle
             call find_band(quantity, share, pressure, spectrum%nayak_parameter(), least, largest, is_known)
