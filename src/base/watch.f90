@@ -3,7 +3,7 @@
 module adfric_base_watch
    implicit none (type, external)
    private
-   public :: watch_t
+   public :: watch_t, asks_for_end
 
    !> Someone who may want the work to end. Every thread asks, often and at once.
    type, abstract :: watch_t
@@ -20,5 +20,16 @@ module adfric_base_watch
          class(watch_t), intent(in) :: self
       end function wants_end_i
    end interface
+
+contains
+
+   !> Shall the work end before its time? Not where nobody is to be asked.
+   logical function asks_for_end(watch)
+      !> Who is asked; null: nobody.
+      class(watch_t), pointer, intent(in) :: watch
+
+      asks_for_end = .false.
+      if (associated(watch)) asks_for_end = watch%wants_end()
+   end function asks_for_end
 
 end module adfric_base_watch

@@ -8,7 +8,7 @@ module adfric_describe_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
-   use adfric_base_watch, only: watch_t
+   use adfric_base_watch, only: asks_for_end, watch_t
    use adfric_describe_derived, only: derived_t
    use adfric_describe_profile_receiver, only: profile_receiver_t
    use adfric_describe_status, only: status_solved, status_meanings
@@ -184,8 +184,7 @@ contains
    logical function is_stopped(self)
       class(model_t), intent(in) :: self
 
-      is_stopped = .false.
-      if (associated(self%watch)) is_stopped = self%watch%wants_end()
+      is_stopped = asks_for_end(self%watch)
    end function is_stopped
 
    !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A

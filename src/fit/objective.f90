@@ -8,7 +8,7 @@
 module adfric_fit_objective
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_base_watch, only: watch_t
+   use adfric_base_watch, only: asks_for_end, watch_t
    use adfric_fit_loss, only: get_loss, loss_width_of
    use adfric_fit_model_curve, only: model_curve_t, new_model_curve
    use adfric_fit_parts, only: curve_points_t, list_curves
@@ -240,8 +240,7 @@ contains
       self%evaluations = self%evaluations + 1
       n_rows = 0
       cost = 0
-      is_valid = .true.
-      if (associated(self%watch)) is_valid = .not. self%watch%wants_end()
+      is_valid = .not. asks_for_end(self%watch)
       if (.not. is_valid) return
       call take_estimate(self, q, v, slopes)
       call self%set_values(v)

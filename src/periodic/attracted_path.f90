@@ -234,7 +234,7 @@ contains
       state%mean_pressure = fixed%pressure
    end subroutine go_round
 
-   !> See to it that the law has no more slope than given anywhere on the way to a smaller gap.
+   !> See to it that the law has no more slope than given at any gap between this one and a smaller one.
    subroutine stiffen(self, before, gap, slope, is_enough)
       class(attracted_path_t), intent(in) :: self
       !> Gap before and behind; shape of the cells.

@@ -13,7 +13,7 @@ module adfric_periodic_free_operator
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_watch, only: watch_t
+   use adfric_base_watch, only: asks_for_end, watch_t
    use adfric_numerics_even_transform, only: next_smooth, transform_even
    use adfric_numerics_spectral_filter, only: new_spectral_filter, spectral_filter_t
    use adfric_periodic_free_influence, only: influence_of_cell, influence_of_row
@@ -138,8 +138,7 @@ contains
    logical function is_stopped(self)
       class(free_operator_t), intent(in) :: self
 
-      is_stopped = .false.
-      if (associated(self%watch)) is_stopped = self%watch%wants_end()
+      is_stopped = asks_for_end(self%watch)
    end function is_stopped
 
    !> Displacements under given pressures.

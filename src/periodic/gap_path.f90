@@ -21,7 +21,7 @@ module adfric_periodic_gap_path
    real(dp), parameter :: growth = 2, shrinkage = 0.25_dp
    !> Factor by which the smallest step may be larger, for round-off.
    real(dp), parameter :: enough = 1.01_dp
-   !> Residual of the states on the way.
+   !> Residual of the states before the last one.
    real(dp), parameter :: passing_tolerance = 1.0e-7_dp
 
    !> What draws the surface, and how its states are found.
@@ -103,7 +103,7 @@ contains
       real(dp), intent(in) :: mean_gap
       !> Largest residual of the last state [-].
       real(dp), intent(in) :: tolerance
-      !> Receive the smallest and the largest load of the states on the way, those of the ends among them [E*].
+      !> Receive the smallest and the largest load of the states of the path, those of the ends among them [E*].
       real(dp), intent(out) :: least_load, largest_load
       !> Receives whether the mean gap was reached.
       logical, intent(out) :: has_arrived

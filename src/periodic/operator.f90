@@ -12,7 +12,7 @@ module adfric_periodic_operator
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_text, only: show_number
-   use adfric_base_watch, only: watch_t
+   use adfric_base_watch, only: asks_for_end, watch_t
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
    use adfric_periodic_kernel, only: kernel_t
    implicit none (type, external)
@@ -128,8 +128,7 @@ contains
    logical function is_stopped(self)
       class(periodic_operator_t), intent(in) :: self
 
-      is_stopped = .false.
-      if (associated(self%watch)) is_stopped = self%watch%wants_end()
+      is_stopped = asks_for_end(self%watch)
    end function is_stopped
 
    !> Say whether a constant has the stiffness of a layer, or none.
