@@ -4,6 +4,7 @@ module adfric_command_run
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
    use adfric_base_printable, only: shell_word
    use adfric_base_text, only: newline, show_count
+   use adfric_base_watch, only: watch_t
    use adfric_command_case, only: open_input, fit_only, run_only
    use adfric_command_doubts, only: describe_doubts_of
    use adfric_command_fit_doubts, only: describe_fit_doubts
@@ -29,7 +30,7 @@ module adfric_command_run
    use adfric_run_run, only: run_t
    use adfric_run_summary, only: run_summary_t
    use adfric_system_files, only: kind_of_path, path_file, target_of, id_of_file, is_same, remove_file
-   use adfric_system_interruption, only: signal_name
+   use adfric_system_interruption, only: signal_name, signal_watch_t
    implicit none (type, external)
    private
    public :: run_case
@@ -50,6 +51,8 @@ contains
       type(fit_input_t), allocatable :: details
       type(run_summary_t) :: summary
       type(error_t), allocatable :: error
+      type(signal_watch_t), target :: signals
+      class(watch_t), pointer :: watch
       logical :: is_complete
 
       call open_input(command%subject, merge(fit_only, run_only, command%name == 'fit'), run, details, outcome)
@@ -70,9 +73,14 @@ contains
       call share_error(world, error)
       call share_answer(world, is_complete)
       if (.not. (allocated(error) .or. is_complete)) then
+         ! a signal ends a point that takes long, too; it is solved again later
+         watch => signals
+         call run%model%obey(watch)
          call run%model%prepare()
          call solve_case(command, world, run, progress, summary, error)
          call run%model%release()
+         nullify (watch)
+         call run%model%obey(watch)
       end if
       if (allocated(error)) then
          call outcome%fail(error)

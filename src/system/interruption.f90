@@ -3,9 +3,16 @@
 !> more than a second later, ends it at once.
 module adfric_system_interruption
    use, intrinsic :: iso_c_binding, only: c_int
+   use adfric_base_watch, only: watch_t
    implicit none (type, external)
    private
-   public :: catch_signals, caught_signal, signal_name
+   public :: signal_watch_t, catch_signals, caught_signal, signal_name
+
+   !> Ends the work when one of these signals has come, once they are caught.
+   type, extends(watch_t) :: signal_watch_t
+   contains
+      procedure :: wants_end
+   end type signal_watch_t
 
    interface
 
@@ -23,6 +30,15 @@ module adfric_system_interruption
    end interface
 
 contains
+
+   !> Has one of the signals come?
+   logical function wants_end(self)
+      class(signal_watch_t), intent(in) :: self
+
+      wants_end = caught_signal() /= 0
+      associate (unused => self)
+      end associate
+   end function wants_end
 
    !> Name of one of these signals.
    pure function signal_name(number) result(name)

@@ -15,6 +15,7 @@ from runs import IN_ORDER, LOADS, PROFILES, Runs, limit_file_size  # noqa: E402
 
 # fewer where checks make runs slow
 N_KILLS = max(5, round(17*float(os.environ.get("ADFRIC_RANDOM_CASES", "1"))))
+# a point takes long, and may be ended at any time
 SLOW = """
 &job model = 'wave_2d_elastic', output = 'run.h5' /
 &surface period = 1, amplitude = 0.01 /
@@ -114,10 +115,22 @@ class Restart(Runs):
         self.assertEqual(process.returncode, 143, errors)
         self.assertIn("stopped by SIGTERM", errors)
         (self.folder / "run.h5.partial").unlink()
-        # a block that takes long
-        process = self.stopped_twice(SLOW, 1.1)
+        # a block that takes long, of a solver that does not ask
+        process = self.stopped_twice(LOADS.format(strips=4096, count=8000), 1.1)
         _, errors = process.communicate(timeout=60)
         self.assertEqual((process.returncode, errors), (-signal.SIGTERM, ""))
+
+    def test_long_point(self):
+        # a signal ends a point that takes long; what it has found is of no use
+        self.write(SLOW)
+        process = self.start("run", "--quiet", "run.nml", threads=1)
+        self.wait_for("run.h5.partial")
+        process.send_signal(signal.SIGTERM)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 143)
+        self.assertEqual(errors, "run.nml: stopped by SIGTERM, 0 of 16 points are in run.h5.partial; "
+                                 "adfric run --resume run.nml goes on\n")
+        self.assertTrue((self.status_of("run.h5.partial") < 0).all())
 
     def stopped_twice(self, text, interval):
         """A run that was asked to end twice."""
