@@ -151,12 +151,16 @@ contains
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The half-space.
+      !> The half-space or layer.
       class(periodic_solid_t), intent(in) :: solid
       !> Pressure of full contact of the surface as its cells have it [E*], not used here.
       real(dp), intent(in) :: on_cells
+      complex(dp) :: stiffness(1, 1)
 
-      get_full_pressure = self%n_directions*pi*solid%modulus*(values(wave_2d_input%amplitude)/values(wave_2d_input%period))
+      stiffness = pi
+      if (allocated(solid%kernel)) call solid%kernel%get_stiffness([1.0_dp], [0.0_dp], [0.0_dp, 0.0_dp], stiffness)
+      get_full_pressure = self%n_directions*real(stiffness(1, 1), dp)*solid%modulus &
+         & *(values(wave_2d_input%amplitude)/values(wave_2d_input%period))
       associate (unused_number => on_cells)
       end associate
    end function get_full_pressure
