@@ -106,6 +106,8 @@ contains
 
       allocate (r(n_elastic_results))
       r(:n_periodic_results) = get_periodic_results()
+      r(periodic_output%penetration)%long_name = &
+         & 'approach from first touch, at the mean of the deformed surface, or at the base of a layer'
       r(periodic_output%contact_violation)%long_name = &
          & 'largest violation of g >= 0, p >= 0, g p = 0; with adhesion p + p0 t for p, t its ' &
          & //'share of a cell'
