@@ -5,7 +5,7 @@ bonded to its base."""
 
 import subprocess
 import tempfile
-from math import ceil, sqrt
+from math import ceil, cosh, pi, sinh, sqrt
 from pathlib import Path
 
 import h5py
@@ -14,12 +14,25 @@ from table_tools import PROGRAM, head, row
 
 SIZES = (0.2, 0.4, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0)
 RADIUS, APPROACH, YOUNG = 5.0e-6, 1.0e-7, 1.0e3
-COARSE, FINE, SPACING = 24, 48, 8.0
+COARSE, FINE, SPACING = 16, 32, 8.0
 
 
 def series(chi):
     """Load over that of a half-space."""
     return 1 + 1.133 * chi + 1.283 * chi**2 + 0.769 * chi**3 + 0.0975 * chi**4
+
+
+def factor(q):
+    """Compliance of the bonded layer with nu = 1/2 under a wave over that of a half-space, q = k H."""
+    if q < 1e-3:
+        return 2 * q**3 / 3
+    return (2 * sinh(2 * q) - 4 * q) / (2 * cosh(2 * q) + 4 * q * q + 2)
+
+
+def first_coefficient(end=22.0, count=100000):
+    """That of chi, from the surface that the base lifts below a small contact."""
+    step = end / count
+    return 2 / pi * step * sum(1 - factor((i + 0.5) * step) for i in range(count))
 
 
 def solve(chi, poisson, cells):
@@ -49,9 +62,13 @@ def main():
     head("Load of a round tip on a bonded layer of nu = 1/2, over that of a half-space", "sqrt(R d)/H", "contact radius/H", "cells", "finer cells",
          "series", "series over cells", "error of E", "nu = 0.45")
     for chi in SIZES:
-        (coarse, _), (fine, radius), (other, _) = solve(chi, 0.5, COARSE), solve(chi, 0.5, FINE), solve(chi, 0.45, FINE)
+        (coarse, _), (fine, radius), (other, _) = solve(chi, 0.5, COARSE), solve(chi, 0.5, FINE), solve(chi, 0.45, COARSE)
         row(f"{chi:g}", f"{radius:.3g}", f"{coarse:.5g}", f"{fine:.5g}", f"{series(chi):.5g}", f"{series(chi) / fine:.4f}",
             f"{100 * (fine / series(chi) - 1):+.1f} %", f"{other:.5g}")
+
+    head("Coefficients for small sizes", "coefficient", "series", "from the wave factor")
+    row("first", "1.133", f"{first_coefficient():.4f}")
+    row("second", "1.283", f"{7 / 6 * first_coefficient() ** 2:.4f}")
 
 
 if __name__ == "__main__":
