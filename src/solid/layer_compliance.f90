@@ -86,6 +86,7 @@ contains
    elemental real(dp) function factor_of_coating(q, coating) result(factor)
       !> Wave number times thickness [-], > 0.
       real(dp), intent(in) :: q
+      !> Numbers of the coating and of its half-space.
       type(coating_t), intent(in) :: coating
       real(dp) :: decay, above, below
 
