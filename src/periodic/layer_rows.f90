@@ -94,9 +94,8 @@ contains
          call add(rows(base), 'is missing, allowed: frictionless, bonded; or give '//rows(base_young)%name//' of a coating')
       end if
       ! the rows of the second body are the last ones
-      do k = n_one_body + 1, n_two_bodies
-         if (is_set(moduli(k))) call add(modulus_rows(k), 'has no meaning beside a layer; the other body is rigid')
-      end do
+      k = findloc(is_set(moduli(n_one_body + 1:n_two_bodies)), .true., 1)
+      if (k > 0) call add(modulus_rows(n_one_body + k), 'has no meaning beside a layer; the other body is rigid')
       if (needs_ratio_of_layer(values) .and. .not. is_set(moduli(ratio_of_layer))) then
          call add(modulus_rows(ratio_of_layer), 'is missing [-]; a bonded layer needs it')
       else if (is_set(values(base_young)) .and. is_set(values(base_poisson)) .and. problems%count() == 0) then
