@@ -104,6 +104,7 @@ AREAS = {
         one("ball_flash_temperature", options="--y friction_force contact_temperature"), one("rubber_flash_temperature")),
     "Waves and rough surfaces: contact": (
         one("wave_1d"), one("wave_1d_pressure"), one("wave_2d_elastic"), one("wave_2d_contact"),
+        one("wave_2d_coating", options="--y contact_fraction peak_pressure penetration"),
         one("lecture_wave_cuts", options="--cut y=0 y=x"), one("surface_elastic"), one("free_rough_tip"),
         one("theories_pressure", options="--y contact_fraction_wang_mueser mean_gap_wang_mueser")),
     "Waves and rough surfaces: adhesion": (

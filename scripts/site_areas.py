@@ -67,7 +67,7 @@ AREAS = {
         "Sliding over rubber": "docs/theory/periodic_sliding.md",
         "Adhesion while sliding": "docs/theory/adhesion_in_sliding.md",
         "Slip and friction of rough surfaces": "docs/theory/periodic_slip.md",
-        "Layers on a rigid base": "docs/theory/layers.md",
+        "Layers and coatings": "docs/theory/layers.md",
         "Theories of rough contact": "docs/theory/rough_theories.md",
     },
     "Reference": {
@@ -99,6 +99,7 @@ AREAS = {
         "How it scales": "docs/validation/scaling.md",
         "Hard cases": "docs/validation/hard_cases.md",
         "Tables of the interface": "docs/validation/interface.md",
+        "A round tip on a thin sample": "docs/validation/thin_samples.md",
         "Beside public codes": "docs/validation/peers.md",
         "Benchmarks": "bench/README.md",
     },

@@ -24,7 +24,8 @@ module adfric_describe_scene_facts
       character(:), allocatable :: curve
       !> Does the scene say that shear stress does not move the contact?
       logical :: is_uncoupled = .false.
-      !> One of: `half_space`, `relaxing`, `layer`, `foundation`; with `free_` before it where boundaries are not periodic.
+      !> One of: `half_space`, `relaxing`, `layer`, `coating`, `foundation`; with `free_` before it where boundaries are not
+      !> periodic.
       character(:), allocatable :: solid
       !> One of: `none`, `adhesion`, `shear`, `coulomb`, `adhesion+shear`, `adhesion+coulomb`.
       character(:), allocatable :: interface
@@ -71,10 +72,12 @@ module adfric_describe_scene_facts
 
    !> Words of a scene, and what is said of it.
    character(*), parameter :: phrases(*) = [character(70) :: &
-      & 'half_space on an elastic half-space', 'relaxing on a viscoelastic half-space', 'layer on a viscoelastic layer', &
-      & 'foundation on a foundation', 'free_half_space on an elastic half-space with free boundaries', &
+      & 'half_space on an elastic half-space', 'relaxing on a viscoelastic half-space', 'layer on a layer', &
+      & 'coating on a coated half-space', 'foundation on a foundation', &
+      & 'free_half_space on an elastic half-space with free boundaries', &
       & 'free_relaxing on a viscoelastic half-space with free boundaries', &
-      & 'free_layer on a viscoelastic layer with free boundaries', 'free_foundation on a foundation with free boundaries', &
+      & 'free_layer on a layer with free boundaries', 'free_coating on a coated half-space with free boundaries', &
+      & 'free_foundation on a foundation with free boundaries', &
       & 'adhesion with adhesion', 'shear with a shear strength', 'coulomb with a coefficient of friction', &
       & 'adhesion+shear with adhesion and a shear strength', 'adhesion+coulomb with adhesion and a coefficient of friction', &
       & 'press pressed', 'slide sliding', 'tangential under a tangential force', 'path along a path of loading']

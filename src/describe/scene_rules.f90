@@ -31,6 +31,11 @@ module adfric_describe_scene_rules
    character(*), parameter :: variable_rules(*) = [character(140) :: &
       & 'rough_theories operating%velocity,operating%temperature - !relaxing', &
       & 'rough_theories adhesion% - relaxing', &
+      & on_cells//' layer%base - !layer', &
+      & on_cells//' layer%base_young_modulus,layer%base_poisson_ratio - !coating', &
+      & on_cells//' layer%thickness - !layer !coating', &
+      & on_cells//' layer% solid%', &
+      & on_cells//' operating%penetration operating%approach layer', &
       & 'wavy_sliding surface%slope surface%slope_approximation', &
       & 'wavy_sliding surface%height surface%amplitude', &
       & 'wavy_sliding surface%spacing surface%length_x', &
@@ -144,7 +149,7 @@ module adfric_describe_scene_rules
       & 'wavy_sliding friction_sample_error - !heights', &
       & 'wavy_sliding friction_sample_error friction_standard_error', &
       & 'wavy_sliding contact_width crest_contact_width wave_product', &
-      & 'surface_sliding penetration approach layer', &
+      & on_cells//',surface_sliding penetration approach layer', &
       & 'surface_sliding lateral_stress lateral_friction_stress', &
       & 'surface_sliding full_contact_friction full_contact_friction_stress', &
       & 'surface_sliding adhesion_fraction,cells_per_zone,order_margin,friction_stress_without_adhesion - !adhesion', &

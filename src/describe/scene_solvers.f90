@@ -14,7 +14,7 @@ module adfric_describe_scene_solvers
    character(*), parameter :: known_surfaces = 'sphere paraboloid cone power flat_cone flat_paraboloid '// &
       & 'rounded_punch rounded_cone polynomial flat_punch ellipsoid cylinder line_punch wedge line_polynomial '// &
       & 'wave_1d wave_2d wave_product cosines profile heights spectrum'
-   character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer foundation'
+   character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer coating foundation'
    !> Words of `&solid boundaries`: how a surface of given heights goes on beyond its map.
    character(*), parameter :: known_boundaries = 'periodic free periodic_x periodic_y'
    !> Words of `&solid curve_modulus`: which modulus a master curve is one of.
@@ -61,11 +61,17 @@ module adfric_describe_scene_solvers
       & 'profile,heights half_space coulomb press,tangential surface_elastic numerical', &
       & 'heights free_half_space none press free_surface numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing none path surface_time numerical', &
+      & 'wave_1d layer,coating none,adhesion,shear,adhesion+shear press wave_1d_elastic numerical', &
+      & 'wave_2d layer,coating none,adhesion,shear,adhesion+shear press wave_2d_elastic numerical', &
+      & 'profile,heights layer,coating none,adhesion,shear,adhesion+shear press surface_elastic numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer none press,slide surface_sliding numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer adhesion press,slide surface_sliding numerical', &
       & 'wave_1d,wave_product,cosines,profile,heights foundation none,adhesion press,slide wavy_sliding exact', &
       & 'wave_1d,wave_2d,profile,heights relaxing,layer shear,adhesion+shear press,slide surface_sliding numerical', &
       & 'wave_1d,wave_product,cosines,profile,heights foundation shear,adhesion+shear press,slide wavy_sliding exact', &
+      & 'wave_1d layer,coating shear,adhesion+shear slide wave_1d_elastic numerical', &
+      & 'wave_2d layer,coating shear,adhesion+shear slide wave_2d_elastic numerical', &
+      & 'profile,heights layer,coating shear,adhesion+shear slide surface_elastic numerical', &
       & 'cylinder,ellipsoid half_space shear slide hertz exact', &
       & 'wave_1d,wave_2d,profile,heights half_space shear press,slide surface_sliding numerical', &
       & 'spectrum half_space none,adhesion press rough_theories theory', &
@@ -152,8 +158,9 @@ contains
          if (.not. has_item(list, trim(words(k)))) nearest(k) = list(:scan(list//',', ',') - 1)
       end do
       if (is_kin_of_heights(row, words)) nearest(1) = 'heights'
-      ! over a solid that relaxes, and on a layer, a contact is solved while it slides: the solver asks for the velocity
-      if (index(nearest(2), 'half_space') == 0 .and. nearest(4) == 'press') nearest(4) = 'slide'
+      ! over a solid that relaxes a contact is solved while it slides: the solver asks for the velocity
+      if (index(nearest(2), 'half_space') == 0 .and. nearest(4) == 'press' .and. index(get_word(scenes(row), 5), '_elastic') == 0) &
+         & nearest(4) = 'slide'
    end subroutine find_nearest
 
    !> How far a row is from a scene: 0 if it has it.

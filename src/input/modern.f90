@@ -110,7 +110,10 @@ contains
       scene%state = ''
       scene%extent = 'half_space'
       if (old%name == 'wavy_sliding') scene%extent = 'foundation'
-      if (file%find_group('layer') > 0) scene%extent = 'layer'
+      if (file%find_group('layer') > 0) then
+         scene%extent = 'layer'
+         if (file%find_assignment(file%find_group('layer'), 'base_young_modulus') > 0) scene%extent = 'coating'
+      end if
       do k = 1, size(kinds)
          if (get_word(kinds(k), 1) == old%name) scene%surface = get_word(kinds(k), 2)
       end do

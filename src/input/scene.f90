@@ -229,21 +229,26 @@ contains
 
    end subroutine read_scene
 
-   !> A layer has a thickness, a half-space has none, and a stiffness per area belongs to columns.
+   !> A layer has a thickness, a half-space has none, moduli of a base belong to a coating, and a stiffness per area to columns.
    subroutine check_extent(scene, problems)
       type(scene_t), intent(in) :: scene
       type(problems_t), intent(inout) :: problems
       logical :: has_thickness
 
       has_thickness = is_named(scene%names, 'solid%thickness')
-      if (scene%extent == 'layer' .and. .not. has_thickness) then
-         call problems%add('solid', 'thickness', 'is missing [m]; a layer needs it')
+      if ((scene%extent == 'layer' .or. scene%extent == 'coating') .and. .not. has_thickness) then
+         call problems%add('solid', 'thickness', 'is missing [m]; a '//scene%extent//' needs it')
       else if (scene%extent == 'half_space' .and. has_thickness) then
          call problems%add('solid', 'thickness', 'belongs to a layer or to columns, and a half-space has none; '// &
             & 'give extent = ''layer'' or extent = ''foundation''')
       end if
       if (scene%extent /= 'layer' .and. is_named(scene%names, 'solid%base')) call problems%add('solid', 'base', &
          & 'belongs to a layer; give extent = ''layer''')
+      if (scene%extent /= 'coating' .and. is_named(scene%names, 'solid%base_young_modulus')) then
+         call problems%add('solid', 'base_young_modulus', 'belongs to a coating; give extent = ''coating''')
+      else if (scene%extent == 'coating' .and. .not. is_named(scene%names, 'solid%base_young_modulus')) then
+         call problems%add('solid', 'base_young_modulus', 'is missing [Pa]; a coating needs it and base_poisson_ratio')
+      end if
       if (scene%extent /= 'foundation' .and. (is_named(scene%names, 'solid%stiffness') .or. &
          & is_named(scene%names, 'solid%stiffnesses'))) call problems%add('solid', 'stiffness', &
          & 'belongs to columns; give extent = ''foundation''')

@@ -1,9 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the models of a periodic surface on an elastic half-space share, with or without adhesion; a model says what its surface is.
+!> What the models of a periodic surface on an elastic half-space or layer share, with or without adhesion; a model says what its
+!> surface is.
 !> The file is long by its answers to `periodic_model_t`.
 module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: newline
    use adfric_base_unset, only: is_set, unset
    use adfric_interface_adhesion_rows, only: adhesion_law_t, n_adhesion_rows, set_adhesion_rows
    use adfric_interface_attraction_rows, only: check_attraction, given_attraction_t, has_attraction, has_wall_at_contact, &
@@ -27,6 +29,9 @@ module adfric_periodic_elastic_model
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_elastic_interface, only: check_elastic_friction, has_law, n_friction_rows, n_motion_rows, &
       & has_friction, set_motion_rows, store_friction, store_left_out, tractions_of_friction
+   use adfric_periodic_layer_kernel, only: layer_kernel_t
+   use adfric_periodic_layer_rows, only: check_layer_rows, get_layer, has_layer, n_layer_rows, needs_ratio_of_layer, &
+      & numbers_of_layer, set_layer_rows
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_slip, only: periodic_slip_t
@@ -96,10 +101,11 @@ contains
       call set_adhesion_rows(solid(n_two_bodies + 1:n_two_bodies + n_adhesion_rows))
       call set_attraction_rows(solid(n_two_bodies + n_adhesion_rows + 1:n_two_bodies + n_law_of_adhesion))
       call set_coulomb_rows(solid(n_two_bodies + n_law_of_adhesion + 1:n_two_bodies + n_law_of_adhesion + n_coulomb_rows))
-      associate (pull_off => n_elastic_solid - n_motion_rows)
+      call set_layer_rows(solid(n_elastic_solid - n_layer_rows + 1:))
+      associate (pull_off => n_elastic_solid - n_layer_rows - n_motion_rows)
          call set_shear_rows(solid(pull_off - n_shear_rows:pull_off - 1))
          solid(pull_off) = pull_off_row()
-         call set_motion_rows(solid(pull_off + 1:))
+         call set_motion_rows(solid(pull_off + 1:pull_off + n_motion_rows))
       end associate
       call self%set_tables(name, summary, surface, solid, .true.)
       deallocate (self%results)
@@ -112,7 +118,7 @@ contains
    pure integer function pull_off_index(self)
       class(elastic_model_t), intent(in) :: self
 
-      pull_off_index = self%last_of_solid - n_motion_rows
+      pull_off_index = self%last_of_solid - n_layer_rows - n_motion_rows
    end function pull_off_index
 
    !> Values of the rows of the interface and its motion.
@@ -121,8 +127,26 @@ contains
       real(dp), intent(in) :: values(:)
       real(dp) :: friction(n_friction_rows)
 
-      friction = values(pull_off_index(self) - n_shear_rows:self%last_of_solid)
+      friction = values(pull_off_index(self) - n_shear_rows:pull_off_index(self) + n_motion_rows)
    end function friction_values
+
+   !> Values of the rows of the layer.
+   pure function layer_values(self, values) result(layer)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp) :: layer(n_layer_rows)
+
+      layer = values(self%last_of_solid - n_layer_rows + 1:self%last_of_solid)
+   end function layer_values
+
+   !> Values of the rows of the modulus.
+   pure function moduli_values(self, values) result(moduli)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp) :: moduli(n_two_bodies)
+
+      moduli = values(self%first_of_solid:self%first_of_solid + n_two_bodies - 1)
+   end function moduli_values
 
    !> Poisson's ratio of the half-space below a rigid body [-]; unset where it is not known, or both bodies are elastic.
    pure real(dp) function poisson_ratio_of(self, values) result(ratio)
@@ -178,7 +202,7 @@ contains
       call check_friction(self, values, problems)
       associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, prescribed => self%before_prescribed)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, &
-            & has_coulomb(coulomb_values(self, values)))
+            & has_coulomb(coulomb_values(self, values)) .or. needs_ratio_of_layer(layer_values(self, values)))
          n_before = problems%count()
          call check_attraction(self%variables(last + 1:last + n_law_of_adhesion), adhesion_values(self, values), &
             & self%given_attraction, problems)
@@ -191,6 +215,7 @@ contains
          end if
       end associate
       call check_law(self, values, problems)
+      call check_layer(self, values, problems)
       if (problems%count() > 0) return
       if (lacks_poisson_ratio(self, values)) call problems%add('solid', 'poisson_ratio', &
          & 'is missing [-]; the tangential displacement needs it')
@@ -220,6 +245,28 @@ contains
       end if
    end subroutine check_law
 
+   !> Add to `problems` what is wrong with the layer, and what it cannot have beside it.
+   subroutine check_layer(self, values, problems)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
+
+      if (problems%count() > 0) return
+      call self%get_cells(values, surface)
+      associate (first => self%first_of_solid, last => self%last_of_solid)
+         call check_layer_rows(self%variables(last - n_layer_rows + 1:last), layer_values(self, values), &
+            & self%variables(first:first + n_two_bodies - 1), moduli_values(self, values), surface%period(1), problems)
+      end associate
+      if (.not. has_layer(layer_values(self, values))) return
+      if (has_coulomb(coulomb_values(self, values))) call problems%add('friction', 'coefficient', &
+         & 'stands beside a layer, whose tangential displacement is not solved')
+      law = self%adhesion_of(values)
+      if (allocated(law%attraction)) call problems%add('adhesion', 'law', &
+         & 'stands beside a layer, which has that of dugdale alone')
+   end subroutine check_layer
+
    !> Add to `problems` what is wrong with the friction, of either kind.
    subroutine check_friction(self, values, problems)
       class(elastic_model_t), intent(in) :: self
@@ -229,8 +276,8 @@ contains
 
       is_adhesive = has_attraction(adhesion_values(self, values))
       associate (first => pull_off_index(self) - n_shear_rows, last => pull_off_index(self) - 1)
-         call check_elastic_friction(self%variables(first:self%last_of_solid), friction_values(self, values), self%given_law, &
-            & largest_tension(adhesion_values(self, values), self%given_attraction), problems)
+         call check_elastic_friction(self%variables(first:last + 1 + n_motion_rows), friction_values(self, values), &
+            & self%given_law, largest_tension(adhesion_values(self, values), self%given_attraction), problems)
          call check_coulomb(self%variables(first - n_coulomb_rows:first - 1), values(first - n_coulomb_rows:first - 1), &
             & is_adhesive, has_shear(values(first:last)) .or. has_law(friction_values(self, values)), problems)
       end associate
@@ -303,9 +350,17 @@ contains
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t), intent(inout) :: surface
+      type(layer_kernel_t) :: kernel
 
       if (.not. allocated(surface%solid)) allocate (periodic_solid_t :: surface%solid)
-      surface%solid%modulus = contact_modulus_of(values(self%first_of_solid:self%first_of_solid + n_two_bodies - 1))
+      surface%solid%modulus = contact_modulus_of(moduli_values(self, values))
+      if (allocated(surface%solid%kernel)) deallocate (surface%solid%kernel)
+      associate (layer => layer_values(self, values), moduli => moduli_values(self, values))
+         if (.not. has_layer(layer)) return
+         call get_layer(layer, moduli, surface%period(1), kernel)
+         surface%solid%numbers = numbers_of_layer(layer, moduli, surface%period(1))
+      end associate
+      allocate (surface%solid%kernel, source=kernel)
    end subroutine set_solid
 
    !> Adhesion of a point, whose values have been checked.
@@ -396,8 +451,9 @@ contains
          call store_friction(friction_values(self, values), self%given_law, tension_outside(law, solution), &
             & modulus*solution%pressure, results, is_valid)
          if (.not. is_valid) error_estimate = huge(error_estimate)
-         if (is_valid .and. is_set(poisson_ratio_of(self, values))) call store_left_out(friction_values(self, values), &
-            & self%given_law, poisson_ratio_of(self, values), surface, solution, results)
+         if (is_valid .and. is_set(poisson_ratio_of(self, values)) .and. .not. has_layer(layer_values(self, values))) &
+            & call store_left_out(friction_values(self, values), self%given_law, poisson_ratio_of(self, values), surface, &
+            & solution, results)
          if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)
          if (.not. law%stress > 0) return
          results(out%cells_per_zone) = cells_per_zone(law, surface)
@@ -481,6 +537,8 @@ contains
       if (has_friction(friction_values(self, values))) text = doubt_coupling(poisson_ratio_of(self, values))
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
+      if (has_layer(layer_values(self, values))) text = text//'a state of adhesion on a layer is a state, but none proves '// &
+         & 'that it is the most or least adhered one'//newline
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
       text = text//doubt_zone(law, surface)

@@ -1,29 +1,26 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The surface of an elastic layer on a rigid base: pressure over displacement is E* |k|/(2 F(Q)), Q = |k| H, H the thickness,
-!>
-!> $$ F = \frac{2 \sinh^2 Q}{\sinh 2Q + 2Q} \text{ (frictionless base)}, \qquad
-!> F = \frac{2 c \sinh 2Q - 4Q}{2 c \cosh 2Q + 4Q^2 + 1 + c^2} \text{ (bonded)}, \quad c = 3 - 4 \nu $$
-!> (K. L. Johnson, Contact Mechanics, 1985, section 5.8, in other words). F is 1 for a layer much thicker than the wave is long.
+!> The surface of an elastic layer on a rigid base, or of a coating on an elastic half-space: pressure over displacement is
+!> E* |k|/(2 F(|k| H)), H the thickness and E* the contact modulus of the layer, with F of `adfric_solid_layer_compliance`.
 module adfric_periodic_layer_kernel
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_numerics_hyperbolic, only: sinh_minus_argument
    use adfric_periodic_kernel, only: kernel_t
+   use adfric_solid_layer_compliance, only: coating_t, factor_of_bonded, factor_of_coating, factor_of_frictionless, &
+      & mean_factor_of_bonded
    implicit none (type, external)
    private
    public :: layer_kernel_t, compliance_factor
-
-   !> Above this the layer is a half-space to round-off.
-   real(dp), parameter :: deep = 22.0_dp
 
    !> An elastic layer, with pressures in units of its contact modulus E*.
    type, extends(kernel_t) :: layer_kernel_t
       !> Thickness H, in the unit of all lengths, > 0.
       real(dp) :: thickness = 1
-      !> Is the layer bonded to its base? Else it slips there without friction.
+      !> Is the layer bonded to its rigid base? Else it slips there without friction.
       logical :: is_bonded = .false.
       !> Poisson's ratio, of the bonded layer alone [-].
       real(dp) :: poisson_ratio = 0.5_dp
+      !> The layer as a coating of a half-space; not allocated: its base is rigid.
+      type(coating_t), allocatable :: coating
    contains
       procedure :: get_stiffness
       procedure :: mean_compliance
@@ -54,12 +51,14 @@ contains
       end associate
    end subroutine get_stiffness
 
-   !> Mean displacement over mean pressure: H under a frictionless base, H (1 - 2 nu)/(1 - nu)^2 of a bonded layer [length/E*].
+   !> Mean displacement over mean pressure [length/E*]: H over a frictionless base, H (1 - 2 nu)/(1 - nu)^2 of a bonded layer, and 0 of a
+   !> coating, whose half-space has none.
    pure real(dp) function mean_compliance(self)
       class(layer_kernel_t), intent(in) :: self
 
       mean_compliance = self%thickness
-      if (self%is_bonded) mean_compliance = self%thickness*(1 - 2*self%poisson_ratio)/(1 - self%poisson_ratio)**2
+      if (self%is_bonded) mean_compliance = self%thickness*mean_factor_of_bonded(self%poisson_ratio)
+      if (allocated(self%coating)) mean_compliance = 0
    end function mean_compliance
 
    !> F(Q): the compliance over that of a half-space.
@@ -67,15 +66,13 @@ contains
       class(layer_kernel_t), intent(in) :: self
       !> Wave number times thickness [-], > 0.
       real(dp), intent(in) :: q
-      real(dp) :: c
 
-      factor = 1
-      if (q > deep) return
-      if (self%is_bonded) then
-         c = 3 - 4*self%poisson_ratio
-         factor = (2*c*sinh_minus_argument(2*q) + 8*(1 - 2*self%poisson_ratio)*q)/(2*c*cosh(2*q) + 4*q**2 + 1 + c**2)
+      if (allocated(self%coating)) then
+         factor = factor_of_coating(q, self%coating)
+      else if (self%is_bonded) then
+         factor = factor_of_bonded(q, self%poisson_ratio)
       else
-         factor = 2*sinh(q)**2/(sinh(2*q) + 2*q)
+         factor = factor_of_frictionless(q)
       end if
    end function compliance_factor
 

@@ -384,7 +384,7 @@ contains
       if (total > 0) solution%pressure(:, :) = solution%pressure*(load_of(states(n))*size(solution%pressure)/total)
       if (allocated(states(n)%cohesion)) call take_tension(states(n)%cohesion, solution)
       solution%elastic_energy = sum((solution%gap - states(n)%shape)*(solution%pressure - solution%mean_pressure)) &
-         & /(2*size(solution%gap))
+         & /(2*size(solution%gap)) + operator%mean_compliance*solution%mean_pressure**2/2
    end subroutine set_solution
 
    !> Take the tension of adhesion from the pressure, and find the energy of adhesion.

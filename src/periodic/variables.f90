@@ -13,6 +13,7 @@ module adfric_periodic_variables
    use adfric_interface_shear_coupling, only: coupling_results
    use adfric_interface_total_friction, only: total_friction_results
    use adfric_interface_shear_strength_rows, only: n_shear_rows
+   use adfric_periodic_layer_rows, only: n_layer_rows
    use adfric_describe_rows, only: number, switch, result_row, any_number
    use adfric_describe_table, only: variable_t, result_t
    implicit none (type, external)
@@ -29,7 +30,7 @@ module adfric_periodic_variables
    integer, parameter, public :: n_prescribed = storage_size(periodic_input)/storage_size(1)
    !> Number of the rows that the models on an elastic half-space share.
    integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_attraction_rows &
-      & + n_coulomb_rows + n_shear_rows + 1 + n_law_rows + 2
+      & + n_coulomb_rows + n_shear_rows + 1 + n_law_rows + 2 + n_layer_rows
    integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_prescribed
 
    !> Results in the order of their rows; a component is the index of its row.
@@ -105,6 +106,8 @@ contains
 
       allocate (r(n_elastic_results))
       r(:n_periodic_results) = get_periodic_results()
+      r(periodic_output%penetration)%long_name = &
+         & 'approach from first touch, at the mean of the deformed surface, or at the base of a layer'
       r(periodic_output%contact_violation)%long_name = &
          & 'largest violation of g >= 0, p >= 0, g p = 0; with adhesion p + p0 t for p, t its ' &
          & //'share of a cell'

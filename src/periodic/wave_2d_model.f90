@@ -151,17 +151,22 @@ contains
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The half-space.
+      !> The half-space or layer.
       class(periodic_solid_t), intent(in) :: solid
       !> Pressure of full contact of the surface as its cells have it [E*], not used here.
       real(dp), intent(in) :: on_cells
+      complex(dp) :: stiffness(1, 1)
 
-      get_full_pressure = self%n_directions*pi*solid%modulus*(values(wave_2d_input%amplitude)/values(wave_2d_input%period))
+      stiffness = pi
+      if (allocated(solid%kernel)) call solid%kernel%get_stiffness([1.0_dp], [0.0_dp], [0.0_dp, 0.0_dp], stiffness)
+      get_full_pressure = self%n_directions*real(stiffness(1, 1), dp)*solid%modulus &
+         & *(values(wave_2d_input%amplitude)/values(wave_2d_input%period))
       associate (unused_number => on_cells)
       end associate
    end function get_full_pressure
 
-   !> See `periodic_model_t`: that of the crest, about which pressure is even in every direction.
+   !> See `periodic_model_t`: that of the crest, about which pressure is even in every direction, or that of a cell where it is more, as
+   !> below a stiff coating.
    real(dp) function get_peak_pressure(self, values, pressure)
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, not used here.
@@ -171,12 +176,12 @@ contains
 
       associate (p => pressure)
          get_peak_pressure = p(1, 1)
-         if (.not. p(1, 1) > 0) return
-         if (self%n_directions == 1) then
+         if (p(1, 1) > 0 .and. self%n_directions == 1) then
             get_peak_pressure = (9*p(1, 1) - p(2, 1))/8
-         else
+         else if (p(1, 1) > 0) then
             get_peak_pressure = (81*p(1, 1) - 9*p(2, 1) - 9*p(1, 2) + p(2, 2))/64
          end if
+         if (maxval(p) > max(get_peak_pressure, 0.0_dp)) get_peak_pressure = maxval(p)
       end associate
       associate (unused_values => values)
       end associate

@@ -41,13 +41,15 @@ SPECTRUM = "&power_spectrum hurst_exponent = 0.8, shortest_wavelength = 1e-6, ro
 ELASTIC = "&solid young_modulus = 7.5e6, poisson_ratio = 0.5 /\n"
 RELAXING = "&solid modulus = 1e7, moduli = 9e7, relaxation_times = 1e-3{more} /\n"
 LAYER = RELAXING.format(more=", extent = 'layer', thickness = 1e-4, base = 'frictionless'")
+ON_LAYER = ELASTIC.replace(" /", ", extent = 'layer', thickness = 1e-4, base = 'bonded' /")
+COATING = ELASTIC.replace(" /", ", extent = 'coating', thickness = 1e-5, base_young_modulus = 1e9, base_poisson_ratio = 0.3 /")
 COLUMNS = "&solid extent = 'foundation', stiffness = 1e11, relaxation_time = 1e-4, retardation_ratio = 10.0 /\n"
 ADHESION = "&adhesion work_of_adhesion = 0.05, adhesion_stress = 1e6 /\n"
 LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
 
 
 # the kind of scene in each column of the table
-KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 13, 14, 7, 11, 8, 12, 9, 10)
+KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 17, 18, 19, 20, 13, 14, 7, 11, 8, 12, 9, 10)
 
 
 def scene_of(surface, kind):
@@ -65,6 +67,8 @@ def scene_of(surface, kind):
             6: ELASTIC + "&friction coulomb_coefficient = 0.3 /\n&history loads = 1e-3, 1e-3, 1e-3, tangential_forces = 1e-4, -1e-4, 0.0 /\n",
             15: ELASTIC + adhesion + f"&history {path} /\n",
             16: ELASTIC.replace(" /", ", boundaries = 'free' /") + "&operating load = 1e-5 /\n",
+            17: ON_LAYER + f"&operating {load} /\n", 18: ON_LAYER + adhesion + f"&operating {load} /\n",
+            19: COATING + f"&operating {load} /\n", 20: COATING + adhesion + f"&operating {load} /\n",
             7: RELAXING.format(more="") + f"&operating {load}, velocity = 0.01 /\n",
             8: LAYER + f"&operating {load}, velocity = 0.01 /\n",
             9: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
@@ -99,7 +103,7 @@ class Scenes(Runs):
         """The cells of `adfric help scenes`: surface, column, letter."""
         page, _ = self.run_program("help", "scenes")
         rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES
-                and len(line.split()) == 17 and set(line.split()[1:]) <= set("ent-")]
+                and len(line.split()) == 21 and set(line.split()[1:]) <= set("ent-")]
         self.assertEqual([row[0] for row in rows], list(SURFACES))
         return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
 
@@ -146,7 +150,7 @@ class Scenes(Runs):
         self.assertEqual(len(set(lines)), len(lines))
 
     def test_readme(self):
-        """README shows the same cells in three tables; surfaces with the same cells share a row, as far as a line of the page allows."""
+        """README shows the same cells in four tables; surfaces with the same cells share a row, as far as a line of the page allows."""
         words = {"exact": "e", "numerical": "n", "theory": "t", "": "-"}
         section = re.search(r"^## What can be solved\n(.*?)^## ", (SOURCE/"README.md").read_text(), re.MULTILINE | re.DOTALL)[1]
         shown, first = [], 1
@@ -740,6 +744,16 @@ class Scenes(Runs):
                 (rubber.replace("&solid ", "&solid extent = 'half_space', thickness = 1e-5, "), "&solid thickness: belongs to a layer"),
                 (without, "&solid thickness: is missing [m]; a layer needs it"),
                 (rubber.replace("&solid ", "&solid base = 'bonded', "), "&solid base: belongs to a layer; give extent = 'layer'"),
+                (scene_of("wave_1d", 17).replace(", base = 'bonded'", ""), "&solid base: is missing, allowed: frictionless, bonded"),
+                (scene_of("wave_1d", 17).replace("poisson_ratio = 0.5, ", "").replace("young", "contact"), "&solid poisson_ratio: is missing [-]; a bonded layer needs it"),
+                (scene_of("wave_1d", 17).replace("&solid ", "&solid base_young_modulus = 1e9, "), "&solid base_young_modulus: belongs to a coating; give extent = 'coating'"),
+                (scene_of("wave_1d", 17).replace("'bonded'", "'elastic'"), "&solid base: "),
+                (scene_of("wave_1d", 17).replace("&solid ", "&solid second_young_modulus = 1e9, second_poisson_ratio = 0.3, "), "&solid second_young_modulus: has no meaning beside a layer"),
+                (scene_of("wave_1d", 18).replace("&adhesion ", "&adhesion law = 'exponential', "), "&adhesion law: stands beside a layer, which has that of dugdale alone"),
+                (scene_of("wave_1d", 19).replace("base_young_modulus = 1e9, ", ""), "&solid base_young_modulus: is missing [Pa]; a coating needs it and base_poisson_ratio"),
+                (scene_of("wave_1d", 19).replace(", base_poisson_ratio = 0.3", ""), "&solid base_poisson_ratio: is missing"),
+                (scene_of("wave_1d", 19).replace("&solid ", "&solid base = 'bonded', "), "&solid base: belongs to a layer"),
+                (re.sub("thickness = [0-9.e-]+, ", "", scene_of("wave_1d", 19)), "&solid thickness: is missing [m]; a coating needs it"),
                 (columns.replace("extent = 'foundation', ", ""), "&solid stiffness: belongs to columns; give extent = 'foundation'")):
             self.write(scene)
             _, errors = self.run_program("check", "run.nml", status=2)
@@ -764,7 +778,7 @@ class Scenes(Runs):
                 (free + "&friction coulomb_coefficient = 0.3 /\n", "&friction: nothing solves heights on an elastic half-space with free boundaries with a coefficient"),
                 (free + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with a shear strength, pressed"),
                 (scene_of("heights", 7).replace("&solid ", "&solid boundaries = 'periodic_x', "), "&solid: nothing solves heights on a viscoelastic half-space with free boundaries"),
-                (scene_of("heights", 8).replace("&solid ", "&solid boundaries = 'free', "), "&solid: nothing solves heights on a viscoelastic layer with free boundaries"),
+                (scene_of("heights", 8).replace("&solid ", "&solid boundaries = 'free', "), "&solid: nothing solves heights on a layer with free boundaries"),
                 (scene_of("heights", 9).replace("&solid ", "&solid boundaries = 'free', "), "&solid: nothing solves heights on a foundation with free boundaries"),
                 (scene_of("profile", 1).replace("&solid ", "&solid boundaries = 'free', "), "nothing solves profile on an elastic half-space with free boundaries"),
                 (scene_of("sphere", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "&solid boundaries: are periodic under waves and given heights, and a body of kind 'sphere' is alone"),
