@@ -15,7 +15,8 @@ module adfric_periodic_free_solver
    use adfric_periodic_maps, only: sum_of
    implicit none (type, external)
    private
-   public :: free_solver_t, free_solution_t, new_free_solver, solve_free, grids_for_error
+   public :: free_field_t, free_solver_t, free_solution_t, new_free_solver, set_fields, solve_free, grids_for_error
+   public :: change_error
 
    !> Grids whose results tell the error of the finest one.
    integer, parameter :: grids_for_error = 3
@@ -243,8 +244,8 @@ contains
       end do
       if (n >= grids_for_error) then
          call refine_area(areas(n), areas(n - 1), areas(n - 2), .false.)
-         solution%load_error = error_of(loads(n - 2:))
-         solution%approach_error = error_of(states(n - 2:)%approach)
+         solution%load_error = change_error(loads(n - 2:))
+         solution%approach_error = change_error(states(n - 2:)%approach)
       end if
       cell = product(operators(n)%cell_size)
       associate (finest => states(n))
@@ -272,11 +273,11 @@ contains
    end subroutine set_solution
 
    !> Bound of the error of the last of three values: of the last change, or a part of the one before.
-   pure real(dp) function error_of(values) result(error)
+   pure real(dp) function change_error(values) result(error)
       !> Values on three grids, the finest last.
       real(dp), intent(in) :: values(:)
 
       error = safety*max(abs(values(3) - values(2)), of_change_before*abs(values(2) - values(1)))
-   end function error_of
+   end function change_error
 
 end module adfric_periodic_free_solver

@@ -1,0 +1,327 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Adhesive contact of a body that ends at the border of a map, or on either side of a strip, by the law of Maugis and Dugdale.
+!>
+!> The body is solved as a periodic surface of twice the length (`adfric_periodic_free_kernel`), whose cells beyond the body lie so
+!> deep that they neither touch nor come into range. That is looked at where the contact is known; if they do they are laid deeper.
+!> So branches, turns and pull-off are those of `adfric_periodic_adhesive_solver`. The force is the mean pressure of the doubled map
+!> times its area, and the approach is the penetration of a layer. Grids of half and a quarter of the cells are solved each by itself
+!> and tell the errors of load, approach and area.
+module adfric_periodic_free_adhesion
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_base_watch, only: watch_t
+   use adfric_periodic_adhesive_pull_off, only: find_pull_off, periodic_pull_off_t
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
+   use adfric_periodic_area, only: area_of_cells, area_t, refine_area, scatter_of_runs
+   use adfric_periodic_chords, only: beside_body, chord_fraction
+   use adfric_periodic_free_kernel, only: free_kernel_t, new_free_kernel
+   use adfric_periodic_free_solver, only: change_error, free_field_t, free_solution_t, grids_for_error, set_fields
+   use adfric_periodic_grids, only: n_grids_of
+   use adfric_periodic_solver, only: contact_not_converged, contact_out_of_range, contact_solved, new_periodic_solver, &
+      & periodic_solution_t, periodic_solver_t
+   implicit none (type, external)
+   private
+   public :: free_adhesion_solver_t, free_adhesion_t, new_free_adhesion_solver, solve_free_adhesion
+
+   !> How often the cells beyond the body are laid deeper, and by which factor.
+   integer, parameter :: most_depths = 12
+   real(dp), parameter :: deeper = 4
+   !> Depth of the cells beyond the body in ranges: a triangle between cells of the body and of none is in range in that part alone.
+   real(dp), parameter :: ranges_beyond = 100
+
+   !> A grid of the error estimate.
+   type :: free_grid_t
+      !> Solver of the doubled map.
+      type(periodic_solver_t) :: solver
+      !> Number of cells of the map, and sizes of a cell.
+      integer :: n_cells(2) = 0
+      real(dp) :: cell_size(2) = 0
+   end type free_grid_t
+
+   !> Solvers of the finest grid, the last one, and of those that tell its errors. Not to be copied; one for each thread.
+   type :: free_adhesion_solver_t
+      !> The grids, the coarsest first.
+      type(free_grid_t), allocatable :: grids(:)
+      !> Lengths of the map along x and y.
+      real(dp) :: lengths(2) = 0
+      !> Does the surface go on periodically along x, along y?
+      logical :: is_periodic(2) = .false.
+   contains
+      procedure :: set_watch
+   end type free_adhesion_solver_t
+
+   !> What adhesion adds to a solution.
+   type :: free_adhesion_t
+      !> Area within the range and not in contact, as a share of the map.
+      real(dp) :: area = 0
+      !> Energy of adhesion, 0 far apart [E* times the cube of the unit of length].
+      real(dp) :: energy = 0
+      !> Least load of the adhered branch [E* times the square of the unit of length], where it was sought and found; else the
+      !> largest number.
+      real(dp) :: pull_off = huge(1.0_dp)
+      !> Has the contact an edge of adhesion on the cells?
+      logical :: has_edge = .false.
+      !> Is there no state with contact under the load?
+      logical :: is_out_of_range = .false.
+   end type free_adhesion_t
+
+   !> What a grid has found on the map.
+   type :: found_t
+      !> Pressure, gap and share in range of the cells of the map.
+      real(dp), allocatable :: pressure(:, :), gap(:, :), share(:, :)
+      !> Is the cell in contact?
+      logical, allocatable :: is_contact(:, :)
+      !> Load, and approach.
+      real(dp) :: load = 0, approach = 0
+      !> Energy of adhesion, and largest violation of the conditions of contact.
+      real(dp) :: adhesion_energy = 0, residual = 0
+      !> Iterations of the grid.
+      integer :: n_iterations = 0
+      !> One of `contact_...`.
+      integer :: status = contact_not_converged
+      !> Depth of the cells beyond the body.
+      real(dp) :: depth = 0
+   end type found_t
+
+contains
+
+   !> Make the solvers of the grids.
+   subroutine new_free_adhesion_solver(self, n_cells, lengths, is_periodic, error)
+      !> Receives the solvers; of no use after an error.
+      type(free_adhesion_solver_t), intent(out) :: self
+      !> Number of cells along x and y.
+      integer, intent(in) :: n_cells(2)
+      !> Lengths of the map along x and y, in any unit, > 0.
+      real(dp), intent(in) :: lengths(2)
+      !> Does the surface go on periodically along x, along y? Not along both.
+      logical, intent(in) :: is_periodic(2)
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(free_kernel_t) :: kernel
+      integer :: k, n, n_doubled(2)
+
+      self%lengths = lengths
+      self%is_periodic = is_periodic
+      n = min(n_grids_of(n_cells), grids_for_error)
+      allocate (self%grids(n))
+      do k = 1, n
+         associate (grid => self%grids(k))
+            grid%n_cells = n_cells/2**(n - k)
+            grid%cell_size = lengths/grid%n_cells
+            n_doubled = grid%n_cells*merge(1, 2, is_periodic)
+            call new_free_kernel(kernel, grid%n_cells, lengths, is_periodic, n_grids_of(n_doubled), error)
+            if (allocated(error)) return
+            call new_periodic_solver(grid%solver, kernel, n_doubled, lengths*merge(1, 2, is_periodic), .false., error)
+            if (allocated(error)) return
+         end associate
+      end do
+   end subroutine new_free_adhesion_solver
+
+   !> Say whom iterations ask whether they shall end.
+   subroutine set_watch(self, watch)
+      class(free_adhesion_solver_t), intent(inout) :: self
+      !> Null: nobody.
+      class(watch_t), pointer, intent(in) :: watch
+      integer :: k, l
+
+      do k = 1, size(self%grids)
+         do l = 1, size(self%grids(k)%solver%grids)
+            self%grids(k)%solver%grids(l)%operator%watch => watch
+         end do
+      end do
+   end subroutine set_watch
+
+   !> Solve a contact under a given load, or at a given approach.
+   subroutine solve_free_adhesion(self, shape, is_body, has_load, prescribed, law, tolerance, wants_pull_off, solution, adhesion, &
+      & error)
+      type(free_adhesion_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces on the finest grid, 0 at first touch; of no meaning beside the body.
+      real(dp), intent(in) :: shape(:, :)
+      !> Is the cell one of the body? Same shape.
+      logical, intent(in) :: is_body(:, :)
+      !> Is the load given, and not the approach?
+      logical, intent(in) :: has_load
+      !> Load [E* times the square of the unit of length], or approach.
+      real(dp), intent(in) :: prescribed
+      !> The law, with its stress in E*, its range in the unit of length, and a load of a turn as `turning_pressure` [E* times the
+      !> square of the unit of length].
+      type(periodic_adhesion_t), intent(in) :: law
+      !> Largest residual on the finest grid [-].
+      real(dp), intent(in) :: tolerance
+      !> Shall the pull-off be found?
+      logical, intent(in) :: wants_pull_off
+      !> Receives the contact.
+      type(free_solution_t), intent(inout) :: solution
+      !> Receives what adhesion adds.
+      type(free_adhesion_t), intent(out) :: adhesion
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(free_field_t) :: fields(size(self%grids))
+      type(found_t) :: found(size(self%grids))
+      integer :: k, n
+
+      n = size(self%grids)
+      solution = free_solution_t()
+      call set_fields(fields, shape, is_body)
+      do k = n, 1, -1
+         call solve_grid(self, self%grids(k), fields(k), has_load, prescribed, law, tolerance, found(k), error)
+         if (allocated(error)) return
+         if (found(n)%status /= contact_solved) exit
+      end do
+      adhesion%is_out_of_range = found(n)%status == contact_out_of_range
+      if (found(n)%status /= contact_solved) return
+      call set_solution(self, found, fields(n), solution, adhesion)
+      if (wants_pull_off) call seek_pull_off(self, fields(n), law, tolerance, found(n)%depth, adhesion%pull_off, error)
+   end subroutine solve_free_adhesion
+
+   !> Solve on one grid, with cells beyond the body that lie deep enough.
+   subroutine solve_grid(self, grid, field, has_load, prescribed, law, tolerance, found, error)
+      type(free_adhesion_solver_t), intent(in) :: self
+      type(free_grid_t), intent(inout) :: grid
+      !> Gap of the undeformed surfaces, and the body.
+      type(free_field_t), intent(in) :: field
+      logical, intent(in) :: has_load
+      !> Load, or approach.
+      real(dp), intent(in) :: prescribed
+      type(periodic_adhesion_t), intent(in) :: law
+      real(dp), intent(in) :: tolerance
+      !> Receives what was found.
+      type(found_t), intent(out) :: found
+      type(error_t), allocatable, intent(out) :: error
+      type(periodic_solution_t) :: solution
+      type(periodic_adhesion_t) :: mean_law
+      real(dp), allocatable :: doubled(:, :)
+      real(dp) :: area, highest
+      logical, allocatable :: is_beyond(:, :)
+      integer :: k
+
+      area = product(self%lengths*merge(1, 2, self%is_periodic))
+      mean_law = law
+      mean_law%turning_pressure = law%turning_pressure/area
+      highest = max(maxval(field%shape, mask=field%is_body), 0.0_dp)
+      ! a force on a body makes displacements of about its mean pressure times its length
+      found%depth = highest + ranges_beyond*law%range + 2*law%stress*maxval(self%lengths)
+      if (has_load) found%depth = found%depth + 2*max(prescribed, law%turning_pressure, 0.0_dp)/minval(self%lengths)
+      if (.not. has_load) found%depth = found%depth + 2*max(prescribed, 0.0_dp)
+      do k = 1, most_depths
+         call double_map(self, field, found%depth, doubled, is_beyond)
+         mean_law%part = merge(0.0_dp, 1.0_dp, is_beyond)
+         if (has_load) then
+            call solve_adhesive_load(grid%solver, doubled, prescribed/area, mean_law, tolerance, solution, error)
+         else
+            call solve_adhesive_layer(grid%solver, doubled, prescribed, mean_law, tolerance, solution, error)
+         end if
+         if (allocated(error)) return
+         found%status = solution%status
+         if (solution%status /= contact_solved) return
+         if (.not. any(is_beyond .and. .not. solution%gap > law%range)) exit
+         found%status = contact_not_converged
+         found%depth = deeper*found%depth
+      end do
+      if (found%status /= contact_solved) return
+      associate (n => grid%n_cells)
+         allocate (found%pressure, source=solution%pressure(:n(1), :n(2)))
+         allocate (found%gap, source=solution%gap(:n(1), :n(2)))
+         allocate (found%share, source=solution%weighted_share(:n(1), :n(2)))
+         allocate (found%is_contact, source=field%is_body .and. .not. found%gap > 0)
+      end associate
+      found%load = solution%mean_pressure*area
+      if (has_load) found%load = prescribed
+      found%approach = solution%penetration
+      if (.not. has_load) found%approach = prescribed
+      found%adhesion_energy = solution%adhesion_energy*area
+      found%residual = solution%residual
+      found%n_iterations = solution%n_iterations
+   end subroutine solve_grid
+
+   !> The gap of the undeformed surfaces on the doubled map.
+   subroutine double_map(self, field, depth, doubled, is_beyond)
+      type(free_adhesion_solver_t), intent(in) :: self
+      type(free_field_t), intent(in) :: field
+      !> Depth of the cells beyond the body.
+      real(dp), intent(in) :: depth
+      !> Receives the gap.
+      real(dp), allocatable, intent(out) :: doubled(:, :)
+      !> Receives which cells are not those of the body.
+      logical, allocatable, intent(out) :: is_beyond(:, :)
+      integer :: n(2), n_doubled(2)
+
+      n = shape(field%shape)
+      n_doubled = n*merge(1, 2, self%is_periodic)
+      allocate (doubled(n_doubled(1), n_doubled(2)), source=depth)
+      allocate (is_beyond(n_doubled(1), n_doubled(2)), source=.true.)
+      is_beyond(:n(1), :n(2)) = .not. field%is_body
+      where (field%is_body) doubled(:n(1), :n(2)) = field%shape
+   end subroutine double_map
+
+   !> Collect what the grids have found.
+   subroutine set_solution(self, found, field, solution, adhesion)
+      type(free_adhesion_solver_t), intent(in) :: self
+      !> Contacts on all grids, the finest last.
+      type(found_t), intent(in) :: found(:)
+      !> Gap of the undeformed surfaces on the finest grid, and the body.
+      type(free_field_t), intent(in) :: field
+      type(free_solution_t), intent(inout) :: solution
+      type(free_adhesion_t), intent(inout) :: adhesion
+      type(area_t) :: areas(size(found))
+      real(dp), allocatable :: gap(:, :)
+      integer :: k, n
+
+      n = size(found)
+      do k = 1, n
+         if (found(k)%status == contact_solved) areas(k) = area_of_cells(found(k)%is_contact, .false., self%is_periodic)
+      end do
+      if (n == grids_for_error .and. all(found%status == contact_solved)) then
+         call refine_area(areas(n), areas(n - 1), areas(n - 2), .false.)
+         solution%load_error = change_error(found%load)
+         solution%approach_error = change_error(found%approach)
+      end if
+      associate (finest => found(n), is_body => field%is_body, cell => product(self%grids(n)%cell_size))
+         solution%area = areas(n)
+         solution%area%error = max(solution%area%error, scatter_of_runs(finest%is_contact))
+         solution%is_converged = .true.
+         solution%residual = finest%residual
+         solution%n_iterations = finest%n_iterations
+         solution%approach = finest%approach
+         solution%load = finest%load
+         solution%pressure = finest%pressure
+         solution%gap = merge(finest%gap, 0.0_dp, is_body)
+         allocate (gap, source=merge(finest%gap, beside_body, is_body))
+         solution%smooth_area = chord_fraction(solution%pressure, gap, self%grids(n)%cell_size, .false., self%is_periodic)
+         ! the displacement is what the gap has more than that of the undeformed surfaces, with the approach
+         solution%elastic_energy = sum(finest%pressure*(finest%gap - field%shape + finest%approach), mask=is_body)*cell/2
+         adhesion%energy = finest%adhesion_energy
+         adhesion%area = max(sum(finest%share)/size(finest%share) - solution%area%corrected, 0.0_dp)
+         adhesion%has_edge = any(finest%share > 0 .and. is_body) .and. any(finest%share < 1 .and. is_body)
+      end associate
+   end subroutine set_solution
+
+   !> Find the least load of the adhered branch on the finest grid.
+   subroutine seek_pull_off(self, field, law, tolerance, depth, pull_off, error)
+      type(free_adhesion_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces, and the body.
+      type(free_field_t), intent(in) :: field
+      type(periodic_adhesion_t), intent(in) :: law
+      real(dp), intent(in) :: tolerance
+      !> Depth of the cells beyond the body.
+      real(dp), intent(in) :: depth
+      !> Receives the load; keeps its value where none was found.
+      real(dp), intent(inout) :: pull_off
+      type(error_t), allocatable, intent(out) :: error
+      type(periodic_pull_off_t) :: found
+      type(periodic_adhesion_t) :: mean_law
+      real(dp), allocatable :: doubled(:, :)
+      real(dp) :: area
+      logical, allocatable :: is_beyond(:, :)
+
+      area = product(self%lengths*merge(1, 2, self%is_periodic))
+      mean_law = law
+      mean_law%turning_pressure = law%turning_pressure/area
+      call double_map(self, field, depth, doubled, is_beyond)
+      mean_law%part = merge(0.0_dp, 1.0_dp, is_beyond)
+      call find_pull_off(self%grids(size(self%grids))%solver, doubled, mean_law, tolerance, found, error)
+      if (allocated(error)) return
+      if (found%is_found) pull_off = found%mean_pressure*area
+   end subroutine seek_pull_off
+
+end module adfric_periodic_free_adhesion
