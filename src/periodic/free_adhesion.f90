@@ -10,6 +10,7 @@ module adfric_periodic_free_adhesion
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_watch, only: watch_t
+   use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_pull_off, only: find_pull_off, periodic_pull_off_t
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
    use adfric_periodic_area, only: area_of_cells, area_t, refine_area, scatter_of_runs
@@ -17,6 +18,7 @@ module adfric_periodic_free_adhesion
    use adfric_periodic_free_kernel, only: free_kernel_t, new_free_kernel
    use adfric_periodic_free_solver, only: change_error, free_field_t, free_solution_t, grids_for_error, set_fields
    use adfric_periodic_grids, only: n_grids_of
+   use adfric_periodic_pull_off_table, only: get_pull_off
    use adfric_periodic_solver, only: contact_not_converged, contact_out_of_range, contact_solved, new_periodic_solver, &
       & periodic_solution_t, periodic_solver_t
    implicit none (type, external)
@@ -26,6 +28,8 @@ module adfric_periodic_free_adhesion
    !> How often the cells beyond the body are laid deeper, and by which factor.
    integer, parameter :: most_depths = 12
    real(dp), parameter :: deeper = 4
+   !> Change from the grid of half the cells that counts as error of the pull-off, for safety.
+   real(dp), parameter :: safety = 1.25_dp
    !> Depth of the cells beyond the body in ranges: a triangle between cells of the body and of none is in range in that part alone.
    real(dp), parameter :: ranges_beyond = 100
 
@@ -58,7 +62,7 @@ module adfric_periodic_free_adhesion
       real(dp) :: energy = 0
       !> Least load of the adhered branch [E* times the square of the unit of length], where it was sought and found; else the
       !> largest number.
-      real(dp) :: pull_off = huge(1.0_dp)
+      real(dp) :: pull_off = huge(1.0_dp), pull_off_error = huge(1.0_dp)
       !> Has the contact an edge of adhesion on the cells?
       logical :: has_edge = .false.
       !> Is there no state with contact under the load?
@@ -79,8 +83,6 @@ module adfric_periodic_free_adhesion
       integer :: n_iterations = 0
       !> One of `contact_...`.
       integer :: status = contact_not_converged
-      !> Depth of the cells beyond the body.
-      real(dp) :: depth = 0
    end type found_t
 
 contains
@@ -132,8 +134,8 @@ contains
    end subroutine set_watch
 
    !> Solve a contact under a given load, or at a given approach.
-   subroutine solve_free_adhesion(self, shape, is_body, has_load, prescribed, law, tolerance, wants_pull_off, solution, adhesion, &
-      & error)
+   subroutine solve_free_adhesion(self, shape, is_body, has_load, prescribed, law, tolerance, wants_pull_off, pull_offs, &
+      & solution, adhesion, error)
       type(free_adhesion_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces on the finest grid, 0 at first touch; of no meaning beside the body.
       real(dp), intent(in) :: shape(:, :)
@@ -150,6 +152,8 @@ contains
       real(dp), intent(in) :: tolerance
       !> Shall the pull-off be found?
       logical, intent(in) :: wants_pull_off
+      !> Pull-offs that the points of a run share; null: none.
+      type(found_once_t), pointer, intent(in) :: pull_offs
       !> Receives the contact.
       type(free_solution_t), intent(inout) :: solution
       !> Receives what adhesion adds.
@@ -171,7 +175,7 @@ contains
       adhesion%is_out_of_range = found(n)%status == contact_out_of_range
       if (found(n)%status /= contact_solved) return
       call set_solution(self, found, fields(n), solution, adhesion)
-      if (wants_pull_off) call seek_pull_off(self, fields(n), law, tolerance, found(n)%depth, adhesion%pull_off, error)
+      if (wants_pull_off) call seek_pull_off(self, fields, law, tolerance, pull_offs, adhesion, error)
    end subroutine solve_free_adhesion
 
    !> Solve on one grid, with cells beyond the body that lie deep enough.
@@ -191,20 +195,16 @@ contains
       type(periodic_solution_t) :: solution
       type(periodic_adhesion_t) :: mean_law
       real(dp), allocatable :: doubled(:, :)
-      real(dp) :: area, highest
+      real(dp) :: area, depth
       logical, allocatable :: is_beyond(:, :)
       integer :: k
 
       area = product(self%lengths*merge(1, 2, self%is_periodic))
       mean_law = law
       mean_law%turning_pressure = law%turning_pressure/area
-      highest = max(maxval(field%shape, mask=field%is_body), 0.0_dp)
-      ! a force on a body makes displacements of about its mean pressure times its length
-      found%depth = highest + ranges_beyond*law%range + 2*law%stress*maxval(self%lengths)
-      if (has_load) found%depth = found%depth + 2*max(prescribed, law%turning_pressure, 0.0_dp)/minval(self%lengths)
-      if (.not. has_load) found%depth = found%depth + 2*max(prescribed, 0.0_dp)
+      depth = depth_beyond(self, field, law, has_load, prescribed)
       do k = 1, most_depths
-         call double_map(self, field, found%depth, doubled, is_beyond)
+         call double_map(self, field, depth, doubled, is_beyond)
          mean_law%part = merge(0.0_dp, 1.0_dp, is_beyond)
          if (has_load) then
             call solve_adhesive_load(grid%solver, doubled, prescribed/area, mean_law, tolerance, solution, error)
@@ -216,7 +216,7 @@ contains
          if (solution%status /= contact_solved) return
          if (.not. any(is_beyond .and. .not. solution%gap > law%range)) exit
          found%status = contact_not_converged
-         found%depth = deeper*found%depth
+         depth = deeper*depth
       end do
       if (found%status /= contact_solved) return
       associate (n => grid%n_cells)
@@ -296,32 +296,60 @@ contains
       end associate
    end subroutine set_solution
 
-   !> Find the least load of the adhered branch on the finest grid.
-   subroutine seek_pull_off(self, field, law, tolerance, depth, pull_off, error)
+   !> Find the least load of the adhered branch, and its error from the grid of half the cells.
+   subroutine seek_pull_off(self, fields, law, tolerance, pull_offs, adhesion, error)
       type(free_adhesion_solver_t), intent(inout) :: self
-      !> Gap of the undeformed surfaces, and the body.
-      type(free_field_t), intent(in) :: field
+      !> Gap of the undeformed surfaces, and the body, on all grids.
+      type(free_field_t), intent(in) :: fields(:)
       type(periodic_adhesion_t), intent(in) :: law
       real(dp), intent(in) :: tolerance
-      !> Depth of the cells beyond the body.
-      real(dp), intent(in) :: depth
-      !> Receives the load; keeps its value where none was found.
-      real(dp), intent(inout) :: pull_off
+      type(found_once_t), pointer, intent(in) :: pull_offs
+      !> Receives the load and its error; keeps their values where none was found.
+      type(free_adhesion_t), intent(inout) :: adhesion
       type(error_t), allocatable, intent(out) :: error
-      type(periodic_pull_off_t) :: found
+      type(periodic_pull_off_t) :: found(2)
       type(periodic_adhesion_t) :: mean_law
       real(dp), allocatable :: doubled(:, :)
       real(dp) :: area
       logical, allocatable :: is_beyond(:, :)
+      integer :: k, n
 
+      n = size(self%grids)
       area = product(self%lengths*merge(1, 2, self%is_periodic))
       mean_law = law
       mean_law%turning_pressure = law%turning_pressure/area
-      call double_map(self, field, depth, doubled, is_beyond)
-      mean_law%part = merge(0.0_dp, 1.0_dp, is_beyond)
-      call find_pull_off(self%grids(size(self%grids))%solver, doubled, mean_law, tolerance, found, error)
-      if (allocated(error)) return
-      if (found%is_found) pull_off = found%mean_pressure*area
+      do k = n, max(n - 1, 1), -1
+         associate (pull_off => found(n - k + 1))
+            call double_map(self, fields(k), depth_beyond(self, fields(k), law, .true., 0.0_dp), doubled, is_beyond)
+            mean_law%part = merge(0.0_dp, 1.0_dp, is_beyond)
+            if (associated(pull_offs)) then
+               call get_pull_off(pull_offs, self%grids(k)%solver, doubled, [self%lengths, merge(1.0_dp, 0.0_dp, self%is_periodic)], &
+                  & mean_law, tolerance, pull_off, error)
+            else
+               call find_pull_off(self%grids(k)%solver, doubled, mean_law, tolerance, pull_off, error)
+            end if
+            if (allocated(error)) return
+            if (.not. pull_off%is_found) return
+            if (k == n) adhesion%pull_off = pull_off%mean_pressure*area
+            if (k < n) adhesion%pull_off_error = safety*abs(pull_off%mean_pressure*area - adhesion%pull_off)
+         end associate
+      end do
    end subroutine seek_pull_off
+
+   !> A depth of the cells beyond the body at which they should not come near the surface.
+   pure real(dp) function depth_beyond(self, field, law, has_load, prescribed) result(depth)
+      type(free_adhesion_solver_t), intent(in) :: self
+      !> Gap of the undeformed surfaces, and the body.
+      type(free_field_t), intent(in) :: field
+      type(periodic_adhesion_t), intent(in) :: law
+      logical, intent(in) :: has_load
+      !> Load, or approach.
+      real(dp), intent(in) :: prescribed
+
+      depth = max(maxval(field%shape, mask=field%is_body), 0.0_dp) + ranges_beyond*law%range + 2*law%stress*maxval(self%lengths)
+      ! a force on a body makes displacements of about its mean pressure times its length
+      if (has_load) depth = depth + 2*max(prescribed, law%turning_pressure, 0.0_dp)/minval(self%lengths)
+      if (.not. has_load) depth = depth + 2*max(prescribed, 0.0_dp)
+   end function depth_beyond
 
 end module adfric_periodic_free_adhesion

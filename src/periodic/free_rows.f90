@@ -3,9 +3,11 @@
 module adfric_periodic_free_rows
    use adfric_base_counting, only: counting
    use adfric_base_kinds, only: dp
+   use adfric_interface_adhesion_rows, only: n_adhesion_rows, set_adhesion_rows
    use adfric_describe_rows, only: any_number, choice, number, positive, result_row, switch
    use adfric_describe_table, only: result_t, variable_t
    use adfric_periodic_given_heights, only: n_heights_rows, set_heights_rows
+   use adfric_periodic_variables, only: pull_off_row
    use adfric_solid_contact_modulus, only: n_two_bodies, set_modulus_rows
    implicit none (type, external)
    private
@@ -15,11 +17,13 @@ module adfric_periodic_free_rows
    character(*), parameter :: known_boundaries = 'periodic free periodic_x periodic_y'
    integer, parameter, public :: boundaries_periodic = 1
 
-   !> Variables in the order of their rows; a component is the index of its row, those of the modulus begin at `modulus`.
+   !> Variables in the order of their rows; a component is the index of its row, those of the modulus begin at `modulus`,
+   !> those of adhesion at `adhesion`.
    type :: free_input_t
       !> Indices of the rows.
       integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0, tolerance = 0, modulus = 0, &
-         & others(n_two_bodies - 1) = 0, boundaries = 0, load = 0, approach = 0, profiles = 0
+         & others(n_two_bodies - 1) = 0, boundaries = 0, adhesion = 0, of_adhesion(n_adhesion_rows - 1) = 0, load = 0, approach = 0, &
+         & pull_off = 0, profiles = 0
    end type free_input_t
    type(free_input_t), parameter, public :: free_input = transfer(counting, free_input_t())
    integer, parameter, public :: n_free_variables = storage_size(free_input)/storage_size(1)
@@ -28,7 +32,8 @@ module adfric_periodic_free_rows
    type :: free_output_t
       !> Indices of the rows.
       integer :: load = 0, approach = 0, contact_area = 0, contact_area_error = 0, smooth_area = 0, mean_contact_pressure = 0, &
-         & peak_pressure = 0, elastic_energy = 0, moment_x = 0, moment_y = 0, violation = 0
+         & peak_pressure = 0, elastic_energy = 0, moment_x = 0, moment_y = 0, violation = 0, adhesion_area = 0, &
+         & adhesion_energy = 0, pull_off_load = 0, cells_per_zone = 0
    end type free_output_t
    type(free_output_t), parameter, public :: free_output = transfer(counting, free_output_t())
    integer, parameter, public :: n_free_results = storage_size(free_output)/storage_size(1)
@@ -51,9 +56,15 @@ contains
       v(free_input%boundaries) = choice(group='solid', name='boundaries', choices=known_boundaries, &
          & meaning='how given heights go on beyond their map: periodically, along x or y alone, or not at all (free)', &
          & default='free')
-      v(free_input%load) = number(group='operating', name='load', unit='N', meaning='load, or that of one period', lower=0.0_dp)
+      call set_adhesion_rows(v(free_input%adhesion:free_input%adhesion + n_adhesion_rows - 1))
+      v(free_input%adhesion + n_adhesion_rows - 1) = any_number(group='adhesion', name='turning_load', unit='N', &
+         & meaning='load up to which the body has approached before it parts again, of the adhered branch; full contact if not ' &
+         & //'given', lower=0.0_dp)
+      v(free_input%load) = number(group='operating', name='load', unit='N', &
+         & meaning='load, or that of one period; below 0 with adhesion alone')
       v(free_input%approach) = number(group='operating', name='approach', unit='m', &
          & meaning='approach of the body from first touch of the undisturbed surface, instead')
+      v(free_input%pull_off) = pull_off_row()
       v(free_input%profiles) = switch(group='output', name='profiles', &
          & meaning='write maps of pressure and gap for every point', default=.false.)
    end function get_free_variables
@@ -93,7 +104,16 @@ contains
       r(free_output%moment_y) = result_row(name='moment_y', unit='N m', &
          & long_name='moment of the pressure about the y axis through the middle of the map, -sum of (x - length_x/2) p')
       r(free_output%violation) = result_row(name='contact_violation', unit='-', &
-         & long_name='largest violation of g >= 0, p >= 0, g p = 0')
+         & long_name='largest violation of g >= 0, p >= 0, g p = 0; with adhesion p + p0 t for p, t its share of a cell')
+      r(free_output%adhesion_area) = result_row(name='adhesion_area', unit='m^2', &
+         & long_name='area in adhesion without contact')
+      r(free_output%adhesion_area)%is_counted = .true.
+      r(free_output%adhesion_energy) = result_row(name='adhesion_energy', unit='J', &
+         & long_name='energy of adhesion, 0 far apart')
+      r(free_output%pull_off_load) = result_row(name='pull_off_load', unit='N', &
+         & long_name='least load of the adhered branch, with &output pull_off', is_main=.true.)
+      r(free_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
+         & long_name='length pi E* h0/(4 p0) of a short zone of adhesion over that of a cell')
    end function get_free_results
 
 end module adfric_periodic_free_rows
