@@ -3,9 +3,9 @@
 !>
 !> The body is solved as a periodic surface of twice the length (`adfric_periodic_free_kernel`), whose cells beyond the body lie so
 !> deep that they neither touch nor come into range. That is looked at where the contact is known; if they do they are laid deeper.
-!> So branches, turns and pull-off are those of `adfric_periodic_adhesive_solver`. The force is the mean pressure of the doubled map
-!> times its area, and the approach is the penetration of a layer. Grids of half and a quarter of the cells are solved each by itself
-!> and tell the errors of load, approach and area.
+!> So branches, turns and pull-off are those of `adfric_periodic_adhesive_solver`. The force is the mean pressure of the doubled
+!> map times its area, and the approach is the penetration of a layer. Grids of half and a quarter of the cells are solved each by
+!> itself and tell the errors of load, approach and area.
 module adfric_periodic_free_adhesion
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -323,8 +323,8 @@ contains
             call double_map(self, fields(k), depth_beyond(self, fields(k), law, .true., 0.0_dp), doubled, is_beyond)
             mean_law%part = merge(0.0_dp, 1.0_dp, is_beyond)
             if (associated(pull_offs)) then
-               call get_pull_off(pull_offs, self%grids(k)%solver, doubled, [self%lengths, merge(1.0_dp, 0.0_dp, self%is_periodic)], &
-                  & mean_law, tolerance, pull_off, error)
+               call get_pull_off(pull_offs, self%grids(k)%solver, doubled, &
+                  & [self%lengths, merge(1.0_dp, 0.0_dp, self%is_periodic)], mean_law, tolerance, pull_off, error)
             else
                call find_pull_off(self%grids(k)%solver, doubled, mean_law, tolerance, pull_off, error)
             end if

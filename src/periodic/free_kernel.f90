@@ -2,11 +2,11 @@
 !> The surface of an elastic half-space that goes on beyond a map, as a periodic surface of twice the length.
 !>
 !> On a map of twice the cells a convolution with the influence of a cell has no images (`adfric_periodic_free_operator`). Its
-!> transform is positive there, so that it has an inverse, which takes displacements of the doubled map to pressures. Where pressures
-!> are 0 beyond the body those on the body are what makes its displacements on the half-space, exactly. So a body that ends is a
-!> periodic surface of the doubled map, of this stiffness, whose cells beyond the body lie so deep that nothing touches or pulls
-!> there. A constant has a stiffness as that of a layer has: displacements are absolute. Along a direction in which the surface goes
-!> on periodically the map is not doubled.
+!> transform is positive there, so that it has an inverse, which takes displacements of the doubled map to pressures. Where
+!> pressures are 0 beyond the body those on the body are what makes its displacements on the half-space, exactly. So a body that
+!> ends is a periodic surface of the doubled map, of this stiffness, whose cells beyond the body lie so deep that nothing touches or
+!> pulls there. A constant has a stiffness as that of a layer has: displacements are absolute. Along a direction in which the
+!> surface goes on periodically the map is not doubled.
 module adfric_periodic_free_kernel
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, input_failure

@@ -66,7 +66,8 @@ contains
       type(free_model_t), intent(out) :: self
 
       self%name = 'free_surface'
-      self%summary = 'a rigid body of given heights on an elastic half-space, alone or periodic in one direction: load, area, pull-off'
+      self%summary = 'a rigid body of given heights on an elastic half-space, alone or periodic in one direction: load, area, '// &
+         & 'pull-off'
       self%references = 'A. E. H. Love, Phil. Trans. R. Soc. Lond. A 228 (1929) 377; '// &
          & 'R. W. Hockney, Methods Comput. Phys. 9 (1970) 135; D. Maugis, J. Colloid Interface Sci. 150 (1992) 243'
       self%variables = get_free_variables()

@@ -22,8 +22,8 @@ module adfric_periodic_free_rows
    type :: free_input_t
       !> Indices of the rows.
       integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0, tolerance = 0, modulus = 0, &
-         & others(n_two_bodies - 1) = 0, boundaries = 0, adhesion = 0, of_adhesion(n_adhesion_rows - 1) = 0, load = 0, approach = 0, &
-         & pull_off = 0, profiles = 0
+         & others(n_two_bodies - 1) = 0, boundaries = 0, adhesion = 0, of_adhesion(n_adhesion_rows - 1) = 0, load = 0, &
+         & approach = 0, pull_off = 0, profiles = 0
    end type free_input_t
    type(free_input_t), parameter, public :: free_input = transfer(counting, free_input_t())
    integer, parameter, public :: n_free_variables = storage_size(free_input)/storage_size(1)
