@@ -31,7 +31,7 @@ module adfric_periodic_free_adhesion
    !> Change from the grid of half the cells that counts as error of the pull-off, for safety.
    real(dp), parameter :: safety = 1.25_dp
    !> Depth of the cells beyond the body in ranges: a triangle between cells of the body and of none is in range in that part alone.
-   real(dp), parameter :: ranges_beyond = 100
+   real(dp), parameter :: ranges_beyond = 1000
 
    !> A grid of the error estimate.
    type :: free_grid_t

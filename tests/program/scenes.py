@@ -47,7 +47,7 @@ LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
 
 
 # the kind of scene in each column of the table
-KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 13, 14, 7, 11, 8, 12, 9, 10)
+KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 17, 13, 14, 7, 11, 8, 12, 9, 10)
 
 
 def scene_of(surface, kind):
@@ -65,6 +65,7 @@ def scene_of(surface, kind):
             6: ELASTIC + "&friction coulomb_coefficient = 0.3 /\n&history loads = 1e-3, 1e-3, 1e-3, tangential_forces = 1e-4, -1e-4, 0.0 /\n",
             15: ELASTIC + adhesion + f"&history {path} /\n",
             16: ELASTIC.replace(" /", ", boundaries = 'free' /") + "&operating load = 1e-5 /\n",
+            17: ELASTIC.replace(" /", ", boundaries = 'free' /") + adhesion + "&operating load = 1e-5 /\n",
             7: RELAXING.format(more="") + f"&operating {load}, velocity = 0.01 /\n",
             8: LAYER + f"&operating {load}, velocity = 0.01 /\n",
             9: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
@@ -99,7 +100,7 @@ class Scenes(Runs):
         """The cells of `adfric help scenes`: surface, column, letter."""
         page, _ = self.run_program("help", "scenes")
         rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES
-                and len(line.split()) == 17 and set(line.split()[1:]) <= set("ent-")]
+                and len(line.split()) == 1 + len(KINDS) and set(line.split()[1:]) <= set("ent-")]
         self.assertEqual([row[0] for row in rows], list(SURFACES))
         return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
 
@@ -760,7 +761,9 @@ class Scenes(Runs):
             file["nothing"] = np.full((8, 8), np.nan)
         masked = free.replace("/map", "/masked")
         for scene, message in (
-                (free + ADHESION, "&adhesion: nothing solves heights on an elastic half-space with free boundaries with adhesion, pressed; the nearest"),
+                (free + ADHESION + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with adhesion and"),
+                (free + "&output pull_off = .true. /\n", "&output pull_off: "),
+                (free + ADHESION.replace("&adhesion", "&adhesion law = 'exponential',"), "&adhesion law: "),
                 (free + "&friction coulomb_coefficient = 0.3 /\n", "&friction: nothing solves heights on an elastic half-space with free boundaries with a coefficient"),
                 (free + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with a shear strength, pressed"),
                 (scene_of("heights", 7).replace("&solid ", "&solid boundaries = 'periodic_x', "), "&solid: nothing solves heights on a viscoelastic half-space with free boundaries"),
@@ -780,7 +783,7 @@ class Scenes(Runs):
             _, errors = self.run_program("check", "run.nml", status=2)
             self.assertIn(message, errors)
             self.assertEqual(1, len(errors.splitlines()), errors)
-        for scene, solver in ((masked, "free_surface"), (free.replace("'free'", "'periodic_y'"), "free_surface"),
+        for scene, solver in ((masked, "free_surface"), (free.replace("'free'", "'periodic_y'"), "free_surface"), (free + LIGHT, "free_surface"),
                               (scene_of("heights", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "surface_elastic"),
                               (scene_of("wave_2d", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "wave_2d_elastic")):
             self.write(scene)
