@@ -225,6 +225,7 @@ module adfric_describe_scene_rules
       & on_cells//',surface_sliding pull_off_pressure - !pull_off', &
       & 'free_surface adhesion_area,adhesion_energy,pull_off_load,cells_per_zone - !adhesion', &
       & 'free_surface pull_off_load - !pull_off', &
+      & 'free_surface tilt_x,tilt_y - !tilts', &
       & 'wave_1d saturation_fold_pressure,end_of_saturation_pressure,branches_differ,order_margin,zone_leading - !relaxing', &
       & 'wave_1d end_of_saturation_pressure,zone_leading,zone_trailing,friction_stress_without_adhesion - !adhesion', &
       & 'wave_1d,surface_sliding branches_differ - !adhesion', &

@@ -15,7 +15,7 @@ module adfric_periodic_free_model
    use adfric_describe_rows, only: contact_profiles, count_row, set_coordinate
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
    use adfric_describe_table, only: profile_axis_t
-   use adfric_interface_adhesion_rows, only: adhesion_law_t
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, has_adhesion, n_adhesion_rows
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesion_cells, only: derive_zone, doubt_zone
    use adfric_periodic_free_adhesion, only: solve_free_adhesion
@@ -23,8 +23,8 @@ module adfric_periodic_free_model
    use adfric_periodic_free_point, only: error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, store, &
       & store_adhesion
    use adfric_periodic_free_rows, only: boundaries_periodic, get_free_results, get_free_variables, in => free_input, &
-      & is_periodic_by
-   use adfric_periodic_free_solver, only: solve_free
+      & is_periodic_by, tilt_free
+   use adfric_periodic_free_solver, only: free_hinge_t, is_inside, solve_free
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_variables, only: is_wanted
@@ -125,7 +125,55 @@ contains
       call check_images(self, values, problems)
       call require_one(self%variables, values, [in%load, in%approach], .true., problems)
       call check_free_law(self%variables, values, problems)
+      call check_tilt(self, values, problems)
    end subroutine check_values
+
+   !> Add to `problems` what is wrong with a tilt.
+   subroutine check_tilt(self, values, problems)
+      class(free_model_t), intent(in) :: self
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      real(dp) :: lengths(2)
+      logical :: is_periodic(2)
+      integer :: along
+
+      is_periodic = is_periodic_by(values(in%boundaries))
+      lengths = values([in%length_x, in%length_y])
+      do along = 1, 2
+         associate (row => self%variables(merge(in%load_x, in%load_y, along == 1)), &
+               & point => values(merge(in%load_x, in%load_y, along == 1)))
+            if (.not. is_set(point)) cycle
+            if (nint(values(in%tilt)) /= tilt_free) then
+               call problems%add(row%group, row%name, 'has no meaning for a body that does not tilt; give tilt = ''free''')
+            else if (is_periodic(along)) then
+               call problems%add(row%group, row%name, 'has no meaning along a period, where the body does not tilt')
+            else if (is_set(lengths(along)) .and. .not. (point > 0 .and. point < lengths(along))) then
+               call problems%add(row%group, row%name, 'is not on the map, given '//show_number(point)//' m, allowed: 0 to '// &
+                  & show_number(lengths(along))//' m')
+            end if
+         end associate
+      end do
+      if (nint(values(in%tilt)) /= tilt_free) return
+      if (is_set(values(in%approach))) call problems%add('operating', 'tilt', &
+         & 'is free, but the approach is given; a body that may tilt has a load')
+      if (has_adhesion(values(in%adhesion:in%adhesion + n_adhesion_rows - 1))) call problems%add('operating', 'tilt', &
+         & 'is free beside &adhesion, where the body must be fixed')
+   end subroutine check_tilt
+
+   !> How the body of a point is held.
+   pure type(free_hinge_t) function hinge_of(values, unit) result(hinge)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> Unit of length [m].
+      real(dp), intent(in) :: unit
+
+      hinge%may_tilt = nint(values(in%tilt)) == tilt_free .and. .not. is_periodic_by(values(in%boundaries))
+      hinge%point = values([in%length_x, in%length_y])/2
+      if (is_set(values(in%load_x))) hinge%point(1) = values(in%load_x)
+      if (is_set(values(in%load_y))) hinge%point(2) = values(in%load_y)
+      hinge%point = hinge%point/unit
+   end function hinge_of
 
    !> A cell that is much longer than the period of its images has no sum of them (`adfric_periodic_free_influence`).
    subroutine check_images(self, values, problems)
@@ -213,9 +261,13 @@ contains
                   & free_law_in_units(law, modulus, unit), values(in%tolerance), is_wanted(values(in%pull_off)), &
                   & self%pull_offs, state%solution, state%adhesion, error)
                if (state%adhesion%is_out_of_range) status = status_no_equilibrium
-            else
+            else if (is_inside(self%given%is_body, state%surface%period/unit, hinge_of(values, unit))) then
                call solve_free(state%solver, state%surface%shape/unit, self%given%is_body, has_load, prescribed, &
-                  & values(in%tolerance), state%solution)
+                  & values(in%tolerance), state%solution, hinge_of(values, unit))
+            else
+               ! it tips over
+               status = status_no_equilibrium
+               return
             end if
             if (allocated(error)) then
                if (error%code == file_failure) status = status_out_of_memory
@@ -231,7 +283,7 @@ contains
                return
             end if
             status = status_solved
-            call store(values, state, modulus, results)
+            call store(values, state, modulus, hinge_of(values, unit), results)
             if (law%stress > 0) call store_adhesion(law, state, results)
          end associate
       end select

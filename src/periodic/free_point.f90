@@ -11,7 +11,7 @@ module adfric_periodic_free_point
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_free_adhesion, only: free_adhesion_solver_t, free_adhesion_t, new_free_adhesion_solver
    use adfric_periodic_free_rows, only: in => free_input, out => free_output
-   use adfric_periodic_free_solver, only: free_solution_t, free_solver_t, new_free_solver
+   use adfric_periodic_free_solver, only: free_hinge_t, free_solution_t, free_solver_t, new_free_solver
    use adfric_periodic_point, only: periodic_surface_t
    implicit none (type, external)
    private
@@ -108,11 +108,13 @@ contains
    end function ratio_of
 
    !> Set the results of a point.
-   subroutine store(values, state, modulus, results)
+   subroutine store(values, state, modulus, hinge, results)
       real(dp), intent(in) :: values(:)
       type(free_point_state_t), intent(in) :: state
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
+      !> How the body is held.
+      type(free_hinge_t), intent(in) :: hinge
       !> In: all NaN. Out: with what has a value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       real(dp) :: force, cell, map
@@ -138,6 +140,8 @@ contains
          if (.not. state%is_periodic(1)) results(out%moment_y) = -cell*lengths(1)*sum( &
             & [((i - 0.5_dp)/n(1) - 0.5_dp, i=1, n(1))]*sum(s%pressure, 2))
          results(out%violation) = s%residual
+         if (hinge%may_tilt(1)) results(out%tilt_x) = s%tilt(1)
+         if (hinge%may_tilt(2)) results(out%tilt_y) = s%tilt(2)
       end associate
    end subroutine store
 
