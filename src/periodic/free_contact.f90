@@ -103,8 +103,8 @@ contains
             if (steps%is_fresh) n_checks = n_checks + 1
             state%residual = tolerance
             if (peak > 0) state%residual = verdict%remaining/peak
-            state%is_converged = steps%is_fresh .and. verdict%remaining <= tolerance*peak .and. .not. verdict%violation > 0 &
-               & .and. is_balanced(state, tolerance)
+            state%is_converged = steps%is_fresh .and. verdict%remaining <= tolerance*peak .and. .not. verdict%violation > 0
+            if (state%is_converged) state%is_converged = is_balanced(state, tolerance)
             if (state%is_converged .or. n_checks > most_checks) exit
             if (.not. steps%is_fresh) then
                call begin_region(state, steps, operator)

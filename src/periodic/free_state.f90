@@ -115,12 +115,12 @@ contains
       type(free_state_t), intent(in) :: state
       !> Moment that is allowed, over the load times the longest arm.
       real(dp), intent(in) :: tolerance
+      real(dp) :: moments(2)
 
-      is_balanced = .true.
-      if (state%may_tilt(1)) is_balanced = abs(moment_of(state, 2, state%pressure)) &
-         & <= tolerance*state%total*maxval(abs(state%arm_x))
-      if (state%may_tilt(2)) is_balanced = is_balanced .and. abs(moment_of(state, 3, state%pressure)) &
-         & <= tolerance*state%total*maxval(abs(state%arm_y))
+      moments = 0
+      if (state%may_tilt(1)) moments(1) = moment_of(state, 2, state%pressure)/maxval(abs(state%arm_x))
+      if (state%may_tilt(2)) moments(2) = moment_of(state, 3, state%pressure)/maxval(abs(state%arm_y))
+      is_balanced = all(abs(moments) <= tolerance*state%total) .or. .not. state%has_load
    end function is_balanced
 
 end module adfric_periodic_free_state
