@@ -77,6 +77,8 @@ module adfric_periodic_free_adhesion
       logical, allocatable :: is_contact(:, :)
       !> Load, and approach.
       real(dp) :: load = 0, approach = 0
+      !> Was the load given?
+      logical :: has_load = .false.
       !> Energy of adhesion, and largest violation of the conditions of contact.
       real(dp) :: adhesion_energy = 0, residual = 0
       !> Iterations of the grid.
@@ -225,6 +227,7 @@ contains
          allocate (found%share, source=solution%weighted_share(:n(1), :n(2)))
          allocate (found%is_contact, source=field%is_body .and. .not. found%gap > 0)
       end associate
+      found%has_load = has_load
       found%load = solution%mean_pressure*area
       if (has_load) found%load = prescribed
       found%approach = solution%penetration
@@ -294,7 +297,26 @@ contains
          adhesion%area = max(sum(finest%share)/size(finest%share) - solution%area%corrected, 0.0_dp)
          adhesion%has_edge = any(finest%share > 0 .and. is_body) .and. any(finest%share < 1 .and. is_body)
       end associate
+      ! nothing but what the tolerance leaves acts between bodies that are apart
+      if (.not. any(is_apart(found(n:)))) return
+      solution%pressure(:, :) = 0
+      solution%load = 0
+      solution%elastic_energy = 0
+      solution%gap(:, :) = merge(field%shape - solution%approach, 0.0_dp, field%is_body)
+      if (.not. all(is_apart(found))) return
+      solution%load_error = 0
+      solution%approach_error = 0
+      solution%area%error = 0
    end subroutine set_solution
+
+   !> Are the bodies neither in contact nor in range of each other? Only at a given approach.
+   elemental logical function is_apart(found)
+      type(found_t), intent(in) :: found
+
+      is_apart = .false.
+      if (found%status /= contact_solved) return
+      is_apart = .not. (any(found%is_contact) .or. any(found%share > 0) .or. found%has_load)
+   end function is_apart
 
    !> Find the least load of the adhered branch, and its error from the grid of half the cells.
    subroutine seek_pull_off(self, fields, law, tolerance, pull_offs, adhesion, error)
