@@ -34,18 +34,19 @@ module adfric_periodic_free_adhesion
    real(dp), parameter :: ranges_beyond = 1000
 
    !> A grid of the error estimate.
-   type :: free_grid_t
+   type :: doubled_grid_t
       !> Solver of the doubled map.
       type(periodic_solver_t) :: solver
-      !> Number of cells of the map, and sizes of a cell.
+      !> Number of cells of the map.
       integer :: n_cells(2) = 0
+      !> Sizes of a cell.
       real(dp) :: cell_size(2) = 0
-   end type free_grid_t
+   end type doubled_grid_t
 
    !> Solvers of the finest grid, the last one, and of those that tell its errors. Not to be copied; one for each thread.
    type :: free_adhesion_solver_t
       !> The grids, the coarsest first.
-      type(free_grid_t), allocatable :: grids(:)
+      type(doubled_grid_t), allocatable :: grids(:)
       !> Lengths of the map along x and y.
       real(dp) :: lengths(2) = 0
       !> Does the surface go on periodically along x, along y?
@@ -70,7 +71,7 @@ module adfric_periodic_free_adhesion
    end type free_adhesion_t
 
    !> What a grid has found on the map.
-   type :: found_t
+   type :: free_found_t
       !> Pressure, gap and share in range of the cells of the map.
       real(dp), allocatable :: pressure(:, :), gap(:, :), share(:, :)
       !> Is the cell in contact?
@@ -85,7 +86,7 @@ module adfric_periodic_free_adhesion
       integer :: n_iterations = 0
       !> One of `contact_...`.
       integer :: status = contact_not_converged
-   end type found_t
+   end type free_found_t
 
 contains
 
@@ -163,7 +164,7 @@ contains
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(free_field_t) :: fields(size(self%grids))
-      type(found_t) :: found(size(self%grids))
+      type(free_found_t) :: found(size(self%grids))
       integer :: k, n
 
       n = size(self%grids)
@@ -183,7 +184,7 @@ contains
    !> Solve on one grid, with cells beyond the body that lie deep enough.
    subroutine solve_grid(self, grid, field, has_load, prescribed, law, tolerance, found, error)
       type(free_adhesion_solver_t), intent(in) :: self
-      type(free_grid_t), intent(inout) :: grid
+      type(doubled_grid_t), intent(inout) :: grid
       !> Gap of the undeformed surfaces, and the body.
       type(free_field_t), intent(in) :: field
       logical, intent(in) :: has_load
@@ -192,7 +193,7 @@ contains
       type(periodic_adhesion_t), intent(in) :: law
       real(dp), intent(in) :: tolerance
       !> Receives what was found.
-      type(found_t), intent(out) :: found
+      type(free_found_t), intent(out) :: found
       type(error_t), allocatable, intent(out) :: error
       type(periodic_solution_t) :: solution
       type(periodic_adhesion_t) :: mean_law
@@ -261,7 +262,7 @@ contains
    subroutine set_solution(self, found, field, solution, adhesion)
       type(free_adhesion_solver_t), intent(in) :: self
       !> Contacts on all grids, the finest last.
-      type(found_t), intent(in) :: found(:)
+      type(free_found_t), intent(in) :: found(:)
       !> Gap of the undeformed surfaces on the finest grid, and the body.
       type(free_field_t), intent(in) :: field
       type(free_solution_t), intent(inout) :: solution
@@ -302,6 +303,7 @@ contains
       solution%pressure(:, :) = 0
       solution%load = 0
       solution%elastic_energy = 0
+      solution%residual = 0
       solution%gap(:, :) = merge(field%shape - solution%approach, 0.0_dp, field%is_body)
       if (.not. all(is_apart(found))) return
       solution%load_error = 0
@@ -311,7 +313,7 @@ contains
 
    !> Are the bodies neither in contact nor in range of each other? Only at a given approach.
    elemental logical function is_apart(found)
-      type(found_t), intent(in) :: found
+      type(free_found_t), intent(in) :: found
 
       is_apart = .false.
       if (found%status /= contact_solved) return
