@@ -772,7 +772,7 @@ class Scenes(Runs):
                 (scene_of("profile", 1).replace("&solid ", "&solid boundaries = 'free', "), "nothing solves profile on an elastic half-space with free boundaries"),
                 (scene_of("sphere", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "&solid boundaries: are periodic under waves and given heights, and a body of kind 'sphere' is alone"),
                 (free.replace("'free'", "'open'"), "&solid boundaries"),
-                (free.replace("load = 1e-5", "load = 1e-5, mean_pressure = 1e5"), "&operating mean_pressure: unknown variable, allowed: load, approach"),
+                (free.replace("load = 1e-5", "load = 1e-5, mean_pressure = 1e5"), "&operating mean_pressure: unknown variable, allowed: branch, turning_load, load, approach"),
                 (free.replace("load = 1e-5", "load = 1e-5, approach = 1e-7"), "&operating load: "),
                 (free.replace("load = 1e-5", "load = -1e-5"), "&operating load: "),
                 (free.replace("/map", "/profile"), "&surface heights: have one dimension, x; a body that ends somewhere needs two, (ny, nx)"),
