@@ -112,7 +112,9 @@ contains
       !> In: without the error of the edge of adhesion. Out: the larger of both; above 1 where the cells do not see that edge.
       real(dp), intent(inout) :: error_estimate
 
-      results(sliding_output%adhesion_fraction) = adhesion_fraction_of(solution)
+      ! other laws than Dugdale's have no zone with an end
+      results(sliding_output%adhesion_fraction) = not_a_number()
+      if (.not. allocated(law%attraction)) results(sliding_output%adhesion_fraction) = adhesion_fraction_of(solution)
       results(sliding_output%cells_per_zone) = cells_per_zone(law, surface)
       results(sliding_output%order_margin) = order_margin_of(solid%prony%moduli/solid%prony%relaxed, solid%prony%times)
       if (allocated(solution%loss_without_adhesion)) results(sliding_output%friction_without_adhesion) = &
