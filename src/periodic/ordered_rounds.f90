@@ -1,13 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Proof that no state of a surface whose cells attract each other by a falling law lies between a bound and a state that was found.
 !>
-!> It asks that no entry of the stiffness A off its diagonal is above 0, and not that A is symmetric: a body that slides over a solid with a
-!> memory may have it, too. Let F = q + A (g - g0) + s(g), and x <= y two states between the bound and the one that was found, which is
-!> one of them; d = y - x, and C the diagonal of the smallest chords from the found state towards the bound.
+!> It asks that no entry of the stiffness A off its diagonal is above 0, and not that A is symmetric: the kernel of a solid with a memory may
+!> have it, too. Let F = q + A (g - g0) + s(g), and x <= y two states between the bound and the one that was found, which is one of them;
+!> d = y - x, and C the diagonal of the smallest chords from the found state towards the bound.
 !>
 !> - On the open cells O of y, F(y) = 0 and F(x) >= 0. So A d + C d <= 0 there, and d = 0 elsewhere.
 !> - A w > 0 with some w > 0 on O makes the inverse of (A + C)_OO a matrix without entries below 0 (an M-matrix; Berman and Plemmons,
 !>   Nonnegative Matrices in the Mathematical Sciences, 1979, chapter 6). So d <= 0, and both states are one.
+!>
+!> On the cells of a line entries at even distances are 0 at rest, and memory makes some of them a little larger than 0, those at odd
+!> distances smaller. What varies little from cell to cell meets the sums of two neighbours, which have the sign of the kernel. So the order
+!> is asked of these sums.
 module adfric_periodic_ordered_rounds
    use adfric_base_kinds, only: dp
    use adfric_periodic_adhesive_proof, only: solve_open
@@ -29,20 +33,21 @@ module adfric_periodic_ordered_rounds
 
 contains
 
-   !> Does the stiffness of the cells order the states: is no entry off its diagonal above 0?
+   !> Does the stiffness of a line order the states: is no sum of neighbouring entries off its diagonal above 0? Not asked of maps.
    logical function has_order(operator)
       !> Operator of the grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       real(dp), allocatable :: unit(:, :), column(:, :)
-      real(dp) :: diagonal
 
-      allocate (unit(operator%n_cells(1), operator%n_cells(2)), source=0.0_dp)
+      has_order = operator%n_cells(2) == 1
+      if (.not. has_order) return
+      allocate (unit(operator%n_cells(1), 1), source=0.0_dp)
       allocate (column, mold=unit)
       unit(1, 1) = 1
       call operator%apply_stiffness(unit, column)
-      diagonal = column(1, 1)
-      column(1, 1) = 0
-      has_order = .not. maxval(column) > round_off*diagonal
+      associate (n => size(column, 1))
+         if (n > 2) has_order = .not. maxval(column(2:n - 1, 1) + column(3:, 1)) > round_off*column(1, 1)
+      end associate
    end function has_order
 
    !> Is a state the extremal one beyond a bound: on its side, with no other one between?

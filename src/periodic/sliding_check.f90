@@ -17,8 +17,8 @@ module adfric_periodic_sliding_check
    use adfric_periodic_sliding_case, only: is_direction, poisson_ratio_of_solid, speed_of
    use adfric_periodic_sliding_interface, only: check_surface_interface, without_temperature
    use adfric_periodic_sliding_variables, only: attraction_values, base_frictionless, cells_of, kind_heights, kind_wave_2d, &
-      & s_adhesion, s_base, s_coupling, s_friction, s_heat, s_last_heat, s_law, s_poisson_ratio, s_tension_table, s_thickness, s_velocity, &
-      & in => sliding_input
+      & s_adhesion, s_base, s_coupling, s_friction, s_heat, s_last_heat, s_law, s_poisson_ratio, s_tension_table, &
+      & s_thickness, s_velocity, in => sliding_input
    use adfric_periodic_variables, only: is_wanted, prescribed => periodic_input
    implicit none (type, external)
    private
