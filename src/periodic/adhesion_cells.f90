@@ -14,8 +14,8 @@ module adfric_periodic_adhesion_cells
       & regime_saturated_adhesion
    implicit none (type, external)
    private
-   public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, error_of_edge, least_cells
-   public :: regime_of, tension_outside
+   public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, error_of_edge, few_cells
+   public :: least_cells, regime_of, tension_outside
 
    !> Cells per zone below which there is a doubt, and below which edges of adhesion are those of the cells.
    real(dp), parameter :: few_cells = 4, least_cells = 0.5_dp
