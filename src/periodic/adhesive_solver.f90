@@ -8,6 +8,8 @@
 !> Where the body slides `adfric_periodic_sliding_rounds` finds the state, and on the finest grid, if these do not settle,
 !> `adfric_periodic_sliding_steps`. On the finest grid the zones of the next coarser one, wider or narrower by a cell, are the bound then,
 !> where that has contact. So the load of a jump is known as well as a grid of half the cells knows it.
+!>
+!> The file is long by what loads, layers and turns share.
 module adfric_periodic_adhesive_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
