@@ -126,9 +126,9 @@ class Scenes(Runs):
 
     def test_variable_of_another_scene(self):
         """A variable that this scene does not have is refused with the nearest scene that has it."""
-        self.write(scene_of("wave_1d", 11).replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
+        self.write(scene_of("wave_1d", 11).replace("work_of_adhesion", "work_map = 'map.h5:/work', work_of_adhesion"))
         _, errors = self.run_program("run", "run.nml", status=2)
-        self.assertRegex(errors, r"^run.nml: &adhesion law: unknown variable, allowed: .*; the nearest scene that has it is wave_1d on an elastic "
+        self.assertRegex(errors, r"^run.nml: &adhesion work_map: unknown variable, allowed: .*; the nearest scene that has it is wave_1d on an elastic "
                          r"half-space with adhesion, pressed \(line \d\)\n$")
 
     def test_spectrum_beside_what_it_has_not(self):
