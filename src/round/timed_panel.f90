@@ -3,7 +3,8 @@
 !>
 !> With the approach at the nodes known, D_i follows exactly, the edge at each node is where F of a pile is zero (`timed_pile`), and
 !> \( \dot Q_i = -Q_i/t_i + a \dot\delta + q_i(a) \dot a \). Under a load or behind a spring the approach follows from Newton's
-!> method: springs that are in contact throughout answer with a load that depends on delta as D_i does.
+!> method: springs that are in contact throughout answer with a load that depends on delta as D_i does. The file is long by how the
+!> edge is found, and by what counts as an error.
 module adfric_round_timed_panel
    use adfric_base_kinds, only: dp
    use adfric_numerics_lapack, only: dgesv

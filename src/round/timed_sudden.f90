@@ -34,14 +34,14 @@ module adfric_round_timed_sudden
    end type touch_t
 
    !> Free springs of a part of a piece, from the axis outwards.
-   type :: part_t
+   type :: free_part_t
       !> G, G + theta, and a; shape `(n_nodes)`.
       real(dp), dimension(n_nodes) :: depth = 0, meets = 0, radius = 0
       !> What the part adds to the load of a contact.
       real(dp) :: load = 0
       !> c_k by now; shape `(n_nodes, n_arms)`.
       real(dp), allocatable :: memory(:, :)
-   end type part_t
+   end type free_part_t
 
 contains
 
@@ -123,7 +123,7 @@ contains
       !> Where what was never touched begins.
       real(dp), intent(in) :: depth
       !> Receives the part.
-      type(part_t), intent(inout) :: part
+      type(free_part_t), intent(inout) :: part
       real(dp) :: moment(n_nodes), memory(size(self%times)), since
       integer :: j
 
@@ -159,7 +159,7 @@ contains
       !> Receives the contact.
       type(touch_t), intent(out) :: touch
       integer, parameter :: most_halvings = 60, most_doublings = 300
-      type(part_t) :: part
+      type(free_part_t) :: part
       real(dp) :: meets_axis, load, low, high, begin
       integer :: piece, k
 
@@ -206,7 +206,7 @@ contains
 
       !> Is a contact that ends where a part does as large as asked for?
       pure logical function is_reached(of)
-         type(part_t), intent(in) :: of
+         type(free_part_t), intent(in) :: of
 
          is_reached = maxval(by_rise*(of%meets(n_nodes) - meets_axis) + by_load*(load + of%load)) >= 1
       end function is_reached
@@ -223,7 +223,7 @@ contains
       real(dp), intent(out) :: squares(:)
       !> Receives the energy that the springs had.
       real(dp), intent(out) :: carried
-      type(part_t) :: part
+      type(free_part_t) :: part
       type(mark_t) :: mark
       real(dp), dimension(n_nodes) :: radius_rate, energy
       real(dp) :: arms(n_nodes, size(self%times)), free(n_nodes, size(self%times)), meets, fall, moment, missing, begin
