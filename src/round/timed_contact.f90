@@ -407,11 +407,12 @@ contains
    pure subroutine touch_now(self)
       type(timed_contact_t), intent(inout) :: self
       type(touch_t) :: touch
+      real(dp), parameter :: nothing = epsilon(1.0_dp)**4
       real(dp) :: beyond, squares(size(self%times)), carried, above
 
       self%wait = 0
       beyond = beyond_contact(self)
-      if (.not. beyond > 0) return
+      if (.not. beyond > nothing) return
       call find_touch(self%timed_springs_t, [self%control%by_approach/beyond, 0.0_dp], [self%control%by_load/beyond, 0.0_dp], touch)
       above = touch%rise
       if (self%control%by_approach > 0) above = above + self%control%by_load*touch%load
