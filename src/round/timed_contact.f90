@@ -22,7 +22,7 @@ module adfric_round_timed_contact
    public :: timed_contact_t, start_contact, advance, error_of
 
    !> The part of what is tolerated that a load is where contact is lost or made at once.
-   real(dp), parameter :: as_good_as_none = 0.5_dp
+   real(dp), parameter :: as_good_as_none = 0.1_dp
 
    !> A contact in time.
    type, extends(timed_springs_t) :: timed_contact_t

@@ -148,7 +148,7 @@ contains
       type(timed_springs_t), intent(in) :: self
       type(timed_panel_t), intent(inout) :: panel
       real(dp) :: bases(n_nodes), faded(n_nodes, size(self%times)), small
-      integer :: j
+      integer :: j, first
 
       panel%position = 1
       panel%piece_end = 1
@@ -164,38 +164,39 @@ contains
          panel%depth = panel%approach
          panel%at_edge = 0
       case (growing_again)
-         call pass_piece(self, self%free, -panel%approach, small, panel, faded)
-         do j = 1, n_nodes
+         call pass_piece(self, self%free, -panel%approach, small, panel, faded, first)
+         do j = first, n_nodes
             panel%at_edge(j, :) = matmul(self%states, faded(j, :))
          end do
       case (shrinking)
          do j = 1, n_nodes
             bases(j) = self%relaxed*panel%approach(j) + sum(self%moduli*panel%drive(j, :))
          end do
-         call pass_piece(self, self%touched, bases, small*self%glassy, panel, faded)
-         panel%at_edge = panel%drive + faded
+         call pass_piece(self, self%touched, bases, small*self%glassy, panel, faded, first)
+         panel%at_edge(first:, :) = panel%drive(first:, :) + faded(first:, :)
       end select
    end subroutine find_edge
 
    !> Where the edge is in the last piece of a pile, at each node.
-   pure subroutine pass_piece(self, pile, bases, small, panel, faded)
+   pure subroutine pass_piece(self, pile, bases, small, panel, faded, first)
       type(timed_springs_t), intent(in) :: self
       !> One of its piles.
       type(timed_pile_t), intent(in) :: pile
       !> b of the springs' F at each node, and the F that is round-off.
       real(dp), intent(in) :: bases(n_nodes), small
-      !> Receives positions, depths, and F at the begin of the piece. Pieces that were too thin to be kept lie between the edge and
-      !> the pile: the edge jumps over them.
+      !> In: depth of the edge at the begin. Out: with positions, depths, and F at the begin of the piece.
       type(timed_panel_t), intent(inout) :: panel
       !> Receives the memory of the spring at the edge as far as it has not faded; shape `(n_nodes, n_arms)`.
       real(dp), intent(out) :: faded(:, :)
+      !> Receives the first node at which depth and memory are set: 2 where the edge is at the end of the piece.
+      integer, intent(out) :: first
       type(instant_t) :: instant
       real(dp) :: memory(size(faded, 2)), since, part
       integer :: j
-      logical :: is_there
 
       instant%leg = self%leg
       since = time_between(self%legs, pile%marks(pile%count), mark_of(self))
+      first = 1
       faded = 0
       ! a jump leaves a piece of no time
       part = most_of_piece
@@ -206,10 +207,11 @@ contains
             instant%since = since + panel%span*(panel_nodes(j) + 1)/2
             instant%base = bases(j)
             panel%piece_end(j) = pile%value_at(ends(1), instant)
-            is_there = .false.
-            if (j == 1) is_there = abs(pile%value_at(ends(2), instant)) <= small
-            if (.not. is_there) panel%position(j) = pile%position_at(instant, panel%position(max(1, j - 1)), &
-               & guess_of(panel%position, j, part))
+            if (j == 1) then
+               if (abs(pile%value_at(ends(2), instant)) <= small) first = 2
+            end if
+            if (j < first) cycle
+            panel%position(j) = pile%position_at(instant, panel%position(max(1, j - 1)), guess_of(panel%position, j, part))
             call pile%read_piece(panel%position(j), panel%depth(j), memory)
             faded(j, :) = memory*exp(-pile%lag_of(pile%count, panel%position(j), instant%since)*pile%rates)
          end do
