@@ -22,19 +22,18 @@ module adfric_command_help_scenes
    character(*), parameter :: columns(3, n_columns) = reshape([character(word_length) :: &
       & 'half_space', 'none', 'press', 'half_space', 'adhesion', 'press', 'half_space', 'shear', 'slide', 'half_space', &
       & 'adhesion+shear', 'slide', 'half_space', 'coulomb', 'tangential', 'half_space', 'coulomb', 'path', 'half_space', &
-      & 'adhesion', 'path', 'free_half_space', 'none', 'press', 'free_half_space', 'adhesion', 'press', &
-      & 'layer', 'none', 'press', 'layer', 'adhesion', 'press', 'coating', 'none', 'press', 'coating', 'adhesion', 'press', &
-      & 'relaxing', 'none', 'path', 'relaxing', 'adhesion', 'path', &
-      & 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', 'layer', 'none', 'slide', 'layer', 'adhesion', 'slide', &
-      & 'foundation', 'none', 'slide', 'foundation', 'adhesion', 'slide'], [3, n_columns])
+      & 'adhesion', 'path', 'free_half_space', 'none', 'press', 'free_half_space', 'adhesion', 'press', 'layer', 'none', 'press', &
+      & 'layer', 'adhesion', 'press', 'coating', 'none', 'press', 'coating', 'adhesion', 'press', 'relaxing', 'none', 'path', &
+      & 'relaxing', 'adhesion', 'path', 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', 'layer', 'none', 'slide', &
+      & 'layer', 'adhesion', 'slide', 'foundation', 'none', 'slide', 'foundation', 'adhesion', 'slide'], [3, n_columns])
    character(*), parameter :: heads(n_columns) = [character(72) :: &
       & 'elastic half-space, pressed', 'elastic half-space, pressed, with adhesion', &
       & 'elastic half-space, sliding with a shear strength', 'elastic half-space, sliding with adhesion and a shear strength', &
       & 'elastic half-space, tangential force below mu P (Coulomb)', 'elastic half-space, path of loads and tangential forces', &
       & 'elastic half-space, path of loads, approaches or a spring with adhesion', &
       & 'elastic half-space with free boundaries, pressed', 'elastic half-space with free boundaries, pressed, with adhesion', &
-      & 'elastic layer, pressed', 'elastic layer, pressed, with adhesion', &
-      & 'elastic coating, pressed', 'elastic coating, pressed, with adhesion', 'viscoelastic half-space, history in time', &
+      & 'elastic layer, pressed', 'elastic layer, pressed, with adhesion', 'elastic coating, pressed', &
+      & 'elastic coating, pressed, with adhesion', 'viscoelastic half-space, history in time', &
       & 'viscoelastic half-space, history in time with adhesion', 'viscoelastic half-space, sliding', &
       & 'viscoelastic half-space, sliding with adhesion', 'viscoelastic layer, sliding', &
       & 'viscoelastic layer, sliding with adhesion', 'viscoelastic foundation (columns), sliding', &
