@@ -54,10 +54,9 @@ contains
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
 
-      text = 'A scene is a surface on a solid, with an interface, in some operation.'//newline// &
-         'An input that names no model describes one:'//newline//newline// &
-         '  &surface kind = ''paraboloid'', radius = 140e-9 /'//newline// &
-         '  &solid contact_modulus = 44e9 /'//newline// &
+      text = 'A scene is a surface on a solid, with an interface, in some operation.'//newline &
+         //'An input that names no model describes one:'//newline//newline// &
+         '  &surface kind = ''paraboloid'', radius = 140e-9 /'//newline//'  &solid contact_modulus = 44e9 /'//newline// &
          '  &adhesion work_of_adhesion = 0.19, lambda = 0.8 /'//newline// &
          '  &friction shear_strength = 0.96e9 /'//newline// &
          '  &operating load = 1e-7, state = ''sliding'' /'//newline//newline// &
@@ -65,8 +64,8 @@ contains
          'e: exact (closed forms, roots, integrals), n: numerical (cells), t: a statistical theory, -: no solver yet.'//newline &
          //newline//describe_table()//newline &
          //'Given loads: &traction kind = ''line'', ''strip'' or ''point'' in place of &surface.'//newline//newline &
-         //'Variables'//newline//describe_groups(models)//newline//'Results, where they have a meaning'//newline// &
-         describe_results(models, '')
+         //'Variables'//newline//describe_groups(models)//newline &
+         //'Results, where they have a meaning'//newline//describe_results(models, '')
    end function describe_scenes
 
    !> What scenes have of a list; empty where its page needs nothing of them.
