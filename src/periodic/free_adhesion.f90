@@ -36,7 +36,7 @@ module adfric_periodic_free_adhesion
    !> A grid of the error estimate.
    type :: doubled_grid_t
       !> Solver of the doubled map.
-      type(periodic_solver_t) :: solver
+      type(periodic_solver_t), allocatable :: solver
       !> Number of cells of the map.
       integer :: n_cells(2) = 0
       !> Sizes of a cell.
@@ -116,6 +116,7 @@ contains
             n_doubled = grid%n_cells*merge(1, 2, is_periodic)
             call new_free_kernel(kernel, grid%n_cells, lengths, is_periodic, n_grids_of(n_doubled), error)
             if (allocated(error)) return
+            allocate (grid%solver)
             call new_periodic_solver(grid%solver, kernel, n_doubled, lengths*merge(1, 2, is_periodic), .false., error)
             if (allocated(error)) return
          end associate
