@@ -46,6 +46,8 @@ module adfric_round_timed_contact
       integer, private :: n_of_leg = 0
       !> Was contact lost or made at once?
       logical, private :: was_sudden = .false.
+      !> Largest depth that the edge still had where contact was lost under a load, over the largest depth.
+      real(dp), private :: lost_depth = 0
       !> Phase that passes until contact is made at once, 0 if it is not to be made.
       real(dp), private :: wait = 0
    end type timed_contact_t
@@ -222,6 +224,7 @@ contains
             call let_all_go(self)
          else
             self%largest_error = max(self%largest_error, self%load/self%load_size/self%tolerance)
+            self%lost_depth = max(self%lost_depth, self%depth/self%depth_size)
             call lose_contact(self)
          end if
          span = (1 - self%phase) - self%phase_rest
@@ -276,8 +279,11 @@ contains
       type(timed_contact_t), intent(in) :: self
       ! what is left out where contact is lost or made at once stays: 3.5 times as much at worst (`tests/round`)
       real(dp), parameter :: margin = 4, sudden_margin = 16
+      ! springs within the edge are free too early by the time that it would have taken: the approach after it lies within their depth
+      real(dp), parameter :: depth_margin = 2
 
-      error = max(16*epsilon(1.0_dp), merge(sudden_margin, margin, self%was_sudden)*self%tolerance*self%largest_error)
+      error = max(16*epsilon(1.0_dp), merge(sudden_margin, margin, self%was_sudden)*self%tolerance*self%largest_error, &
+         & depth_margin*self%lost_depth)
    end function error_of
 
    !> Size of F of the springs at the edge.
@@ -470,6 +476,7 @@ contains
       self%largest_error = max(self%largest_error, self%load/self%load_size/self%tolerance, &
          & abs(force_at_axis(self%timed_springs_t))/self%depth_size/self%tolerance)
       self%was_sudden = .true.
+      self%lost_depth = max(self%lost_depth, self%depth/self%depth_size)
       call let_go(self%timed_springs_t, carried)
       if (self%has_energy) self%energy%carried = self%energy%carried + carried
       call lose_contact(self)
@@ -508,6 +515,7 @@ contains
       ! under a load that ends at 0 the edge has no digits left there
       if (.not. self%control%by_approach > 0) is_lost = is_lost .or. &
          & self%load <= min(self%tolerance, digits)*self%legs(self%leg)%begin
+      if (is_lost) self%lost_depth = max(self%lost_depth, self%depth/self%depth_size)
       if (is_lost) call lose_contact(self)
    end subroutine accept
 
