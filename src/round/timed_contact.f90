@@ -47,7 +47,7 @@ module adfric_round_timed_contact
       !> Was contact lost or made at once?
       logical, private :: was_sudden = .false.
       !> Largest depth that the edge still had where contact was lost under a load, over the largest depth.
-      real(dp), private :: lost_depth = 0
+      real(dp), private :: left_depth = 0
       !> Phase that passes until contact is made at once, 0 if it is not to be made.
       real(dp), private :: wait = 0
    end type timed_contact_t
@@ -224,7 +224,7 @@ contains
             call let_all_go(self)
          else
             self%largest_error = max(self%largest_error, self%load/self%load_size/self%tolerance)
-            self%lost_depth = max(self%lost_depth, self%depth/self%depth_size)
+            self%left_depth = max(self%left_depth, self%depth/self%depth_size)
             call lose_contact(self)
          end if
          span = (1 - self%phase) - self%phase_rest
@@ -283,7 +283,7 @@ contains
       real(dp), parameter :: depth_margin = 2
 
       error = max(16*epsilon(1.0_dp), merge(sudden_margin, margin, self%was_sudden)*self%tolerance*self%largest_error, &
-         & depth_margin*self%lost_depth)
+         & depth_margin*self%left_depth)
    end function error_of
 
    !> Size of F of the springs at the edge.
@@ -476,7 +476,7 @@ contains
       self%largest_error = max(self%largest_error, self%load/self%load_size/self%tolerance, &
          & abs(force_at_axis(self%timed_springs_t))/self%depth_size/self%tolerance)
       self%was_sudden = .true.
-      self%lost_depth = max(self%lost_depth, self%depth/self%depth_size)
+      self%left_depth = max(self%left_depth, self%depth/self%depth_size)
       call let_go(self%timed_springs_t, carried)
       if (self%has_energy) self%energy%carried = self%energy%carried + carried
       call lose_contact(self)
@@ -515,7 +515,7 @@ contains
       ! under a load that ends at 0 the edge has no digits left there
       if (.not. self%control%by_approach > 0) is_lost = is_lost .or. &
          & self%load <= min(self%tolerance, digits)*self%legs(self%leg)%begin
-      if (is_lost) self%lost_depth = max(self%lost_depth, self%depth/self%depth_size)
+      if (is_lost) self%left_depth = max(self%left_depth, self%depth/self%depth_size)
       if (is_lost) call lose_contact(self)
    end subroutine accept
 
