@@ -288,7 +288,7 @@ contains
       type(zone_state_t), intent(in) :: state
       !> Energy that was lost, to which is added.
       real(dp), intent(inout) :: lost
-      real(dp) :: before, change, factor, sums
+      real(dp) :: factor, sums
       real(dp) :: ends(self%core:max(self%last, problem%node_below(state%c))), c
       integer :: k, arm, first, last, touching, edge
 
@@ -312,34 +312,61 @@ contains
       end do
       ends(max(touching, edge) + 1:) = problem%memory(max(touching, edge) + 1:last)
       do arm = 1, size(self%solid%times)
-         associate (e => self%decay(arm), b0 => self%from_begin(arm), b1 => self%from_end(arm), loss => self%losses(:, arm))
-            ! the spring on the axis stands for half a cell, and so does that at the edge of a flat punch
-            if (first > 0) then
-               call step_core(self, arm, state%approach - self%approach, sums)
-            else
-               before = self%displacements(0) - self%arms(0, arm)
-               change = ends(0) - self%displacements(0)
-               sums = -(loss(1)*before*before + loss(2)*before*change + loss(3)*change*change)/2
-            end if
-            if (last == self%face_node) then
-               before = self%displacements(last) - self%arms(last, arm)
-               change = ends(last) - self%displacements(last)
-               sums = sums - (loss(1)*before*before + loss(2)*before*change + loss(3)*change*change)/2
-            end if
-            !$omp simd private(before, change) reduction(+:sums)
-            do k = first, last
-               before = self%displacements(k) - self%arms(k, arm)
-               change = ends(k) - self%displacements(k)
-               self%arms(k, arm) = self%displacements(k) - e*before + b1*change
-               sums = sums + (loss(1)*before*before + loss(2)*before*change + loss(3)*change*change)
-            end do
-            lost = lost + 2*self%solid%moduli(arm)*problem%cell*sums
-         end associate
+         ! the spring on the axis stands for half a cell, and so does that at the edge of a flat punch
+         if (first > 0) then
+            call step_core(self, arm, state%approach - self%approach, sums)
+         else
+            sums = -loss_at(self, arm, 0, ends(0))/2
+         end if
+         if (last == self%face_node) sums = sums - loss_at(self, arm, last, ends(last))/2
+         call step_arm(last - first + 1, self%decay(arm), self%from_end(arm), self%losses(:, arm), ends, &
+            & self%displacements(first:last), self%arms(first:last, arm), sums)
+         lost = lost + 2*self%solid%moduli(arm)*problem%cell*sums
       end do
       self%displacements(first:last) = ends
       self%approach = state%approach
       call follow_edge(self)
    end subroutine take_step
+
+   !> Springs of an arm that go to the end of a step.
+   pure subroutine step_arm(n, decay, from_end, losses, ends, displacements, arms, sums)
+      !> Number of springs.
+      integer, intent(in) :: n
+      !> e and b1 of the arm, and what it loses, see `weigh`.
+      real(dp), intent(in) :: decay, from_end, losses(3)
+      !> Displacements at the end of the step and at its begin.
+      real(dp), intent(in) :: ends(n), displacements(n)
+      !> Displacements of the arms.
+      real(dp), intent(inout) :: arms(n)
+      !> Half of what is lost over modulus and cell, to which is added.
+      real(dp), intent(inout) :: sums
+      real(dp) :: before, change, first, both, last
+      integer :: k
+
+      first = losses(1)
+      both = losses(2)
+      last = losses(3)
+      !$omp simd private(before, change) reduction(+:sums)
+      do k = 1, n
+         before = displacements(k) - arms(k)
+         change = ends(k) - displacements(k)
+         arms(k) = displacements(k) - decay*before + from_end*change
+         sums = sums + (first*before*before + both*before*change + last*change*change)
+      end do
+   end subroutine step_arm
+
+   !> What an arm of one spring loses, as `step_arm` has it.
+   pure real(dp) function loss_at(self, arm, node, end) result(lost)
+      type(spring_memory_t), intent(in) :: self
+      integer, intent(in) :: arm, node
+      !> Displacement at the end of the step.
+      real(dp), intent(in) :: end
+      real(dp) :: before, change
+
+      before = self%displacements(node) - self%arms(node, arm)
+      change = end - self%displacements(node)
+      lost = self%losses(1, arm)*before*before + self%losses(2, arm)*before*change + self%losses(3, arm)*change*change
+   end function loss_at
 
    !> Energy that springs and arms store.
    pure real(dp) function stored_energy(self, cell) result(energy)
