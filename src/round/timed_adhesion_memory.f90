@@ -13,14 +13,16 @@
 !> Springs that stay in contact move by the change d of the approach, all alike. So the stretch q = th - z of their arms has
 !> become A q + B, with factors that are the same for all of them: q(end) = e q + (1 - b1) d. The springs of a core, some cells
 !> within the edge, are left as they were when the core was made. A step takes A and B on, and what the core has lost follows from
-!> the sums of q and q^2. A step then costs the springs beyond the core alone.
+!> the sums of q and q^2. Springs that the zone has left are a tail (`adfric_round_timed_adhesion_tail`). A step then costs the
+!> springs between core and tail alone. The file is longer than 400 lines: all that knows which springs stand still is in one place.
 module adfric_round_timed_adhesion_memory
    use adfric_base_kinds, only: dp
    use adfric_round_timed_adhesion_problem, only: zone_problem_t, zone_state_t
+   use adfric_round_timed_adhesion_tail, only: make_tail, spring_tail_t, step_tail, wake_tail
    use adfric_solid_prony, only: prony_t
    implicit none (type, external)
    private
-   public :: spring_memory_t, start_memory, reserve_nodes, prepare_step, take_step, stored_energy, set_core
+   public :: spring_memory_t, start_memory, reserve_nodes, prepare_step, take_step, stored_energy, wake_springs
 
    !> The springs at the nodes.
    type :: spring_memory_t
@@ -42,7 +44,9 @@ module adfric_round_timed_adhesion_memory
       integer :: touching = 0
       !> Nodes of the core: those below this one, whose displacements and arms are those of the time when it was made.
       integer :: core = 0
-      !> Steps before a core is made again.
+      !> Springs that were left, from its first node on.
+      type(spring_tail_t) :: tail
+      !> Steps before a core or a tail is made again.
       integer :: pause = 0
       !> The approach at the end of the last step, and sums over the core of the depths and of ones, where the axis is a half.
       real(dp), private :: approach = 0, core_depths = 0, core_nodes = 0
@@ -125,7 +129,7 @@ contains
       !> Receives modulus and memory.
       type(zone_problem_t), intent(inout) :: problem
       real(dp) :: factor, sums
-      integer :: arm, k
+      integer :: arm, k, top
 
       problem%core = self%core
       associate (solid => self%solid, last => self%last, memory => problem%memory)
@@ -134,15 +138,16 @@ contains
          end do
          problem%modulus = solid%relaxed + sum(solid%moduli*(1 - self%from_end))
          if (last < 0) return
+         top = min(last, self%tail%first - 1)
          factor = sum(solid%moduli*self%from_begin)/problem%modulus
          !$omp simd
-         do k = self%core, last
+         do k = self%core, top
             memory(k) = factor*self%displacements(k)
          end do
          do arm = 1, size(solid%times)
             factor = solid%moduli(arm)*self%decay(arm)/problem%modulus
             !$omp simd
-            do k = self%core, last
+            do k = self%core, top
                memory(k) = memory(k) + factor*self%arms(k, arm)
             end do
          end do
@@ -235,21 +240,50 @@ contains
       end do
    end subroutine set_core
 
-   !> The core after a step: it follows the edge of contact in blocks, and ends some cells within it.
-   pure subroutine follow_edge(self)
+   !> Bring all springs to the present.
+   pure subroutine wake_springs(self)
+      !> The springs.
       type(spring_memory_t), intent(inout) :: self
+
+      call set_core(self, 0)
+      if (self%tail%first <= self%last) call wake_tail(self%tail, self%last, self%displacements, self%arms)
+   end subroutine wake_springs
+
+   !> A tail from another node on.
+   pure subroutine move_tail(self, first)
+      type(spring_memory_t), intent(inout) :: self
+      !> Its first node; none beyond the last one.
+      integer, intent(in) :: first
+
+      if (self%tail%first <= self%last) call wake_tail(self%tail, self%last, self%displacements, self%arms)
+      if (first <= self%last) call make_tail(self%tail, first, self%last, self%displacements, self%arms)
+   end subroutine move_tail
+
+   !> Core and tail after a step: they follow the edges of contact and of the zone in blocks, some cells beside them.
+   pure subroutine follow_edges(self, adhering)
+      type(spring_memory_t), intent(inout) :: self
+      !> Last node within the zone.
+      integer, intent(in) :: adhering
       integer, parameter :: block = 64, margin = 8, least = 4
 
       ! the states of a flat punch ask for the memory on the axis
       if (self%face_node >= 0) return
       if (self%pause > 0) then
          self%pause = self%pause - 1
-      else if (self%touching - margin > self%core + block) then
+         return
+      end if
+      if (self%touching - margin > self%core + block) then
          call set_core(self, self%touching - margin)
       else if (self%core > 0 .and. self%touching < self%core + least) then
          call set_core(self, max(0, self%touching - block))
       end if
-   end subroutine follow_edge
+      ! the products of a tail of few springs cost more than these
+      if (adhering + margin + max(block, (size(self%solid%times) + 1)**2) < min(self%tail%first, self%last + 1)) then
+         call move_tail(self, adhering + margin)
+      else if (adhering + least > self%tail%first - 1) then
+         call move_tail(self, adhering + block)
+      end if
+   end subroutine follow_edges
 
    !> e, b0 and b1 of an arm, and what it loses over the step: with its stretch q before the step and the change d of the
    !> displacement, the integral of q^2 over time and its own time is l1 q^2 + l2 q d + l3 d^2.
@@ -288,14 +322,20 @@ contains
       type(zone_state_t), intent(in) :: state
       !> Energy that was lost, to which is added.
       real(dp), intent(inout) :: lost
-      real(dp) :: factor, sums
-      real(dp) :: ends(self%core:max(self%last, problem%node_below(state%c))), c
+      real(dp) :: factor, sums, lost_beyond(size(self%solid%times))
+      real(dp) :: ends(self%core:min(max(self%last, problem%node_below(state%c)), self%tail%first - 1)), c
       integer :: k, arm, first, last, touching, edge
 
       c = problem%adhesion_radius(state%c)
       first = self%core
       last = ubound(ends, 1)
-      self%last = last
+      lost_beyond = 0
+      if (self%tail%first <= self%last) then
+         call step_tail(self%tail, self%solid, problem%modulus, self%decay, self%from_begin, self%from_end, self%losses, &
+            & lost_beyond)
+      else
+         self%last = last
+      end if
       touching = -1
       if (state%c > 0) touching = problem%node_below(state%a)
       if (.not. state%a > 0) touching = -1
@@ -321,11 +361,11 @@ contains
          if (last == self%face_node) sums = sums - loss_at(self, arm, last, ends(last))/2
          call step_arm(last - first + 1, self%decay(arm), self%from_end(arm), self%losses(:, arm), ends, &
             & self%displacements(first:last), self%arms(first:last, arm), sums)
-         lost = lost + 2*self%solid%moduli(arm)*problem%cell*sums
+         lost = lost + 2*self%solid%moduli(arm)*problem%cell*(sums + lost_beyond(arm))
       end do
       self%displacements(first:last) = ends
       self%approach = state%approach
-      call follow_edge(self)
+      call follow_edges(self, problem%node_below(state%c))
    end subroutine take_step
 
    !> Springs of an arm that go to the end of a step.
@@ -376,9 +416,9 @@ contains
       real(dp), intent(in) :: cell
       type(spring_memory_t) :: present
 
-      if (self%core > 0) then
+      if (self%core > 0 .or. self%tail%first <= self%last) then
          present = self
-         call set_core(present, 0)
+         call wake_springs(present)
          energy = energy_of(present, cell)
       else
          energy = energy_of(self, cell)
