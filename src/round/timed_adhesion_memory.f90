@@ -14,7 +14,8 @@
 !> become A q + B, with factors that are the same for all of them: q(end) = e q + (1 - b1) d. The springs of a core, some cells
 !> within the edge, are left as they were when the core was made. A step takes A and B on, and what the core has lost follows from
 !> the sums of q and q^2. Springs that the zone has left are a tail (`adfric_round_timed_adhesion_tail`). A step then costs the
-!> springs between core and tail alone. The file is longer than 400 lines: all that knows which springs stand still is in one place.
+!> springs between core and tail alone.
+!> The file is long, since all that knows which springs are brought to the present and which are not stands in it.
 module adfric_round_timed_adhesion_memory
    use adfric_base_kinds, only: dp
    use adfric_round_timed_adhesion_problem, only: zone_problem_t, zone_state_t
