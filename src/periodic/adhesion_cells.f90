@@ -2,8 +2,8 @@
 !> What the cells of a periodic surface tell of its adhesion: the regime, and how well they see a short zone.
 !>
 !> A zone of adhesion at the edge of a wide contact has the length pi E* h0/(4 p0) on an elastic half-space. On an elastic layer or
-!> coating E* is the modulus of waves of that length (`adfric_periodic_layer_kernel`). On a viscoelastic solid E* is that of the relaxed
-!> solid here: no zone is shorter than 0.89 times that, at any velocity.
+!> coating E* is the modulus of waves of that length (`adfric_periodic_layer_kernel`). On a viscoelastic solid E* is that of the
+!> relaxed solid here: no zone is shorter than 0.89 times that, at any velocity.
 module adfric_periodic_adhesion_cells
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi

@@ -98,8 +98,8 @@ contains
       real(dp), intent(in) :: tension
       !> Pressure in the cells [Pa]; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
-      !> In: with the results of the contact; without an area that varies smoothly there is no friction of it. Out: with friction; shape
-      !> `(n_results)`.
+      !> In: with the results of the contact; without an area that varies smoothly there is no friction of it. Out: with friction;
+      !> shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Does the law hold at this velocity and temperature?
       logical, intent(out) :: is_valid

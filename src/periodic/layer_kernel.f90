@@ -66,8 +66,8 @@ contains
       if (allocated(self%coating)) mean_compliance = 0
    end function mean_compliance
 
-   !> Length l of a short zone of adhesion. On a half-space it is pi E* h0/(4 p0). Here the modulus is that of the waves exp(2 i x/l),
-   !> E*/F(2 H/l), so that l F(2 H/l) is that length. The least l counts.
+   !> Length l of a short zone of adhesion. On a half-space it is pi E* h0/(4 p0). Here the modulus is E*/F(2 H/l), that of waves
+   !> with the wave number 2/l, so that l F(2 H/l) is that length. The least l counts.
    pure real(dp) function zone_length(self, on_half_space, longest) result(length)
       class(layer_kernel_t), intent(in) :: self
       !> pi E* h0/(4 p0) with the modulus of the layer, in the unit of its thickness, > 0.
