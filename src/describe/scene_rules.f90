@@ -244,6 +244,8 @@ module adfric_describe_scene_rules
       & periodic//' friction_stress,friction_coefficient - !interface', &
       & on_cells//' friction_force -', &
       & on_cells//' smooth_friction_stress - !interface', &
+      & on_cells//' smooth_contact_fraction,smooth_friction_stress - layer', &
+      & on_cells//' smooth_contact_fraction,smooth_friction_stress - coating', &
       & on_cells//' poisson_defect - !tangential', &
       & 'line_load,strip_load stress_yy stress_zz', &
       & 'line_load,strip_load stress_xy stress_xz', &

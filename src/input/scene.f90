@@ -239,8 +239,8 @@ contains
       if ((scene%extent == 'layer' .or. scene%extent == 'coating') .and. .not. has_thickness) then
          call problems%add('solid', 'thickness', 'is missing [m]; a '//scene%extent//' needs it')
       else if (scene%extent == 'half_space' .and. has_thickness) then
-         call problems%add('solid', 'thickness', 'belongs to a layer or to columns, and a half-space has none; '// &
-            & 'give extent = ''layer'' or extent = ''foundation''')
+         call problems%add('solid', 'thickness', 'belongs to a layer, a coating or columns, and a half-space has none; '// &
+            & 'give extent = ''layer'', extent = ''coating'' or extent = ''foundation''')
       end if
       if (scene%extent /= 'layer' .and. is_named(scene%names, 'solid%base')) call problems%add('solid', 'base', &
          & 'belongs to a layer; give extent = ''layer''')

@@ -1,13 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the cells of a periodic surface tell of its adhesion: the regime, and how well they see a short zone.
 !>
-!> A zone of adhesion at the edge of a wide contact has the length pi E* h0/(4 p0) on an elastic solid. On a viscoelastic one E* is
-!> that of the relaxed solid here: no zone is shorter than 0.89 times that, at any velocity.
+!> A zone of adhesion at the edge of a wide contact has the length pi E* h0/(4 p0) on an elastic half-space. On an elastic layer or
+!> coating E* is the modulus of waves of that length (`adfric_periodic_layer_kernel`). On a viscoelastic solid E* is that of the
+!> relaxed solid here: no zone is shorter than 0.89 times that, at any velocity.
 module adfric_periodic_adhesion_cells
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_describe_derived, only: add_derived, derived_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names
+   use adfric_periodic_layer_kernel, only: layer_kernel_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables, only: regime_adhesion_only, regime_adhesion_zones, regime_full, regime_none, regime_partial, &
@@ -69,12 +71,19 @@ contains
    end function tension_outside
 
    !> Length of a short zone of adhesion [m].
-   pure real(dp) function zone_length(law, modulus) result(length)
+   pure real(dp) function zone_length(law, surface) result(length)
       type(adhesion_law_t), intent(in) :: law
-      !> Contact modulus E* [Pa].
-      real(dp), intent(in) :: modulus
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
 
-      length = pi*modulus*law%range/(4*law%stress)
+      length = pi*surface%solid%modulus*law%range/(4*law%stress)
+      if (.not. allocated(surface%solid%kernel)) return
+      select type (kernel => surface%solid%kernel)
+      type is (layer_kernel_t)
+         associate (unit => surface%period(1))
+            length = unit*kernel%zone_length(length/unit, maxval(surface%period, mask=surface%n_cells > 1)/unit)
+         end associate
+      end select
    end function zone_length
 
    !> That over the length of a cell.
@@ -84,7 +93,7 @@ contains
       type(periodic_surface_t), intent(in) :: surface
 
       associate (size => surface%cell_sizes())
-         cells_per_zone = zone_length(law, surface%solid%modulus)/maxval(size, mask=surface%n_cells > 1)
+         cells_per_zone = zone_length(law, surface)/maxval(size, mask=surface%n_cells > 1)
       end associate
    end function cells_per_zone
 
@@ -98,7 +107,7 @@ contains
       character(*), intent(in) :: meaning
 
       call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
-      call add_derived(derived, 'zone_length', 'm', meaning, zone_length(law, surface%solid%modulus))
+      call add_derived(derived, 'zone_length', 'm', meaning, zone_length(law, surface))
       call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
          & cells_per_zone(law, surface))
    end subroutine derive_zone

@@ -98,7 +98,8 @@ contains
       real(dp), intent(in) :: tension
       !> Pressure in the cells [Pa]; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
-      !> In: with the results of the contact. Out: with friction; shape `(n_results)`.
+      !> In: with the results of the contact; without an area that varies smoothly there is no friction of it. Out: with friction;
+      !> shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Does the law hold at this velocity and temperature?
       logical, intent(out) :: is_valid
@@ -107,8 +108,8 @@ contains
       is_valid = .true.
       if (has_law(values)) then
          associate (load => results(out%mean_pressure) + tension)
-            call get_law_friction(values, given, results(out%smooth_fraction), load, pressure, results(out%smooth_friction), &
-               & unused, is_valid)
+            if (.not. ieee_is_nan(results(out%smooth_fraction))) call get_law_friction(values, given, &
+               & results(out%smooth_fraction), load, pressure, results(out%smooth_friction), unused, is_valid)
             call get_law_friction(values, given, results(out%contact_fraction), load, pressure, results(out%friction_stress), &
                & results(out%velocity_slope), is_valid)
          end associate
@@ -118,6 +119,7 @@ contains
       else
          call get_friction_of_area(values(:n_shear_rows), results(out%contact_fraction), results(out%mean_pressure), tension, &
             & results(out%friction_stress), results(out%friction_coefficient))
+         if (ieee_is_nan(results(out%smooth_fraction))) return
          call get_friction_of_area(values(:n_shear_rows), results(out%smooth_fraction), results(out%mean_pressure), tension, &
             & results(out%smooth_friction), unused)
       end if

@@ -265,6 +265,8 @@ contains
       law = self%adhesion_of(values)
       if (allocated(law%attraction)) call problems%add('adhesion', 'law', &
          & 'stands beside a layer, which has that of dugdale alone')
+      if (is_wanted(values(pull_off_index(self)))) call problems%add('output', 'pull_off', &
+         & 'is not found on layers and coatings; rounds that find no state there do not prove that there is none')
    end subroutine check_layer
 
    !> Add to `problems` what is wrong with the friction, of either kind.
@@ -406,6 +408,21 @@ contains
       if (allocated(law%attraction)) gap = law%attraction%gap_of_largest()
    end function contact_gap
 
+   !> Share of the surface in contact that varies smoothly.
+   pure real(dp) function smooth_fraction_of(law, surface, solution) result(fraction)
+      type(adhesion_law_t), intent(in) :: law
+      !> Periods and cells of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solution of the point; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(in) :: solution
+
+      if (contact_gap(law) > 0) then
+         fraction = level_fraction(solution%gap - contact_gap(law), surface%is_quarter)
+      else
+         fraction = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
+      end if
+   end function smooth_fraction_of
+
    !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
       class(elastic_model_t), intent(in) :: self
@@ -428,12 +445,8 @@ contains
          results(out%adhesion_energy) = modulus*solution%adhesion_energy
          if (.not. allocated(law%attraction)) results(out%adhesion_fraction) = adhesion_fraction_of(solution)
          results(out%regime) = regime_of(solution)
-         if (contact_gap(law) > 0) then
-            results(out%smooth_fraction) = level_fraction(solution%gap - contact_gap(law), surface%is_quarter)
-         else
-            results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), &
-               & surface%is_quarter)
-         end if
+         ! the edge of a contact is taken for that on a half-space
+         if (.not. has_layer(layer_values(self, values))) results(out%smooth_fraction) = smooth_fraction_of(law, surface, solution)
          call store_friction(friction_values(self, values), self%given_law, tension_outside(law, solution), &
             & modulus*solution%pressure, results, is_valid)
          if (.not. is_valid) error_estimate = huge(error_estimate)
@@ -523,8 +536,8 @@ contains
       if (has_friction(friction_values(self, values))) text = doubt_coupling(poisson_ratio_of(self, values))
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
-      if (has_layer(layer_values(self, values))) text = text//'a state of adhesion on a layer is a state, but none proves '// &
-         & 'that it is the most or least adhered one'//newline
+      if (has_layer(layer_values(self, values))) text = text//'a state of adhesion on a layer or coating is a state, but '// &
+         & 'nothing proves that it is the most or least adhered one; where a load ends without one, that is not_converged'//newline
       call self%get_cells(values, surface)
       call self%set_solid(values, surface)
       text = text//doubt_zone(law, surface)
@@ -543,7 +556,12 @@ contains
       end associate
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
-      call derive_zone(derived, law, surface, 'length of a short zone of adhesion, pi E* h0/(4 p0)')
+      if (has_layer(layer_values(self, values))) then
+         call derive_zone(derived, law, surface, 'length l of a short zone of adhesion, pi E h0/(4 p0) with E of waves of the '// &
+            & 'wave number 2/l, at most the period')
+      else
+         call derive_zone(derived, law, surface, 'length of a short zone of adhesion, pi E* h0/(4 p0)')
+      end if
    end function derive_solid
 
 end module adfric_periodic_elastic_model

@@ -5,11 +5,15 @@ module adfric_periodic_layer_kernel
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_periodic_kernel, only: kernel_t
-   use adfric_solid_layer_compliance, only: coating_t, factor_of_bonded, factor_of_coating, factor_of_frictionless, &
+   use adfric_solid_layer_compliance, only: coating_t, deep, factor_of_bonded, factor_of_coating, factor_of_frictionless, &
       & mean_factor_of_bonded
    implicit none (type, external)
    private
    public :: layer_kernel_t, compliance_factor
+
+   !> Ratio of lengths between which a zone is sought, and bisections there.
+   real(dp), parameter :: ratio_of_lengths = 1.02_dp
+   integer, parameter :: most_bisections = 60
 
    !> An elastic layer, with pressures in units of its contact modulus E*.
    type, extends(kernel_t) :: layer_kernel_t
@@ -24,6 +28,7 @@ module adfric_periodic_layer_kernel
    contains
       procedure :: get_stiffness
       procedure :: mean_compliance
+      procedure :: zone_length
    end type layer_kernel_t
 
 contains
@@ -60,6 +65,48 @@ contains
       if (self%is_bonded) mean_compliance = self%thickness*mean_factor_of_bonded(self%poisson_ratio)
       if (allocated(self%coating)) mean_compliance = 0
    end function mean_compliance
+
+   !> Length l of a short zone of adhesion. On a half-space it is pi E* h0/(4 p0). Here the modulus is E*/F(2 H/l), that of waves
+   !> with the wave number 2/l, so that l F(2 H/l) is that length. The least l counts.
+   pure real(dp) function zone_length(self, on_half_space, longest) result(length)
+      class(layer_kernel_t), intent(in) :: self
+      !> pi E* h0/(4 p0) with the modulus of the layer, in the unit of its thickness, > 0.
+      real(dp), intent(in) :: on_half_space
+      !> The most that the length can be, that of the period; it is this, too, where no zone is short.
+      real(dp), intent(in) :: longest
+      real(dp) :: shorter
+      integer :: k
+
+      ! up to here the zone does not feel the base
+      shorter = 2*self%thickness/deep
+      length = min(on_half_space, longest)
+      if (length <= shorter) return
+      do
+         length = min(ratio_of_lengths*shorter, longest)
+         if (reaches(length)) exit
+         if (length >= longest) return
+         shorter = length
+      end do
+      do k = 1, most_bisections
+         associate (middle => (shorter + length)/2)
+            if (reaches(middle)) then
+               length = middle
+            else
+               shorter = middle
+            end if
+         end associate
+      end do
+
+   contains
+
+      !> Is a length that of the zone, or longer?
+      pure logical function reaches(l)
+         real(dp), intent(in) :: l
+
+         reaches = l*compliance_factor(self, 2*self%thickness/l) >= on_half_space
+      end function reaches
+
+   end function zone_length
 
    !> F(Q): the compliance over that of a half-space.
    pure real(dp) function compliance_factor(self, q) result(factor)

@@ -7,6 +7,7 @@ module adfric_periodic_layer_rows
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_describe_rows, only: above_zero, choice, poisson_ratio
+   use adfric_describe_scene_rules, only: hidden
    use adfric_describe_table, only: variable_t
    use adfric_periodic_layer_kernel, only: layer_kernel_t
    use adfric_solid_contact_modulus, only: contact_modulus_of, n_one_body, n_two_bodies
@@ -91,13 +92,19 @@ contains
       else if (is_set(values(base)) .and. is_set(values(base_young))) then
          call add(rows(base_young), 'stands beside '//rows(base)%name//', that of a rigid base; give one of them')
       else if (.not. (is_set(values(base)) .or. is_set(values(base_young)))) then
-         call add(rows(base), 'is missing, allowed: frictionless, bonded; or give '//rows(base_young)%name//' of a coating')
+         ! in a scene on a layer the modulus below a coating has no name
+         if (rows(base_young)%name == hidden) then
+            call add(rows(base), 'is missing, allowed: frictionless, bonded; a coating has extent = ''coating''')
+         else
+            call add(rows(base), 'is missing, allowed: frictionless, bonded; or give '//rows(base_young)%name//' of a coating')
+         end if
       end if
       ! the rows of the second body are the last ones
       k = findloc(is_set(moduli(n_one_body + 1:n_two_bodies)), .true., 1)
       if (k > 0) call add(modulus_rows(n_one_body + k), 'has no meaning beside a layer; the other body is rigid')
       if (needs_ratio_of_layer(values) .and. .not. is_set(moduli(ratio_of_layer))) then
-         call add(modulus_rows(ratio_of_layer), 'is missing [-]; a bonded layer needs it')
+         call add(modulus_rows(ratio_of_layer), 'is missing [-]; a '// &
+            & trim(merge('coating     ', 'bonded layer', is_set(values(base_young))))//' needs it')
       else if (is_set(values(base_young)) .and. is_set(values(base_poisson)) .and. problems%count() == 0) then
          associate (ratio => shear_ratio_of(values, moduli))
             if (.not. (ratio >= 1/most_unequal .and. ratio <= most_unequal)) call add(rows(base_young), &

@@ -18,12 +18,13 @@ module adfric_periodic_point
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
+   use adfric_periodic_layer_kernel, only: layer_kernel_t
    use adfric_periodic_near_contact, only: solve_near_contact
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_pull_off_table, only: get_pull_off
    use adfric_periodic_slip, only: periodic_slip_t, solve_slip
-   use adfric_periodic_solver, only: branches_agree, branches_differ, branches_unknown, contact_out_of_range, contact_solved, &
-      & periodic_solver_t, periodic_solution_t, new_periodic_solver
+   use adfric_periodic_solver, only: branches_agree, branches_differ, branches_unknown, contact_not_converged, &
+      & contact_out_of_range, contact_solved, periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
    public :: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
@@ -318,12 +319,36 @@ contains
 
       if (goal%is_pressure) then
          call solve_adhesive_load(solver, shape, value, adhesion, goal%tolerance, solution, error)
+         if (allocated(error)) return
+         ! rounds that find no state are a proof where states have an order
+         if (solution%status == contact_out_of_range .and. lacks_order(solver) .and. value >= -largest_tension_of(adhesion)) &
+            & solution%status = contact_not_converged
       else if (solver%grids(size(solver%grids))%operator%mean_compliance > 0) then
          call solve_adhesive_layer(solver, shape, value, adhesion, goal%tolerance, solution, error)
       else
          call solve_adhesive_penetration(solver, shape, value, adhesion, goal%tolerance, solution, error)
       end if
    end subroutine solve_branch
+
+   !> Is the solid an elastic layer or coating, on which adhesive states have no order that is proved (docs/theory/layers.md)?
+   pure logical function lacks_order(solver)
+      type(periodic_solver_t), intent(in) :: solver
+
+      select type (kernel => solver%kernel)
+      type is (layer_kernel_t)
+         lacks_order = .true.
+      class default
+         lacks_order = .false.
+      end select
+   end function lacks_order
+
+   !> Mean tension that no state exceeds, whatever the solid [E*]: all cells within the range, and none pressed.
+   pure real(dp) function largest_tension_of(adhesion) result(tension)
+      type(periodic_adhesion_t), intent(in) :: adhesion
+
+      tension = adhesion%stress
+      if (allocated(adhesion%part)) tension = tension*(sum(adhesion%part)/size(adhesion%part))
+   end function largest_tension_of
 
    !> Does the other branch have another state? It has the same where no cell's share differs; one of `branches_...`.
    pure integer function compare(solution, other) result(branches)

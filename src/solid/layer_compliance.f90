@@ -25,9 +25,9 @@ module adfric_solid_layer_compliance
    implicit none (type, external)
    private
    public :: coating_t, new_coating, factor_of_frictionless, factor_of_bonded, factor_of_coating
-   public :: mean_factor_of_bonded
+   public :: mean_factor_of_bonded, deep
 
-   !> Above this the layer is a half-space to round-off.
+   !> Wave number times thickness above which the layer is a half-space to round-off.
    real(dp), parameter :: deep = 22.0_dp
 
    !> A coating, bonded to a half-space.

@@ -741,17 +741,20 @@ class Scenes(Runs):
         self.assertIn("thickness = ", layer)
         without = re.sub(r"thickness = [0-9.e-]+,?", "", layer)
         for scene, message in (
-                (rubber.replace("&solid ", "&solid thickness = 1e-5, "), "&solid thickness: belongs to a layer or to columns, and a half-space has none"),
+                (rubber.replace("&solid ", "&solid thickness = 1e-5, "), "&solid thickness: belongs to a layer, a coating or columns, and a half-space has none; give extent = 'layer', extent = 'coating' or"),
                 (rubber.replace("&solid ", "&solid extent = 'half_space', thickness = 1e-5, "), "&solid thickness: belongs to a layer"),
                 (without, "&solid thickness: is missing [m]; a layer needs it"),
                 (rubber.replace("&solid ", "&solid base = 'bonded', "), "&solid base: belongs to a layer; give extent = 'layer'"),
-                (scene_of("wave_1d", 17).replace(", base = 'bonded'", ""), "&solid base: is missing, allowed: frictionless, bonded"),
+                (scene_of("wave_1d", 17).replace(", base = 'bonded'", ""), "&solid base: is missing, allowed: frictionless, bonded; a coating has extent = 'coating'"),
                 (scene_of("wave_1d", 17).replace("poisson_ratio = 0.5, ", "").replace("young", "contact"), "&solid poisson_ratio: is missing [-]; a bonded layer needs it"),
                 (scene_of("wave_1d", 17).replace("&solid ", "&solid base_young_modulus = 1e9, "), "&solid base_young_modulus: belongs to a coating; give extent = 'coating'"),
                 (scene_of("wave_1d", 17).replace("'bonded'", "'elastic'"), "&solid base: "),
                 (scene_of("wave_1d", 17).replace("&solid ", "&solid second_young_modulus = 1e9, second_poisson_ratio = 0.3, "), "&solid second_young_modulus: has no meaning beside a layer"),
                 (scene_of("wave_1d", 18).replace("&adhesion ", "&adhesion law = 'exponential', "), "&adhesion law: stands beside a layer, which has that of dugdale alone"),
                 (scene_of("wave_1d", 19).replace("base_young_modulus = 1e9, ", ""), "&solid base_young_modulus: is missing [Pa]; a coating needs it and base_poisson_ratio"),
+                (scene_of("wave_1d", 19).replace(" poisson_ratio = 0.5,", "").replace("&solid young", "&solid contact"), "&solid poisson_ratio: is missing [-]; a coating needs it"),
+                (scene_of("wave_1d", 18) + "&output pull_off = .true. /\n", "&output pull_off: is not found on layers and coatings"),
+                (scene_of("profile", 20) + "&output pull_off = .true. /\n", "&output pull_off: is not found on layers and coatings"),
                 (scene_of("wave_1d", 19).replace(", base_poisson_ratio = 0.3", ""), "&solid base_poisson_ratio: is missing"),
                 (scene_of("wave_1d", 19).replace("&solid ", "&solid base = 'bonded', "), "&solid base: belongs to a layer"),
                 (re.sub("thickness = [0-9.e-]+, ", "", scene_of("wave_1d", 19)), "&solid thickness: is missing [m]; a coating needs it"),
