@@ -18,7 +18,7 @@ module adfric_describe_scene_rules
    !> Stands in a rule for the name of what has no meaning in a scene.
    character(*), parameter :: hidden = '-'
    !> Solvers that several rules have in common.
-   character(*), parameter :: on_cells = 'wave_1d_elastic,wave_2d_elastic,surface_elastic'
+   character(*), parameter :: on_cells = 'wave_1d_elastic,wave_2d_elastic,surface_elastic,spectrum_elastic'
    character(*), parameter :: in_elastic = 'hertz,wave_1d', two_solids = 'hertz,wave_1d,rough_theories', &
       & slips = 'hertz,indenter,wave_1d,'//on_cells, with_depth = 'rigid_punch,line_load,strip_load', &
       & periodic = 'wave_1d,'//on_cells, round = 'sphere,indenter', &
