@@ -448,12 +448,9 @@ contains
 
       call self%get_cells(values, surface)
       call self%get_shape(values, surface%shape)
-      if (.not. allocated(surface%shape)) then
-         allocate (derived(0))
-         return
-      end if
       call self%set_solid(values, surface)
       derived = self%derive_solid(values, surface)
+      if (.not. allocated(surface%shape)) return
       on_cells = not_a_number()
       if (.not. self%knows_full_pressure) on_cells = find_full_pressure(surface)
       pressure = self%get_full_pressure(values, surface%solid, on_cells)

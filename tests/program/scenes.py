@@ -78,6 +78,8 @@ def scene_of(surface, kind):
             13: RELAXING.format(more="") + f"&history times = 0.0, 1.0, 3.0, {path} /\n",
             14: RELAXING.format(more="") + ADHESION.replace("1e6", "1e5") + "&history times = 0.0, 1.0, 3.0, approaches = 0.0, 1e-6, 0.0 /\n"}[kind]
     cells = "&numerics cells = 64 /\n" if surface == "wave_2d" or surface in PERIODIC and kind in (8, 12) and surface not in ("profile", "heights", "spectrum") else ""
+    if surface == "spectrum" and kind not in (1, 2, 7):
+        return f"&job output = 'run.h5' /\n&surface kind = 'spectrum', length_x = 1e-5, seed = 1 /\n{SPECTRUM}{rest}&numerics cells = 64 /\n"
     if surface == "spectrum":
         rest = SPECTRUM + (rest.replace(f"&operating {load} /\n", "") if "&adhesion" in rest else rest)
     return f"&job output = 'run.h5' /\n&surface kind = '{surface}'{', ' if SURFACES[surface] else ''}{SURFACES[surface]} /\n{rest}{cells}"
@@ -131,11 +133,11 @@ class Scenes(Runs):
                          r"half-space with adhesion, pressed \(line \d\)\n$")
 
     def test_spectrum_beside_what_it_has_not(self):
-        """A law of attraction leads from a spectrum to heights, and a pressure beside adhesion is refused at any size."""
+        """A law of attraction leads from theories to a surface that is drawn, and a pressure beside adhesion is refused at any size."""
         text = scene_of("spectrum", 2)
         self.write(text.replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
         _, errors = self.run_program("run", "run.nml", status=2)
-        self.assertRegex(errors, r"&adhesion law: .*; the nearest scene that has it is heights on an elastic half-space with adhesion")
+        self.assertIn("&surface seed: is missing [-]; cells have a surface that a seed draws from the spectrum", errors)
         for pressure in "0.0", "1e5":
             self.write(f"{text}\n&operating mean_pressure = {pressure} /\n")
             _, errors = self.run_program("run", "run.nml", status=2)

@@ -65,6 +65,7 @@ contains
       call draw_data(model, dice, sizes%logarithm, data, is_drawn)
       if (.not. is_drawn) return
       call draw_values(model, dice, sizes, values)
+      if (model%name == 'spectrum_elastic') call draw_waves(model, dice, values)
       call mend_values(model, dice, sizes, values, is_drawn)
       if (is_drawn) call draw_neighbours(model, dice, sizes, values, drawn, is_drawn)
       call move_alloc(data, drawn%data)
@@ -118,6 +119,27 @@ contains
          if (is_given) call draw_value(model, dice, sizes, values, k)
       end do
    end subroutine draw_values
+
+   !> Waves of a spectrum that the cells of a period have, in most cases.
+   subroutine draw_waves(model, dice, values)
+      class(model_t), intent(in) :: model
+      type(dice_t), intent(inout) :: dice
+      real(dp), intent(inout) :: values(:)
+      real(dp) :: octaves
+      integer :: period, k
+      character(*), parameter :: names(3) = [character(19) :: 'longest_wavelength', 'rolloff_wavelength', 'shortest_wavelength']
+
+      period = model%index_of('surface', 'length_x')
+      if (.not. is_set(values(period))) return
+      if (.not. (values(period) > 1.0e-60_dp .and. values(period) < 1.0e60_dp)) return
+      octaves = 0
+      do k = 1, size(names)
+         associate (wave => values(model%index_of('power_spectrum', trim(names(k)))))
+            if (is_set(wave)) wave = values(period)*2**(-octaves)
+         end associate
+         call dice%between(octaves, octaves + 2, octaves)
+      end do
+   end subroutine draw_waves
 
    !> Draw one value.
    subroutine draw_value(model, dice, sizes, values, k)
