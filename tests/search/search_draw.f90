@@ -125,7 +125,7 @@ contains
       class(model_t), intent(in) :: model
       type(dice_t), intent(inout) :: dice
       real(dp), intent(inout) :: values(:)
-      real(dp) :: octaves
+      real(dp) :: octaves, step
       integer :: period, k
       character(*), parameter :: names(3) = [character(19) :: 'longest_wavelength', 'rolloff_wavelength', 'shortest_wavelength']
 
@@ -137,7 +137,8 @@ contains
          associate (wave => values(model%index_of('power_spectrum', trim(names(k)))))
             if (is_set(wave)) wave = values(period)*2**(-octaves)
          end associate
-         call dice%between(octaves, octaves + 2, octaves)
+         call dice%between(0.0_dp, 2.0_dp, step)
+         octaves = octaves + step
       end do
    end subroutine draw_waves
 
