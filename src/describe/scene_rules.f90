@@ -287,8 +287,8 @@ module adfric_describe_scene_rules
    character(*), parameter :: meanings(*) = [character(122) :: &
       & 'surface%radius radius of the body, or of curvature at its tip', &
       & 'surface%amplitude amplitude of each wave: half its height from valley to crest', &
-      & 'surface%length_x length of the heights along x: samples times spacing', &
-      & 'surface%length_y length of the heights along y: rows times spacing', &
+      & 'surface%length_x period along x; length of the heights: samples times spacing', &
+      & 'surface%length_y period along y; length of the heights: rows times spacing', &
       & 'surface%slope slope of a cone or wedge', &
       & 'operating%velocity sliding velocity along direction, or +x; below 0 the body slides the other way', &
       & 'operating%direction angle from +x, or the major axis, to the sliding or the force', &
