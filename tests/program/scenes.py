@@ -143,6 +143,21 @@ class Scenes(Runs):
             _, errors = self.run_program("run", "run.nml", status=2)
             self.assertIn("mean_pressure: stands beside adhesion, whose theories give pull-off alone", errors)
 
+    def test_seeds(self):
+        """A seed is one surface for any number of threads, in any order, and among other seeds."""
+        text = scene_of("spectrum", 17).replace(", seed = 1", "").replace("extent = 'layer', thickness = 1e-4, base = 'bonded'", "extent = 'half_space'")
+        found = []
+        for seeds, threads in (("1, 2, 3, 4, 5, 6", 1), ("1, 2, 3, 4, 5, 6", 2), ("6, 5, 4, 3, 2, 1", 2), ("2, 6", 1)):
+            self.write(text + f"&sweep variable = 'seed', values = {seeds} /\n&sweep variable = 'mean_pressure', values = 2e4, 5e4 /\n".replace("5e4 /", "6e4 /"))
+            self.write(re.sub(r"&operating mean_pressure = \S+ /\n", "", (self.folder/"run.nml").read_text()))
+            self.run_program("run", "--quiet", "--force", "run.nml", threads=threads)
+            found.append(results_of(self.folder/"run.h5")[0])
+        for name, expected in found[0].items():
+            np.testing.assert_array_equal(found[1][name], expected, name)
+            np.testing.assert_array_equal(found[2][name][::-1], expected, name)
+            np.testing.assert_array_equal(found[3][name], expected[[1, 5]], name)
+        self.assertGreater(np.ptp(found[0]["contact_fraction"][:, 0]), 1e-3)
+
     def test_said_once(self):
         """What both the scene and its solver read is wrong once."""
         self.write(scene_of("paraboloid", 2).replace("&job", "&job units = 'reduced' x,"))
