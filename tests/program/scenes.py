@@ -145,11 +145,10 @@ class Scenes(Runs):
 
     def test_seeds(self):
         """A seed is one surface for any number of threads, in any order, and among other seeds."""
-        text = scene_of("spectrum", 17).replace(", seed = 1", "").replace("extent = 'layer', thickness = 1e-4, base = 'bonded'", "extent = 'half_space'")
+        text = f"&job output = 'run.h5' /\n&surface kind = 'spectrum', length_x = 1e-5 /\n{SPECTRUM}{ELASTIC}&numerics cells = 64 /\n"
         found = []
         for seeds, threads in (("1, 2, 3, 4, 5, 6", 1), ("1, 2, 3, 4, 5, 6", 2), ("6, 5, 4, 3, 2, 1", 2), ("2, 6", 1)):
-            self.write(text + f"&sweep variable = 'seed', values = {seeds} /\n&sweep variable = 'mean_pressure', values = 2e4, 5e4 /\n".replace("5e4 /", "6e4 /"))
-            self.write(re.sub(r"&operating mean_pressure = \S+ /\n", "", (self.folder/"run.nml").read_text()))
+            self.write(text + f"&sweep variable = 'seed', values = {seeds} /\n&sweep variable = 'mean_pressure', values = 2e4, 6e4 /\n")
             self.run_program("run", "--quiet", "--force", "run.nml", threads=threads)
             found.append(results_of(self.folder/"run.h5")[0])
         for name, expected in found[0].items():
