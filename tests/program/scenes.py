@@ -135,7 +135,8 @@ class Scenes(Runs):
     def test_spectrum_beside_what_it_has_not(self):
         """A law of attraction leads from theories to a surface that is drawn, and a pressure beside adhesion is refused at any size."""
         text = scene_of("spectrum", 2)
-        self.write(text.replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
+        self.write(text.replace("work_of_adhesion", "law = 'exponential', work_of_adhesion").replace("'spectrum' /", "'spectrum', length_x = 1e-5 /")
+                   + "&operating mean_pressure = 5e4 /\n")
         _, errors = self.run_program("run", "run.nml", status=2)
         self.assertIn("&surface seed: is missing [-]; cells have a surface that a seed draws from the spectrum", errors)
         for pressure in "0.0", "1e5":
