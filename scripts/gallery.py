@@ -99,6 +99,7 @@ AREAS = {
         one("wave_1d_adhesive_sliding", options="--x velocity --y friction_stress friction_stress_without_adhesion pull_off_pressure"),
         one("cylinder_adhesive_sliding", options="--x velocity --y friction_force friction_force_without_adhesion pull_off_load"),
         one("wave_2d_sliding_adhesion", options="--y friction_stress friction_stress_without_adhesion contact_fraction"),
+        one("wave_1d_sliding_laws", options="--y friction_stress contact_fraction"),
         one("rubber_all_parts"),
         one("wave_1d_coupling", options="--y friction_coefficient hysteretic_friction_stress contact_shift"),
         one("ball_flash_temperature", options="--y friction_force contact_temperature"), one("rubber_flash_temperature")),
@@ -111,6 +112,7 @@ AREAS = {
     "Waves and rough surfaces: adhesion": (
         one("surface_adhesion_maps"), one("surface_work_map"), one("surface_stickiness"), one("surface_opening", options="--y pull_off_pressure contact_fraction"),
         one("surface_adhesion_friction"),
+        one("free_tip_adhesion", "free_tip_adhesion_approach", options="--x approach --y load contact_area"),
         one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
         one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"), one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
         one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),

@@ -18,21 +18,22 @@ module adfric_command_help_scenes
    public :: describe_scenes, describe_scene_list, describe_scene_name, list_scene_names
 
    !> Columns of the table: solid, interface, operation, and what they are.
-   integer, parameter :: n_columns = 20
+   integer, parameter :: n_columns = 21
    character(*), parameter :: columns(3, n_columns) = reshape([character(word_length) :: &
       & 'half_space', 'none', 'press', 'half_space', 'adhesion', 'press', 'half_space', 'shear', 'slide', 'half_space', &
       & 'adhesion+shear', 'slide', 'half_space', 'coulomb', 'tangential', 'half_space', 'coulomb', 'path', 'half_space', &
-      & 'adhesion', 'path', 'free_half_space', 'none', 'press', 'layer', 'none', 'press', 'layer', 'adhesion', 'press', &
-      & 'coating', 'none', 'press', 'coating', 'adhesion', 'press', 'relaxing', 'none', 'path', 'relaxing', 'adhesion', 'path', &
-      & 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', 'layer', 'none', 'slide', 'layer', 'adhesion', 'slide', &
-      & 'foundation', 'none', 'slide', 'foundation', 'adhesion', 'slide'], [3, n_columns])
+      & 'adhesion', 'path', 'free_half_space', 'none', 'press', 'free_half_space', 'adhesion', 'press', 'layer', 'none', 'press', &
+      & 'layer', 'adhesion', 'press', 'coating', 'none', 'press', 'coating', 'adhesion', 'press', 'relaxing', 'none', 'path', &
+      & 'relaxing', 'adhesion', 'path', 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', 'layer', 'none', 'slide', &
+      & 'layer', 'adhesion', 'slide', 'foundation', 'none', 'slide', 'foundation', 'adhesion', 'slide'], [3, n_columns])
    character(*), parameter :: heads(n_columns) = [character(72) :: &
       & 'elastic half-space, pressed', 'elastic half-space, pressed, with adhesion', &
       & 'elastic half-space, sliding with a shear strength', 'elastic half-space, sliding with adhesion and a shear strength', &
       & 'elastic half-space, tangential force below mu P (Coulomb)', 'elastic half-space, path of loads and tangential forces', &
       & 'elastic half-space, path of loads, approaches or a spring with adhesion', &
-      & 'elastic half-space with free boundaries, pressed', 'elastic layer, pressed', 'elastic layer, pressed, with adhesion', &
-      & 'elastic coating, pressed', 'elastic coating, pressed, with adhesion', 'viscoelastic half-space, history in time', &
+      & 'elastic half-space with free boundaries, pressed', 'elastic half-space with free boundaries, pressed, with adhesion', &
+      & 'elastic layer, pressed', 'elastic layer, pressed, with adhesion', 'elastic coating, pressed', &
+      & 'elastic coating, pressed, with adhesion', 'viscoelastic half-space, history in time', &
       & 'viscoelastic half-space, history in time with adhesion', 'viscoelastic half-space, sliding', &
       & 'viscoelastic half-space, sliding with adhesion', 'viscoelastic layer, sliding', &
       & 'viscoelastic layer, sliding with adhesion', 'viscoelastic foundation (columns), sliding', &
@@ -53,10 +54,9 @@ contains
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
 
-      text = 'A scene is a surface on a solid, with an interface, in some operation.'//newline// &
-         'An input that names no model describes one:'//newline//newline// &
-         '  &surface kind = ''paraboloid'', radius = 140e-9 /'//newline// &
-         '  &solid contact_modulus = 44e9 /'//newline// &
+      text = 'A scene is a surface on a solid, with an interface, in some operation.'//newline &
+         //'An input that names no model describes one:'//newline//newline// &
+         '  &surface kind = ''paraboloid'', radius = 140e-9 /'//newline//'  &solid contact_modulus = 44e9 /'//newline// &
          '  &adhesion work_of_adhesion = 0.19, lambda = 0.8 /'//newline// &
          '  &friction shear_strength = 0.96e9 /'//newline// &
          '  &operating load = 1e-7, state = ''sliding'' /'//newline//newline// &
@@ -64,8 +64,8 @@ contains
          'e: exact (closed forms, roots, integrals), n: numerical (cells), t: a statistical theory, -: no solver yet.'//newline &
          //newline//describe_table()//newline &
          //'Given loads: &traction kind = ''line'', ''strip'' or ''point'' in place of &surface.'//newline//newline &
-         //'Variables'//newline//describe_groups(models)//newline//'Results, where they have a meaning'//newline// &
-         describe_results(models, '')
+         //'Variables'//newline//describe_groups(models)//newline &
+         //'Results, where they have a meaning'//newline//describe_results(models, '')
    end function describe_scenes
 
    !> What scenes have of a list; empty where its page needs nothing of them.

@@ -63,6 +63,7 @@ module adfric_describe_scene_facts
       & 'driven operating%base_displacement friction%law', &
       & 'pull_off output%pull_off', &
       & 'compared output%compare_branches', &
+      & 'tilts operating%tilt', &
       & 'peels friction%interaction friction%law', &
       & 'face surface%face_half_width', &
       & 'spring operating%lateral_stiffness', &

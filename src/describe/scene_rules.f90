@@ -62,6 +62,7 @@ module adfric_describe_scene_rules
       & '* adhesion%range adhesion%adhesion_range', &
       & '* adhesion%branch operating%branch', &
       & '* adhesion%turning_pressure operating%turning_pressure', &
+      & '* adhesion%turning_load operating%turning_load', &
       & 'sphere sphere%poisson_ratio - !young', &
       & 'sphere friction%poisson_ratio - young', &
       & 'sphere friction%poisson_ratio,output%events - !shear', &
@@ -227,6 +228,9 @@ module adfric_describe_scene_rules
       & 'wave_1d adhesion_energy,pull_off_penetration,jump_off_penetration,hysteresis_loss - relaxing', &
       & periodic//' adhesion_energy,adhesion_fraction,pull_off_pressure - !adhesion', &
       & on_cells//',surface_sliding pull_off_pressure - !pull_off', &
+      & 'free_surface adhesion_area,adhesion_energy,pull_off_load,cells_per_zone - !adhesion', &
+      & 'free_surface pull_off_load - !pull_off', &
+      & 'free_surface tilt_x,tilt_y - !tilts', &
       & 'wave_1d saturation_fold_pressure,end_of_saturation_pressure,branches_differ,order_margin,zone_leading - !relaxing', &
       & 'wave_1d end_of_saturation_pressure,zone_leading,zone_trailing,friction_stress_without_adhesion - !adhesion', &
       & 'wave_1d,surface_sliding branches_differ - !adhesion', &

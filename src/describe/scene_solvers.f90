@@ -59,7 +59,7 @@ module adfric_describe_scene_solvers
       & 'profile,heights half_space none,adhesion press surface_elastic numerical', &
       & 'profile,heights half_space shear,adhesion+shear press,slide surface_elastic numerical', &
       & 'profile,heights half_space coulomb press,tangential surface_elastic numerical', &
-      & 'heights free_half_space none press free_surface numerical', &
+      & 'heights free_half_space none,adhesion press free_surface numerical', &
       & 'wave_1d,wave_2d,profile,heights relaxing none path surface_time numerical', &
       & 'wave_1d layer,coating none,adhesion,shear,adhesion+shear press wave_1d_elastic numerical', &
       & 'wave_2d layer,coating none,adhesion,shear,adhesion+shear press wave_2d_elastic numerical', &

@@ -149,7 +149,7 @@ contains
          if (is_set(values(surface_energy))) call add(stress, 'is missing [Pa]; '//rows(surface_energy)%name//' needs it')
          if (is_set(values(range))) call add(stress, 'is missing [Pa]; '//rows(range)%name//' needs it')
       else if (is_set(values(surface_energy)) .and. is_set(values(range))) then
-         call add(surface_energy, 'stands beside '//rows(range)%name//'; give one of them, their ratio is the stress')
+         call add(surface_energy, 'stands beside '//rows(range)%name//'; beside '//rows(stress)%name//' one of them is enough')
       else if (.not. is_set(values(surface_energy)) .and. .not. is_set(values(range))) then
          if (values(stress) > 0) call add(surface_energy, 'is missing [J/m^2]; '//rows(stress)%name//' needs it, or '// &
             & rows(range)%name)

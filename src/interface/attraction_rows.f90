@@ -242,6 +242,8 @@ contains
          adhesion(stress:range) = [1.0_dp, 1.0_dp, unset]
       else if (is_set(values(table))) then
          call add(table, 'has no meaning without law = ''table''')
+      else if (law_of(values) /= law_dugdale .and. .not. any(is_set(values(stress:range)))) then
+         call add(law, 'needs two of '//rows(energy)%name//', '//rows(stress)%name//' and '//rows(range)%name)
       end if
       call check_adhesion(rows(:n_adhesion_rows), adhesion, problems)
       if (is_set(values(opening)) .and. problems%count() == n_before) call check_opening(rows, values, given, problems)

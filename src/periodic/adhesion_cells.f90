@@ -14,8 +14,8 @@ module adfric_periodic_adhesion_cells
       & regime_saturated_adhesion
    implicit none (type, external)
    private
-   public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, error_of_edge, least_cells
-   public :: regime_of
+   public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, error_of_edge, few_cells
+   public :: least_cells, regime_of, tension_outside
 
    !> Cells per zone below which there is a doubt, and below which edges of adhesion are those of the cells.
    real(dp), parameter :: few_cells = 4, least_cells = 0.5_dp
@@ -50,6 +50,23 @@ contains
       if (.not. allocated(solution%share)) return
       fraction = max(sum(solution%share)/real(size(solution%gap), dp) - solution%area%corrected, 0.0_dp)
    end function adhesion_fraction_of
+
+   !> Tension of adhesion outside contact, over nominal area [Pa].
+   pure real(dp) function tension_outside(law, solution) result(tension)
+      type(adhesion_law_t), intent(in) :: law
+      type(periodic_solution_t), intent(in) :: solution
+
+      tension = 0
+      if (allocated(law%attraction)) then
+         ! in full contact nothing is outside
+         if (.not. allocated(solution%share)) return
+         tension = law%stress*(sum(solution%share, mask=solution%gap > 0)/size(solution%gap))
+      else if (allocated(solution%weighted_share)) then
+         tension = maxval(law%part)*law%stress*(sum(solution%weighted_share, mask=solution%gap > 0)/size(solution%gap))
+      else
+         tension = law%stress*adhesion_fraction_of(solution)
+      end if
+   end function tension_outside
 
    !> Length of a short zone of adhesion [m].
    pure real(dp) function zone_length(law, modulus) result(length)

@@ -5,7 +5,8 @@
 !>
 !> - On a path without a jump dE = q d delta, E the energy of solid and adhesion, q the load, delta the penetration. A step whose energy is
 !>   not that by the trapezium has passed something, or is too long, and is halved.
-!> - A body that slides over a viscoelastic solid has no such energy. Its steps move no edge of adhesion by more than half a cell.
+!> - A body that slides over a viscoelastic solid has no such energy. Its steps move no edge of adhesion by more than half a cell, and change
+!>   no tension of another law by more than a tenth of the largest.
 !> - Where the smallest step fails, the state is lost. Shares are prescribed then and found anew in turns, to a state. At rest each
 !>   turn lowers the energy; sliding turns need not end, and those that do not are no answer. Near the state Newton's method ends that.
 !> - Surfaces without a cell in range are free; they stay so when they part.
@@ -25,6 +26,8 @@ module adfric_periodic_adhesive_path
    real(dp), parameter :: loss_of_step = 0.02_dp
    !> Largest change of the share of a cell in a step of a surface that slides.
    real(dp), parameter :: most_change = 0.5_dp
+   !> The same of a law that falls slowly.
+   real(dp), parameter :: most_change_of_law = 0.1_dp
    !> Largest change of a share that ends the turns.
    real(dp), parameter :: resting_share = 1.0e-7_dp
    !> Newton's state is the one that turns go to where it is not farther than so many times what their shrinking changes add up to.
@@ -80,7 +83,7 @@ contains
       class(dugdale_path_t), intent(inout) :: self
       type(contact_state_t), intent(in) :: state, next
 
-      if (self%operator%is_symmetric) then
+      if (self%operator%is_symmetric .and. .not. allocated(state%cohesion%law)) then
          is_step = is_smooth(state, next)
       else
          is_step = is_near(state, next)
@@ -98,11 +101,12 @@ contains
       is_smooth = abs(loss) <= loss_of_step*carried*abs(change)
    end function is_smooth
 
-   !> Is no cell's share changed by more than half? Two states that are so near are one on these cells.
+   !> Is no cell's share changed by much? Two states that are so near are one on these cells.
    logical function is_near(state, next)
       type(contact_state_t), intent(in) :: state, next
 
-      is_near = maxval(abs(next%cohesion%share - state%cohesion%share)) <= most_change
+      is_near = maxval(abs(next%cohesion%share - state%cohesion%share)) &
+         & <= merge(most_change_of_law, most_change, allocated(state%cohesion%law))
    end function is_near
 
    !> Energy of solid and adhesion per area [E* times the unit of the gap].

@@ -76,7 +76,7 @@ contains
       if (allocated(error)) return
       call choose_side(self, shape, tolerance, branch, window, solution, error)
       if (allocated(error)) return
-      if (.not. window%is_adhered .and. penetration <= minval(shape) - adhesion%range) then
+      if (.not. window%is_adhered .and. penetration <= minval(shape) - adhesion%far_range()) then
          call start_apart(self, shape, branch, window)
       else
          call open_window(self, shape, branch, tolerance, window, solution, error)
@@ -188,10 +188,11 @@ contains
       window%state = contact_state_t()
       associate (state => window%state)
          allocate (state%cohesion)
-         call new_cohesion(state%cohesion, branch%stress, branch%first_range(), self%grids(size(self%grids))%operator%is_quarter)
+         call new_cohesion(state%cohesion, branch%stress, branch%first_range(), self%grids(size(self%grids))%operator%is_quarter, &
+            & branch%law)
          if (allocated(branch%part)) state%cohesion%part = branch%part
          state%shape = shape
-         state%gap = shape - minval(shape) + state%cohesion%range*(1 + epsilon(1.0_dp))
+         state%gap = shape - minval(shape) + state%cohesion%far_range()*(1 + epsilon(1.0_dp))
          state%pressure = 0*shape
          allocate (state%is_open(size(shape, 1), size(shape, 2)), source=.true.)
          call state%cohesion%set_share(state%gap)
@@ -340,7 +341,7 @@ contains
       coarse%mean_pressure = fine%mean_pressure
       coarse%has_fixed_mean = .true.
       allocate (coarse%cohesion)
-      call new_cohesion(coarse%cohesion, fine%cohesion%stress, fine%cohesion%range, is_quarter)
+      call new_cohesion(coarse%cohesion, fine%cohesion%stress, fine%cohesion%range, is_quarter, fine%cohesion%law)
       if (allocated(fine%cohesion%part)) coarse%cohesion%part = coarsen(fine%cohesion%part)
       if (allocated(fine%cohesion%beyond)) coarse%cohesion%beyond = coarsen(fine%cohesion%beyond)
       call coarse%cohesion%set_share(coarse%gap)

@@ -21,7 +21,7 @@ module adfric_periodic_adhesive_proof
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: find_path, is_alone
+   public :: find_path, is_alone, solve_open
 
    !> Pressure that the system of the path leaves, over the tension, and steps of a system, at most.
    real(dp), parameter :: path_tolerance = 0.05_dp

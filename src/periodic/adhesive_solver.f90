@@ -8,12 +8,15 @@
 !> Where the body slides `adfric_periodic_sliding_rounds` finds the state, and on the finest grid, if these do not settle,
 !> `adfric_periodic_sliding_steps`. On the finest grid the zones of the next coarser one, wider or narrower by a cell, are the bound then,
 !> where that has contact. So the load of a jump is known as well as a grid of half the cells knows it.
+!>
+!> The file is long by what loads, layers and turns share.
 module adfric_periodic_adhesive_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_adhered
+   use adfric_interface_attraction, only: attraction_t
    use adfric_periodic_adhesive_contact, only: solve_adhesive_contact, widen_share
-   use adfric_periodic_cohesion, only: cohesion_t, new_cohesion
+   use adfric_periodic_cohesion, only: cohesion_t, far_share, new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_grids, only: coarsen
    use adfric_periodic_sliding_steps, only: solve_by_steps
@@ -39,8 +42,12 @@ module adfric_periodic_adhesive_solver
       real(dp) :: opening = 1
       !> Work of adhesion of each cell over the largest one, which is stress times range; not allocated: 1. Shape of the cells.
       real(dp), allocatable :: part(:, :)
+      !> Another law of attraction than Dugdale's, with a wall: its stress in E*, its range in the unit of the gap. Then `stress` and `range`
+      !> are those of Dugdale's law of the same stress and work. Not allocated: Dugdale's. For bodies that slide.
+      type(attraction_t), allocatable :: law
    contains
       procedure :: first_range
+      procedure :: far_range
    end type periodic_adhesion_t
 
 contains
@@ -52,6 +59,14 @@ contains
       range = self%range
       if (self%is_adhered .and. .not. self%has_turned) range = self%opening*range
    end function first_range
+
+   !> Gap from which on surfaces count as apart before a turn.
+   pure real(dp) function far_range(self) result(range)
+      class(periodic_adhesion_t), intent(in) :: self
+
+      range = self%range
+      if (allocated(self%law)) range = self%law%reach(far_share)
+   end function far_range
 
    !> An adhesion with stresses in the unit of the contact.
    pure type(periodic_adhesion_t) function adhesion_in_units(law, modulus) result(adhesion)
@@ -66,6 +81,7 @@ contains
       adhesion%has_turned = allocated(law%turning_pressure)
       if (allocated(law%turning_pressure)) adhesion%turning_pressure = law%turning_pressure/modulus
       adhesion%opening = law%opening
+      if (allocated(law%attraction)) allocate (adhesion%law, source=law%attraction%in_units(modulus, 1.0_dp))
       if (.not. allocated(law%part)) return
       adhesion%stress = maxval(law%part)*adhesion%stress
       adhesion%part = law%part/maxval(law%part)
@@ -203,7 +219,7 @@ contains
       type(contact_state_t), allocatable :: states(:)
 
       if (present(beside)) then
-         if (self%grids(size(self%grids))%operator%is_symmetric) then
+         if (self%grids(size(self%grids))%operator%is_symmetric .and. .not. allocated(adhesion%law)) then
             call solve_beside(self, mean_pressure, adhesion, tolerance, beside, state, solution)
             return
          end if
@@ -300,7 +316,8 @@ contains
       do k = n, 1, -1
          if (k < n) allocate (states(k)%shape, source=coarsen(states(k + 1)%shape))
          allocate (states(k)%cohesion)
-         call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%first_range(), self%grids(k)%operator%is_quarter)
+         call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%first_range(), self%grids(k)%operator%is_quarter, &
+            & adhesion%law)
          if (allocated(adhesion%part)) then
             if (k == n) then
                states(k)%cohesion%part = adhesion%part
@@ -348,16 +365,17 @@ contains
                state%mean_pressure = blank%mean_pressure
                call state%cohesion%set_share(state%gap)
             end if
-            if (has_guess .and. k == size(states) .and. .not. grid%operator%is_symmetric) then
+            ! a law that falls slowly has no zones
+            if (has_guess .and. k == size(states) .and. .not. (grid%operator%is_symmetric .or. allocated(state%cohesion%law))) then
                call widen_share(state%cohesion%share, grid%operator%is_quarter, is_adhered, bound)
                bound(:, :) = merge(min(bound, widest), max(bound, widest), is_adhered)
             end if
             associate (grid_tolerance => merge(tolerance, coarse_tolerance, k == size(states)))
-               if (grid%operator%is_symmetric) then
+               if (grid%operator%is_symmetric .and. .not. allocated(state%cohesion%law)) then
                   call solve_adhesive_contact(state, grid%operator, grid%gap_solver, grid_tolerance, is_adhered, bound, &
                      & has_guess, has_contact)
                else
-                  call solve_by_rounds(state, grid%operator, grid%gap_solver, grid_tolerance, bound, has_contact)
+                  call solve_by_rounds(state, grid%operator, grid%gap_solver, grid_tolerance, is_adhered, bound, has_contact)
                   ! steps of time have no turn to come from, and know no penetration of a layer
                   if (k == size(states) .and. has_contact .and. .not. (state%is_converged .or. present(turned) &
                      & .or. state%resists_mean)) &

@@ -19,14 +19,18 @@
 !> stress. The other one is what had closed at a turn: opening may have a longer range than closing, and what had not come within the
 !> range of closing by then has no tension. Both only weigh the integrals over g, so that all of the above stays.
 !>
+!> Another law that falls with the gap may stand in place of Dugdale's. Then the share of a cell is its tension over the largest one, and
+!> depends on the gap in its middle alone; no triangles are asked.
+!>
 !> The file is long by shares and slopes, which are integrals over the same triangles.
 module adfric_periodic_cohesion
    use adfric_base_kinds, only: dp
+   use adfric_interface_attraction, only: attraction_t
    use adfric_periodic_cut_triangle, only: cut_depth, cut_line, cut_shares
    use adfric_periodic_maps, only: sum_of
    implicit none (type, external)
    private
-   public :: cohesion_t, new_cohesion, line_integrals, triangles, weight_of_triangle
+   public :: cohesion_t, far_share, new_cohesion, line_integrals, triangles, weight_of_triangle
 
    !> A square between the middles of four cells.
    type :: square_t
@@ -47,6 +51,10 @@ module adfric_periodic_cohesion
       !> Gap at a turn less the range of closing; where it is above 0 there is no tension. Not allocated: there was no turn that counts.
       !> Shape of the cells.
       real(dp), allocatable :: beyond(:, :)
+      !> Another law with a wall, whose largest tension has any unit; not allocated: Dugdale's. Of use where all cells have the same work.
+      type(attraction_t), allocatable :: law
+      !> With it: what the tension loses over a gap in each cell, not below 0; shape of the cells.
+      real(dp), allocatable :: fall(:, :)
       !> Do the shares change with the gap as `corners` and `slopes` say? Else they are held.
       logical :: is_linear = .false.
       !> Shares t of the cells within the range, 0 to 1, each part of a cell with its work; shape of the cells.
@@ -68,6 +76,7 @@ module adfric_periodic_cohesion
       procedure :: open_by
       procedure :: move_cell
       procedure :: follow
+      procedure :: far_range
       procedure :: set_band
       procedure :: get_band_share
       procedure :: hold
@@ -80,11 +89,13 @@ module adfric_periodic_cohesion
    integer, parameter :: triangles(3, 4) = reshape([1, 2, 3, 1, 3, 4, 1, 2, 4, 2, 3, 4], [3, 4])
    !> Share of each triangle in the area of the square, of which it is half, and one cut of two.
    real(dp), parameter :: weight_of_triangle = 0.25_dp
+   !> Share of the largest tension behind which surfaces are far apart.
+   real(dp), parameter :: far_share = 1.0e-3_dp
 
 contains
 
    !> Set the law, without shares.
-   subroutine new_cohesion(self, stress, range, is_quarter)
+   subroutine new_cohesion(self, stress, range, is_quarter, law)
       type(cohesion_t), intent(out) :: self
       !> Tension sigma0 [E*], > 0.
       real(dp), intent(in) :: stress
@@ -92,11 +103,23 @@ contains
       real(dp), intent(in) :: range
       !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
       logical, intent(in) :: is_quarter
+      !> Another law than Dugdale's; not allocated: Dugdale's.
+      type(attraction_t), allocatable, intent(in), optional :: law
 
       self%stress = stress
       self%range = range
       self%is_quarter = is_quarter
+      if (.not. present(law)) return
+      if (allocated(law)) allocate (self%law, source=law)
    end subroutine new_cohesion
+
+   !> Gap from which on surfaces count as apart: the range, or where a law has lost nearly all of its tension.
+   pure real(dp) function far_range(self) result(range)
+      class(cohesion_t), intent(in) :: self
+
+      range = self%range
+      if (allocated(self%law)) range = self%law%reach(far_share)
+   end function far_range
 
    !> Find the shares of a gap, and hold them.
    subroutine set_share(self, gap)
@@ -108,6 +131,10 @@ contains
 
       call self%hold()
       if (.not. allocated(self%share)) allocate (self%share(size(gap, 1), size(gap, 2)))
+      if (allocated(self%law)) then
+         self%share(:, :) = self%law%tension(max(gap, 0.0_dp))/self%law%stress
+         return
+      end if
       self%share(:, :) = 0
       first = merge(0, 1, self%is_quarter)
       do j = first, size(gap, 2)
@@ -152,12 +179,16 @@ contains
       integer :: k
 
       call self%set_share(gap)
+      self%is_linear = .true.
+      if (allocated(self%law)) then
+         self%fall = -(self%stress/self%law%stress)*self%law%slope(max(gap, 0.0_dp))
+         return
+      end if
       if (.not. allocated(self%corners)) allocate (self%corners(3, 64), self%slopes(6, 64))
       call self%set_band(gap, gap)
       do k = 1, self%n_squares
          call add_slopes(self, gap, self%squares(k))
       end do
-      self%is_linear = .true.
    end subroutine follow
 
    !> Find the squares in which shares change on the way from a gap to another one that is nowhere smaller.
@@ -567,9 +598,20 @@ contains
       !> Receives the sum of the change times what has been subtracted.
       real(dp), intent(out) :: product
       real(dp) :: change(3), lost(3)
-      integer :: k
+      integer :: i, j, k
 
       product = 0
+      if (allocated(self%law) .and. self%is_linear) then
+         k = 0
+         do j = 1, size(self%fall, 2)
+            do i = 1, size(self%fall, 1)
+               k = k + 1
+               pressure(k) = pressure(k) - self%fall(i, j)*direction(k)
+               product = product + self%fall(i, j)*direction(k)**2
+            end do
+         end do
+         return
+      end if
       do k = 1, self%n_triangles
          associate (c => self%corners(:, k), s => self%slopes(:, k))
             change = direction(c)
@@ -597,6 +639,10 @@ contains
       real(dp) :: corner(4), part(4), beyond(4), total
       integer :: first, i, j, k
 
+      if (allocated(self%law)) then
+         energy = -(self%stress/self%law%stress)*sum(self%law%work_from(max(gap, 0.0_dp)))/size(gap)
+         return
+      end if
       first = merge(0, 1, self%is_quarter)
       total = 0
       do j = first, size(gap, 2)

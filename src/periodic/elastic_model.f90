@@ -23,7 +23,7 @@ module adfric_periodic_elastic_model
    use adfric_describe_rows, only: positive
    use adfric_describe_table, only: profile_axis_t, variable_t
    use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, &
-      & error_of_edge, least_cells, regime_of
+      & error_of_edge, least_cells, regime_of, tension_outside
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_attracted_surface, only: attraction_in_units
    use adfric_periodic_area, only: relative_error_of
@@ -397,20 +397,6 @@ contains
       end if
       goal%wants_pull_off = is_wanted(values(pull_off_index(self)))
    end subroutine set_interface
-
-   !> Tension of adhesion outside contact, over nominal area [Pa].
-   pure real(dp) function tension_outside(law, solution) result(tension)
-      type(adhesion_law_t), intent(in) :: law
-      type(periodic_solution_t), intent(in) :: solution
-
-      if (allocated(law%attraction)) then
-         tension = law%stress*(sum(solution%share, mask=solution%gap > 0)/size(solution%gap))
-      else if (allocated(solution%weighted_share)) then
-         tension = maxval(law%part)*law%stress*(sum(solution%weighted_share, mask=solution%gap > 0)/size(solution%gap))
-      else
-         tension = law%stress*adhesion_fraction_of(solution)
-      end if
-   end function tension_outside
 
    !> Largest gap of what is in contact [m]: 0, or that of the largest tension where the law has no wall.
    pure real(dp) function contact_gap(law) result(gap)

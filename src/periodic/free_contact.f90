@@ -14,14 +14,18 @@
 !> by a projection in the preconditioner (N. I. M. Gould, M. E. Hribar, J. Nocedal, SIAM J. Sci. Comput. 23, 2001, 1376):
 !>
 !>     z = M (delta - g0 - u),   sum of z = 0.
+!>
+!> A body that may tilt under its load has delta + t_x (x - x_P) + t_y (y - y_P) in place of delta. Its moments about the point P of
+!> the load are 0, so that the tilts are multipliers of the same kind.
 module adfric_periodic_free_contact
    use adfric_base_kinds, only: dp
    use adfric_periodic_free_operator, only: free_operator_t
+   use adfric_periodic_free_state, only: free_state_t, is_balanced, moment_of, motion_of, solve_motions
    use adfric_periodic_maps, only: add_multiple, dot_of, is_shared, sum_of
    use adfric_periodic_region_search, only: new_region_search, region_search_t, verdict_t
    implicit none (type, external)
    private
-   public :: free_state_t, solve_free_contact
+   public :: solve_free_contact
 
    !> Changes of the region and steps that are never needed.
    integer, parameter :: max_rounds = 300, max_iterations = 3000
@@ -30,38 +34,19 @@ module adfric_periodic_free_contact
    !> Rounds without fewer wrong cells before more is asked of a round.
    integer, parameter :: patience = 3
 
-   !> Contact on one grid; arrays have the shape of its cells.
-   type :: free_state_t
-      !> Gap g0 of the undeformed surfaces, >= 0; of no meaning beside the body.
-      real(dp), allocatable :: shape(:, :)
-      !> Is the cell one of the body?
-      logical, allocatable :: is_body(:, :)
-      !> Pressure p [E*], and the displacement u that it makes.
-      real(dp), allocatable :: pressure(:, :), displacement(:, :)
-      !> Is the cell in contact? Its gap is 0 then, else its pressure is.
-      logical, allocatable :: is_contact(:, :)
-      !> Is the load given, and not the approach?
-      logical :: has_load = .true.
-      !> Sum of the pressures of all cells [E*], and approach, of which one is given.
-      real(dp) :: total = 0, approach = 0
-      !> Largest violation of the conditions of contact, of a pressure over the largest one, of a gap over what that makes in one
-      !> cell.
-      real(dp) :: residual = huge(1.0_dp)
-      !> Changes of the region, and steps in all of them.
-      integer :: n_rounds = 0, n_iterations = 0
-      !> Has the residual come below the tolerance?
-      logical :: is_converged = .false.
-   end type free_state_t
-
    !> Workspace of the steps; arrays have the shape of the cells.
    type :: free_steps_t
       !> What is left of the gap in contact, with the sign of a displacement that is missing; preconditioned; direction, and what
       !> displacement that makes.
       real(dp), allocatable, dimension(:, :) :: residual, correction, direction, image
-      !> Preconditioned constant, under a given load.
-      real(dp), allocatable :: constant(:, :)
-      !> Sum of `constant`, and product of residual and correction at the last step; 0 at the first one.
-      real(dp) :: sum_of_constant = 0, product_before = 0, product = 0
+      !> Numbers of the motions that are not given: 1 for the approach under a given load, 2 and 3 for tilts along x and y.
+      integer, allocatable :: motions(:)
+      !> Preconditioned motions of the cells in contact; shape of the cells, and number of motions.
+      real(dp), allocatable :: moved(:, :, :)
+      !> Sums of `moved` times the motions; shape `(n_motions, n_motions)`.
+      real(dp), allocatable :: matrix(:, :)
+      !> Product of residual and correction at the last step; 0 at the first one.
+      real(dp) :: product_before = 0, product = 0
       !> Is the displacement that of the pressure, found anew and not carried along?
       logical :: is_fresh = .false.
    end type free_steps_t
@@ -93,7 +78,9 @@ contains
       logical :: has_ended, is_stuck
 
       allocate (steps%residual, steps%correction, steps%direction, steps%image, mold=state%shape)
-      if (state%has_load) allocate (steps%constant, mold=state%shape)
+      allocate (steps%motions, source=pack([1, 2, 3], [.true., state%may_tilt] .and. state%has_load))
+      allocate (steps%moved(size(state%shape, 1), size(state%shape, 2), size(steps%motions)))
+      allocate (steps%matrix(size(steps%motions), size(steps%motions)))
       state%is_converged = .false.
       state%n_rounds = 0
       state%n_iterations = 0
@@ -117,6 +104,7 @@ contains
             state%residual = tolerance
             if (peak > 0) state%residual = verdict%remaining/peak
             state%is_converged = steps%is_fresh .and. verdict%remaining <= tolerance*peak .and. .not. verdict%violation > 0
+            if (state%is_converged) state%is_converged = is_balanced(state, tolerance)
             if (state%is_converged .or. n_checks > most_checks) exit
             if (.not. steps%is_fresh) then
                call begin_region(state, steps, operator)
@@ -143,7 +131,8 @@ contains
       type(free_steps_t), intent(inout) :: steps
       !> Operator of this grid, which counts how often it is applied.
       type(free_operator_t), intent(inout) :: operator
-      real(dp) :: total
+      real(dp) :: total, change(size(steps%motions))
+      integer :: j, k, l
 
       where (.not. state%is_contact) state%pressure = 0
       if (state%has_load) then
@@ -153,10 +142,27 @@ contains
             total = sum_of(state%pressure)
          end if
          state%pressure(:, :) = state%pressure*(state%total/total)
-         steps%image(:, :) = merge(1.0_dp, 0.0_dp, state%is_contact)
-         call operator%apply_stiffness(steps%image, steps%constant)
-         where (.not. state%is_contact) steps%constant = 0
-         steps%sum_of_constant = sum_of(steps%constant)
+      end if
+      do l = 1, size(steps%motions)
+         do j = 1, size(state%shape, 2)
+            steps%image(:, j) = merge(motion_of(state, steps%motions(l), j), 0.0_dp, state%is_contact(:, j))
+         end do
+         call operator%apply_stiffness(steps%image, steps%moved(:, :, l))
+         where (.not. state%is_contact) steps%moved(:, :, l) = 0
+         do k = 1, size(steps%motions)
+            steps%matrix(k, l) = moment_of(state, steps%motions(k), steps%moved(:, :, l))
+         end do
+      end do
+      if (size(steps%motions) > 1) then
+         ! no moment about the load
+         change = 0
+         do k = 2, size(steps%motions)
+            change(k) = -moment_of(state, steps%motions(k), state%pressure)
+         end do
+         change = solve_motions(steps%matrix, change)
+         do k = 1, size(steps%motions)
+            call add_multiple(state%pressure, change(k), steps%moved(:, :, k))
+         end do
       end if
       call operator%apply_compliance(state%pressure, state%displacement)
       steps%product_before = 0
@@ -168,7 +174,8 @@ contains
       type(free_state_t), intent(inout) :: state
       type(free_steps_t), intent(inout) :: steps
       type(free_operator_t), intent(inout) :: operator
-      integer :: j
+      real(dp) :: motion(size(steps%motions))
+      integer :: j, k
 
       !$omp parallel do if(is_shared(size(state%shape))) default(none) shared(state, steps) private(j)
       do j = 1, size(state%shape, 2)
@@ -179,10 +186,21 @@ contains
       !$omp end parallel do
       call operator%apply_stiffness(steps%residual, steps%correction)
       where (.not. state%is_contact) steps%correction = 0
-      if (state%has_load .and. steps%sum_of_constant > 0) then
-         state%approach = -sum_of(steps%correction)/steps%sum_of_constant
-         call add_multiple(steps%correction, state%approach, steps%constant)
-         where (state%is_contact) steps%residual = steps%residual + state%approach
+      if (state%has_load) then
+         do k = 1, size(steps%motions)
+            motion(k) = -moment_of(state, steps%motions(k), steps%correction)
+         end do
+         motion = solve_motions(steps%matrix, motion)
+         do k = 1, size(steps%motions)
+            call add_multiple(steps%correction, motion(k), steps%moved(:, :, k))
+            if (steps%motions(k) == 1) state%approach = motion(k)
+            if (steps%motions(k) > 1) state%tilt(steps%motions(k) - 1) = motion(k)
+         end do
+         !$omp parallel do if(is_shared(size(state%shape))) default(none) shared(state, steps) private(j)
+         do j = 1, size(state%shape, 2)
+            steps%residual(:, j) = steps%residual(:, j) + merge(state%depths(j), 0.0_dp, state%is_contact(:, j))
+         end do
+         !$omp end parallel do
       end if
       steps%product = dot_of(steps%residual, steps%correction)
    end subroutine find_correction
@@ -227,7 +245,7 @@ contains
 
       !$omp parallel do if(is_shared(size(state%shape))) default(none) shared(state, rows) private(j)
       do j = 1, size(state%shape, 2)
-         call judge_row(state%pressure(:, j), state%displacement(:, j) + state%shape(:, j) - state%approach, &
+         call judge_row(state%pressure(:, j), state%displacement(:, j) + state%shape(:, j) - state%depths(j), &
             & state%is_contact(:, j), state%is_body(:, j), rows(j))
       end do
       !$omp end parallel do
@@ -264,15 +282,17 @@ contains
       !> Says whether only the last wrong cell is changed; takes note of the number of wrong cells.
       type(region_search_t), intent(inout) :: search
       logical, allocatable :: is_wrong(:, :)
-      integer :: cell(2)
+      integer :: cell(2), j
 
       allocate (is_wrong, source=state%is_contact)
-      where (state%is_contact)
-         is_wrong = state%pressure < -tolerance*peak
-      else where
-         is_wrong = state%is_body .and. &
-            & state%displacement + state%shape - state%approach < -tolerance*peak*operator%own_influence
-      end where
+      do j = 1, size(state%shape, 2)
+         where (state%is_contact(:, j))
+            is_wrong(:, j) = state%pressure(:, j) < -tolerance*peak
+         else where
+            is_wrong(:, j) = state%is_body(:, j) .and. &
+               & state%displacement(:, j) + state%shape(:, j) - state%depths(j) < -tolerance*peak*operator%own_influence
+         end where
+      end do
       call search%choose_wrong(count(is_wrong), is_wrong)
       if (all(is_wrong .eqv. state%is_contact)) then
          ! the load stands on something

@@ -28,7 +28,7 @@ module adfric_periodic_free_influence
    use adfric_base_constants, only: pi
    implicit none (type, external)
    private
-   public :: influence_of_cell, influence_of_row
+   public :: influence_of_cell, influence_of_row, set_influence
 
    !> Distance from a cell in its half sides from which on it counts as a force with moments: the error is 1e-13 there.
    real(dp), parameter :: far = 100.0_dp
@@ -36,6 +36,37 @@ module adfric_periodic_free_influence
    integer, parameter :: n_images = 12
 
 contains
+
+   !> Displacements that pressure on a cell of a map makes so many cells away.
+   subroutine set_influence(cell_size, lengths, is_periodic, influence)
+      !> Size of a cell along x and y, in any unit.
+      real(dp), intent(in) :: cell_size(2)
+      !> Lengths of the map along x and y, in the same unit.
+      real(dp), intent(in) :: lengths(2)
+      !> Does the surface go on periodically along x, along y? Not along both.
+      logical, intent(in) :: is_periodic(2)
+      !> Receives the displacements by the distance in cells along x and y.
+      real(dp), intent(out) :: influence(0:, 0:)
+      real(dp) :: half(2)
+      integer :: i, j
+
+      half = cell_size/2
+      !$omp parallel do default(none) shared(cell_size, lengths, is_periodic, influence, half) private(i, j) schedule(dynamic)
+      do j = 0, ubound(influence, 2)
+         do i = 0, ubound(influence, 1)
+            associate (x => i*cell_size(1), y => j*cell_size(2))
+               if (is_periodic(1)) then
+                  influence(i, j) = influence_of_row(x, y, half(1), half(2), lengths(1), lengths(2))
+               else if (is_periodic(2)) then
+                  influence(i, j) = influence_of_row(y, x, half(2), half(1), lengths(2), lengths(1))
+               else
+                  influence(i, j) = influence_of_cell(x, y, half(1), half(2))
+               end if
+            end associate
+         end do
+      end do
+      !$omp end parallel do
+   end subroutine set_influence
 
    !> Displacement under a single cell.
    elemental real(dp) function influence_of_cell(x, y, a, b) result(influence)

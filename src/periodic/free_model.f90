@@ -6,21 +6,28 @@ module adfric_periodic_free_model
    use adfric_base_error, only: error_t, file_failure
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: show_number
+   use adfric_base_text, only: show_count, show_number
    use adfric_base_unset, only: is_set
    use adfric_describe_check, only: refuse_swept, require_one
    use adfric_describe_derived, only: add_derived, derived_t
    use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_pointwise, only: point_state_t, pointwise_model_t
    use adfric_describe_rows, only: contact_profiles, count_row, set_coordinate
-   use adfric_describe_status, only: status_not_converged, status_out_of_memory, status_solved
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
    use adfric_describe_table, only: profile_axis_t
-   use adfric_periodic_area, only: relative_error_of
-   use adfric_periodic_free_rows, only: boundaries_periodic, get_free_results, &
-      & get_free_variables, in => free_input, is_periodic_by, out => free_output
-   use adfric_periodic_free_solver, only: free_solution_t, free_solver_t, new_free_solver, solve_free
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, has_adhesion, n_adhesion_rows
+   use adfric_numerics_found_once, only: found_once_t
+   use adfric_periodic_adhesion_cells, only: derive_zone, doubt_zone
+   use adfric_periodic_free_adhesion, only: solve_free_adhesion
+   use adfric_periodic_free_law, only: check_free_law, free_law_in_units, free_law_of, set_free_solid
+   use adfric_periodic_free_point, only: error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, store, &
+      & store_adhesion
+   use adfric_periodic_free_rows, only: boundaries_periodic, get_free_results, get_free_variables, in => free_input, &
+      & is_periodic_by, tilt_free
+   use adfric_periodic_free_solver, only: free_hinge_t, is_inside, solve_free
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_variables, only: is_wanted
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, n_two_bodies
    implicit none (type, external)
    private
@@ -34,7 +41,11 @@ module adfric_periodic_free_model
       private
       !> Heights of the input.
       type(given_heights_t) :: given
+      !> Pull-offs that the points of a run share; null before the run.
+      type(found_once_t), pointer :: pull_offs => null()
    contains
+      procedure :: prepare
+      procedure :: release
       procedure :: take_dataset
       procedure :: check_values
       procedure :: wants_profiles
@@ -47,22 +58,6 @@ module adfric_periodic_free_model
       procedure :: measure
    end type free_model_t
 
-   !> What a point leaves for the next one, and for its maps.
-   type, extends(point_state_t) :: free_point_state_t
-      !> Lengths and cells of the map, and the undeformed gap [m].
-      type(periodic_surface_t) :: surface
-      !> Boundaries that the solver is made for.
-      logical :: is_periodic(2) = .false.
-      !> Number of cells, and ratio of the lengths, of the solver.
-      integer :: n_cells(2) = 0
-      !> Length along y over that along x.
-      real(dp) :: ratio = 0
-      !> Solver with its transforms; not allocated before the first point.
-      type(free_solver_t), allocatable :: solver
-      !> Solution, with lengths in `length_x` and pressures in E*.
-      type(free_solution_t) :: solution
-   end type free_point_state_t
-
 contains
 
    !> The model with its tables.
@@ -71,9 +66,10 @@ contains
       type(free_model_t), intent(out) :: self
 
       self%name = 'free_surface'
-      self%summary = 'a rigid body of given heights on an elastic half-space, alone or periodic in one direction: load, area'
+      self%summary = 'a rigid body of given heights on an elastic half-space, alone or periodic in one direction: load, area, '// &
+         & 'pull-off'
       self%references = 'A. E. H. Love, Phil. Trans. R. Soc. Lond. A 228 (1929) 377; '// &
-         & 'R. W. Hockney, Methods Comput. Phys. 9 (1970) 135'
+         & 'R. W. Hockney, Methods Comput. Phys. 9 (1970) 135; D. Maugis, J. Colloid Interface Sci. 150 (1992) 243'
       self%variables = get_free_variables()
       self%results = get_free_results()
       self%profiles = contact_profiles()
@@ -84,6 +80,22 @@ contains
       self%shares_points = .true.
       self%given%has_border = .true.
    end subroutine new_free_model
+
+   !> Make space for the pull-offs that points share.
+   subroutine prepare(self)
+      class(free_model_t), intent(inout) :: self
+
+      if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
+   end subroutine prepare
+
+   !> Give back the pull-offs that points have shared.
+   subroutine release(self)
+      class(free_model_t), intent(inout) :: self
+
+      if (.not. associated(self%pull_offs)) return
+      call self%pull_offs%clear()
+      deallocate (self%pull_offs)
+   end subroutine release
 
    !> See `model_t`.
    subroutine take_dataset(self, index, values, problems)
@@ -111,8 +123,58 @@ contains
       if (nint(values(in%boundaries)) == boundaries_periodic) call problems%add('solid', 'boundaries', &
          & 'are periodic in both directions, which the model surface_elastic solves')
       call check_images(self, values, problems)
+      call check_cells_of_adhesion(self, values, problems)
       call require_one(self%variables, values, [in%load, in%approach], .true., problems)
+      call check_free_law(self%variables, values, problems)
+      call check_tilt(self, values, problems)
    end subroutine check_values
+
+   !> Add to `problems` what is wrong with a tilt.
+   subroutine check_tilt(self, values, problems)
+      class(free_model_t), intent(in) :: self
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      real(dp) :: lengths(2)
+      logical :: is_periodic(2)
+      integer :: along
+
+      is_periodic = is_periodic_by(values(in%boundaries))
+      lengths = values([in%length_x, in%length_y])
+      do along = 1, 2
+         associate (row => self%variables(merge(in%load_x, in%load_y, along == 1)), &
+               & point => values(merge(in%load_x, in%load_y, along == 1)))
+            if (.not. is_set(point)) cycle
+            if (nint(values(in%tilt)) /= tilt_free) then
+               call problems%add(row%group, row%name, 'has no meaning for a body that does not tilt; give tilt = ''free''')
+            else if (is_periodic(along)) then
+               call problems%add(row%group, row%name, 'has no meaning along a period, where the body does not tilt')
+            else if (is_set(lengths(along)) .and. .not. (point > 0 .and. point < lengths(along))) then
+               call problems%add(row%group, row%name, 'is not on the map, given '//show_number(point)//' m, allowed: 0 to '// &
+                  & show_number(lengths(along))//' m')
+            end if
+         end associate
+      end do
+      if (nint(values(in%tilt)) /= tilt_free) return
+      if (is_set(values(in%approach))) call problems%add('operating', 'tilt', &
+         & 'is free, but the approach is given; a body that may tilt has a load')
+      if (has_adhesion(values(in%adhesion:in%adhesion + n_adhesion_rows - 1))) call problems%add('operating', 'tilt', &
+         & 'is free beside &adhesion, where the body must be fixed')
+   end subroutine check_tilt
+
+   !> How the body of a point is held.
+   pure type(free_hinge_t) function hinge_of(values, unit) result(hinge)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> Unit of length [m].
+      real(dp), intent(in) :: unit
+
+      hinge%may_tilt = nint(values(in%tilt)) == tilt_free .and. .not. is_periodic_by(values(in%boundaries))
+      hinge%point = values([in%length_x, in%length_y])/2
+      if (is_set(values(in%load_x))) hinge%point(1) = values(in%load_x)
+      if (is_set(values(in%load_y))) hinge%point(2) = values(in%load_y)
+      hinge%point = hinge%point/unit
+   end function hinge_of
 
    !> A cell that is much longer than the period of its images has no sum of them (`adfric_periodic_free_influence`).
    subroutine check_images(self, values, problems)
@@ -136,6 +198,20 @@ contains
          & 'is a period shorter than the cells are long across it, given '//show_number(surface%period(along))// &
          & ' m, allowed: at least '//show_number(sizes(3 - along))//' m')
    end subroutine check_images
+
+   !> On fewer cells the order of states fails, and states of a load are lost: 7 of 25 on 8 and 10 cells, none of 55 on 12 to 32.
+   subroutine check_cells_of_adhesion(self, values, problems)
+      class(free_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      integer, parameter :: fewest = 16
+      integer :: fewest_given
+
+      if (.not. (allocated(self%given%is_body) .and. has_adhesion(values(in%adhesion:in%adhesion + n_adhesion_rows - 1)))) return
+      fewest_given = minval(shape(self%given%is_body), mask=.not. is_periodic_by(values(in%boundaries)))
+      if (fewest_given < fewest) call problems%add('surface', 'heights', 'has '//show_count(fewest_given)//' cells along a side,' &
+         & //' allowed: at least '//show_count(fewest)//'; with adhesion states are lost on fewer')
+   end subroutine check_cells_of_adhesion
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
@@ -174,121 +250,59 @@ contains
       !> One number, to which the iterations on the finest grid are added.
       real(dp), intent(inout) :: counts(:)
       type(error_t), allocatable :: error
-      real(dp) :: unit, modulus, prescribed
+      type(adhesion_law_t) :: law
+      real(dp) :: unit, prescribed
       logical :: has_load
 
       if (.not. allocated(state)) allocate (free_point_state_t :: state)
       status = status_not_converged
       error_estimate = 0
+      law = free_law_of(values)
       select type (state)
       type is (free_point_state_t)
          call self%given%get_cells(values(in%heights:in%rms_height), state%surface)
          call self%given%get_shape(values(in%heights:in%rms_height), state%surface%shape)
-         call prepare_solver(self, state, is_periodic_by(values(in%boundaries)), error)
-         if (allocated(error)) then
-            if (error%code == file_failure) status = status_out_of_memory
-            return
-         end if
+         call set_free_solid(values, state%surface)
+         call prepare_solver(state, self%watch, is_periodic_by(values(in%boundaries)), law%stress > 0, error)
          unit = state%surface%period(1)
-         modulus = contact_modulus_of(values(in%modulus:in%modulus + n_two_bodies - 1))
          has_load = is_set(values(in%load))
-         if (has_load) prescribed = values(in%load)/modulus/unit/unit
-         if (.not. has_load) prescribed = values(in%approach)/unit
-         call solve_free(state%solver, state%surface%shape/unit, self%given%is_body, has_load, prescribed, values(in%tolerance), &
-            & state%solution)
-         counts(1) = counts(1) + state%solution%n_iterations
-         if (.not. state%solution%is_converged) return
-         status = status_solved
-         call store(values, state, modulus, results)
-         error_estimate = error_of(state%solution, has_load)
+         prescribed = values(merge(in%load, in%approach, has_load))/unit
+         associate (modulus => state%surface%solid%modulus)
+            if (has_load) prescribed = values(in%load)/modulus/unit/unit
+            if (allocated(error)) then
+               continue
+            else if (law%stress > 0) then
+               call solve_free_adhesion(state%adhesive_solver, state%surface%shape/unit, self%given%is_body, has_load, prescribed, &
+                  & free_law_in_units(law, modulus, unit), values(in%tolerance), is_wanted(values(in%pull_off)), &
+                  & self%pull_offs, state%solution, state%adhesion, error)
+               if (state%adhesion%is_out_of_range) status = status_no_equilibrium
+            else if (is_inside(self%given%is_body, state%surface%period/unit, hinge_of(values, unit))) then
+               call solve_free(state%solver, state%surface%shape/unit, self%given%is_body, has_load, prescribed, &
+                  & values(in%tolerance), state%solution, hinge_of(values, unit))
+            else
+               ! it tips over
+               status = status_no_equilibrium
+               return
+            end if
+            if (allocated(error)) then
+               if (error%code == file_failure) status = status_out_of_memory
+               return
+            end if
+            counts(1) = counts(1) + state%solution%n_iterations
+            if (.not. state%solution%is_converged) return
+            error_estimate = error_of_contact(state%solution, has_load)
+            if (law%stress > 0) error_estimate = max(error_estimate, error_of_adhesion(law, state))
+            ! cells that do not see the edge of adhesion
+            if (.not. error_estimate <= 1) then
+               error_estimate = 0
+               return
+            end if
+            status = status_solved
+            call store(values, state, modulus, hinge_of(values, unit), results)
+            if (law%stress > 0) call store_adhesion(law, state, results)
+         end associate
       end select
    end subroutine solve_point
-
-   !> Make a solver, unless that of the point before serves.
-   subroutine prepare_solver(self, state, is_periodic, error)
-      class(free_model_t), intent(in) :: self
-      type(free_point_state_t), intent(inout) :: state
-      !> Does the surface go on periodically along x, along y?
-      logical, intent(in) :: is_periodic(2)
-      type(error_t), allocatable, intent(out) :: error
-      real(dp) :: ratio
-
-      associate (surface => state%surface)
-         ratio = surface%period(2)/surface%period(1)
-         if (allocated(state%solver)) then
-            if (all(state%n_cells == surface%n_cells) .and. all(state%is_periodic .eqv. is_periodic) &
-               & .and. .not. abs(state%ratio - ratio) > 0) return
-            deallocate (state%solver)
-         end if
-         allocate (state%solver)
-         call new_free_solver(state%solver, surface%n_cells, [1.0_dp, ratio], is_periodic, self%watch, error)
-         if (allocated(error)) then
-            deallocate (state%solver)
-            return
-         end if
-         state%n_cells = surface%n_cells
-         state%ratio = ratio
-         state%is_periodic = is_periodic
-      end associate
-   end subroutine prepare_solver
-
-   !> Relative error of area, and of load or approach, whichever is not given.
-   pure real(dp) function error_of(solution, has_load) result(error)
-      type(free_solution_t), intent(in) :: solution
-      logical, intent(in) :: has_load
-
-      error = relative_error_of(solution%area)
-      if (has_load) then
-         error = max(error, ratio_of(solution%approach_error, solution%approach))
-      else
-         error = max(error, ratio_of(solution%load_error, solution%load))
-      end if
-
-   contains
-
-      !> Error of a value relative to it, 1 at most; 0 without error.
-      pure real(dp) function ratio_of(error, value)
-         real(dp), intent(in) :: error, value
-
-         ratio_of = 0
-         if (error > 0) ratio_of = error/max(abs(value), error)
-      end function ratio_of
-
-   end function error_of
-
-   !> Set the results of a point.
-   subroutine store(values, state, modulus, results)
-      real(dp), intent(in) :: values(:)
-      type(free_point_state_t), intent(in) :: state
-      !> Contact modulus E* [Pa].
-      real(dp), intent(in) :: modulus
-      !> In: all NaN. Out: with what has a value; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-      real(dp) :: force, cell, map
-      integer :: i
-
-      associate (s => state%solution, unit => state%surface%period(1), lengths => state%surface%period, n => state%n_cells)
-         map = product(lengths)
-         force = modulus*unit*unit
-         cell = force*(state%ratio/product(real(n, dp)))
-         results(out%load) = s%load*force
-         results(out%approach) = s%approach*unit
-         ! what was given comes back to the last digit
-         if (is_set(values(in%load))) results(out%load) = values(in%load)
-         if (is_set(values(in%approach))) results(out%approach) = values(in%approach)
-         results(out%contact_area) = s%area%corrected*map
-         results(out%contact_area_error) = s%area%error*map
-         results(out%smooth_area) = s%smooth_area*map
-         if (s%area%corrected > 0) results(out%mean_contact_pressure) = results(out%load)/results(out%contact_area)
-         results(out%peak_pressure) = maxval(s%pressure)*modulus
-         results(out%elastic_energy) = s%elastic_energy*force*unit
-         if (.not. state%is_periodic(2)) results(out%moment_x) = cell*lengths(2)*sum( &
-            & [((i - 0.5_dp)/n(2) - 0.5_dp, i=1, n(2))]*sum(s%pressure, 1))
-         if (.not. state%is_periodic(1)) results(out%moment_y) = -cell*lengths(1)*sum( &
-            & [((i - 0.5_dp)/n(1) - 0.5_dp, i=1, n(1))]*sum(s%pressure, 2))
-         results(out%violation) = s%residual
-      end associate
-   end subroutine store
 
    !> See `pointwise_model_t`: the maps of pressure and gap, which has no value beside the body.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
@@ -315,11 +329,18 @@ contains
       class(free_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
+      type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
 
       derived = derive_contact_modulus(self%variables(in%modulus:in%modulus + n_two_bodies - 1), &
          & values(in%modulus:in%modulus + n_two_bodies - 1))
       call add_derived(derived, 'root_mean_square_height', 'm', 'root of the mean square of the heights', &
          & self%given%factor_of(values(in%heights:in%rms_height))*self%given%root_mean_square)
+      law = free_law_of(values)
+      if (.not. law%stress > 0) return
+      call self%given%get_cells(values(in%heights:in%rms_height), surface)
+      call set_free_solid(values, surface)
+      call derive_zone(derived, law, surface, 'length of a short zone of adhesion, pi E* h0/(4 p0)')
    end function derive_quantities
 
    !> See `model_t`.
@@ -333,13 +354,20 @@ contains
       end associate
    end function describe_case
 
-   !> See `model_t`: edges that do not meet along the period.
+   !> See `model_t`: edges that do not meet along the period, and zones of adhesion that the cells do not see.
    function describe_doubts(self, values) result(text)
       class(free_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
+      type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
 
       text = self%given%doubt(is_periodic_by(values(in%boundaries)))
+      law = free_law_of(values)
+      if (.not. law%stress > 0) return
+      call self%given%get_cells(values(in%heights:in%rms_height), surface)
+      call set_free_solid(values, surface)
+      text = text//doubt_zone(law, surface)
    end function describe_doubts
 
    !> See `model_t`: the mean slope of the heights.

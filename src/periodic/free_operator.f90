@@ -16,7 +16,7 @@ module adfric_periodic_free_operator
    use adfric_base_watch, only: asks_for_end, watch_t
    use adfric_numerics_even_transform, only: next_smooth, transform_even
    use adfric_numerics_spectral_filter, only: new_spectral_filter, spectral_filter_t
-   use adfric_periodic_free_influence, only: influence_of_cell, influence_of_row
+   use adfric_periodic_free_influence, only: set_influence
    use adfric_periodic_operator, only: is_too_long
    implicit none (type, external)
    private
@@ -93,7 +93,7 @@ contains
       real(dp), allocatable :: influence(:, :)
 
       allocate (influence(0:n(1)/2, 0:n(2)/2))
-      call find_influence(self, lengths, influence)
+      call set_influence(self%cell_size, lengths, self%is_periodic, influence)
       self%own_influence = influence(0, 0)
       allocate (self%compliance(0:n(2) - 1, 0:n(1)/2))
       call transform_even(n, influence, self%compliance, error)
@@ -104,35 +104,6 @@ contains
       if (allocated(error)) return
       self%stiffness(:, :) = (1/max(self%stiffness, least_compliance*self%own_influence))/self%near%gain
    end subroutine set_modes
-
-   !> Displacements that pressure on a cell makes so many cells away.
-   subroutine find_influence(self, lengths, influence)
-      !> The operator, with its cells.
-      type(free_operator_t), intent(in) :: self
-      !> Lengths of the map along x and y.
-      real(dp), intent(in) :: lengths(2)
-      !> Receives the displacements by the distance in cells along x and y.
-      real(dp), intent(out) :: influence(0:, 0:)
-      real(dp) :: half(2)
-      integer :: i, j
-
-      half = self%cell_size/2
-      !$omp parallel do default(none) shared(self, lengths, influence, half) private(i, j) schedule(dynamic)
-      do j = 0, ubound(influence, 2)
-         do i = 0, ubound(influence, 1)
-            associate (x => i*self%cell_size(1), y => j*self%cell_size(2))
-               if (self%is_periodic(1)) then
-                  influence(i, j) = influence_of_row(x, y, half(1), half(2), lengths(1), lengths(2))
-               else if (self%is_periodic(2)) then
-                  influence(i, j) = influence_of_row(y, x, half(2), half(1), lengths(2), lengths(1))
-               else
-                  influence(i, j) = influence_of_cell(x, y, half(1), half(2))
-               end if
-            end associate
-         end do
-      end do
-      !$omp end parallel do
-   end subroutine find_influence
 
    !> Shall iterations end before their time? What they have found is of no use then.
    logical function is_stopped(self)

@@ -3,9 +3,11 @@
 module adfric_periodic_free_rows
    use adfric_base_counting, only: counting
    use adfric_base_kinds, only: dp
+   use adfric_interface_adhesion_rows, only: n_adhesion_rows, set_adhesion_rows
    use adfric_describe_rows, only: any_number, choice, number, positive, result_row, switch
    use adfric_describe_table, only: result_t, variable_t
    use adfric_periodic_given_heights, only: n_heights_rows, set_heights_rows
+   use adfric_periodic_variables, only: pull_off_row
    use adfric_solid_contact_modulus, only: n_two_bodies, set_modulus_rows
    implicit none (type, external)
    private
@@ -14,12 +16,16 @@ module adfric_periodic_free_rows
    !> Words of `boundaries`, and the number of the first one: what is periodic in both directions has another solver.
    character(*), parameter :: known_boundaries = 'periodic free periodic_x periodic_y'
    integer, parameter, public :: boundaries_periodic = 1
+   !> Number of the second word of `tilt`.
+   integer, parameter, public :: tilt_free = 2
 
-   !> Variables in the order of their rows; a component is the index of its row, those of the modulus begin at `modulus`.
+   !> Variables in the order of their rows; a component is the index of its row, those of the modulus begin at `modulus`,
+   !> those of adhesion at `adhesion`.
    type :: free_input_t
       !> Indices of the rows.
       integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0, tolerance = 0, modulus = 0, &
-         & others(n_two_bodies - 1) = 0, boundaries = 0, load = 0, approach = 0, profiles = 0
+         & others(n_two_bodies - 1) = 0, boundaries = 0, adhesion = 0, of_adhesion(n_adhesion_rows - 1) = 0, load = 0, &
+         & approach = 0, tilt = 0, load_x = 0, load_y = 0, pull_off = 0, profiles = 0
    end type free_input_t
    type(free_input_t), parameter, public :: free_input = transfer(counting, free_input_t())
    integer, parameter, public :: n_free_variables = storage_size(free_input)/storage_size(1)
@@ -28,7 +34,8 @@ module adfric_periodic_free_rows
    type :: free_output_t
       !> Indices of the rows.
       integer :: load = 0, approach = 0, contact_area = 0, contact_area_error = 0, smooth_area = 0, mean_contact_pressure = 0, &
-         & peak_pressure = 0, elastic_energy = 0, moment_x = 0, moment_y = 0, violation = 0
+         & peak_pressure = 0, elastic_energy = 0, moment_x = 0, moment_y = 0, violation = 0, adhesion_area = 0, &
+         & adhesion_energy = 0, pull_off_load = 0, cells_per_zone = 0, tilt_x = 0, tilt_y = 0
    end type free_output_t
    type(free_output_t), parameter, public :: free_output = transfer(counting, free_output_t())
    integer, parameter, public :: n_free_results = storage_size(free_output)/storage_size(1)
@@ -51,9 +58,21 @@ contains
       v(free_input%boundaries) = choice(group='solid', name='boundaries', choices=known_boundaries, &
          & meaning='how given heights go on beyond their map: periodically, along x or y alone, or not at all (free)', &
          & default='free')
-      v(free_input%load) = number(group='operating', name='load', unit='N', meaning='load, or that of one period', lower=0.0_dp)
+      call set_adhesion_rows(v(free_input%adhesion:free_input%adhesion + n_adhesion_rows - 1))
+      v(free_input%adhesion + n_adhesion_rows - 1) = any_number(group='adhesion', name='turning_load', unit='N', &
+         & meaning='load up to which the body has approached before it parts again, of the adhered branch; full contact if not ' &
+         & //'given', lower=0.0_dp)
+      v(free_input%load) = number(group='operating', name='load', unit='N', &
+         & meaning='load, or that of one period; below 0 with adhesion alone')
       v(free_input%approach) = number(group='operating', name='approach', unit='m', &
          & meaning='approach of the body from first touch of the undisturbed surface, instead')
+      v(free_input%tilt) = choice(group='operating', name='tilt', choices='fixed free', &
+         & meaning='does the body keep its direction (fixed), or turn until its load has no moment (free)', default='fixed')
+      v(free_input%load_x) = number(group='operating', name='load_x', unit='m', &
+         & meaning='point of the load along x on the map, of a body that may tilt; the middle if not given')
+      v(free_input%load_y) = number(group='operating', name='load_y', unit='m', &
+         & meaning='point of the load along y on the map, of a body that may tilt; the middle if not given')
+      v(free_input%pull_off) = pull_off_row()
       v(free_input%profiles) = switch(group='output', name='profiles', &
          & meaning='write maps of pressure and gap for every point', default=.false.)
    end function get_free_variables
@@ -74,7 +93,8 @@ contains
       allocate (r(n_free_results))
       r(free_output%load) = result_row(name='load', unit='N', long_name='load, or that of one period', is_main=.true.)
       r(free_output%approach) = result_row(name='approach', unit='m', is_main=.true., &
-         & long_name='approach from first touch of the undisturbed surface; of a period from where a line load has no displacement')
+         & long_name='approach from first touch of the undisturbed surface, of a body that tilts at its load; of a period from ' &
+         & //'where a line load has no displacement')
       r(free_output%contact_area) = result_row(name='contact_area', unit='m^2', long_name='area of contact', is_main=.true.)
       r(free_output%contact_area_error) = result_row(name='contact_area_error', unit='m^2', &
          & long_name='bound of its error, from coarser grids')
@@ -93,7 +113,20 @@ contains
       r(free_output%moment_y) = result_row(name='moment_y', unit='N m', &
          & long_name='moment of the pressure about the y axis through the middle of the map, -sum of (x - length_x/2) p')
       r(free_output%violation) = result_row(name='contact_violation', unit='-', &
-         & long_name='largest violation of g >= 0, p >= 0, g p = 0')
+         & long_name='largest violation of g >= 0, p >= 0, g p = 0; with adhesion p + p0 t for p, t its share of a cell')
+      r(free_output%adhesion_area) = result_row(name='adhesion_area', unit='m^2', &
+         & long_name='area in adhesion without contact')
+      r(free_output%adhesion_area)%is_counted = .true.
+      r(free_output%adhesion_energy) = result_row(name='adhesion_energy', unit='J', &
+         & long_name='energy of adhesion, 0 far apart')
+      r(free_output%pull_off_load) = result_row(name='pull_off_load', unit='N', &
+         & long_name='least load of the adhered branch, with &output pull_off', is_main=.true.)
+      r(free_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
+         & long_name='length pi E* h0/(4 p0) of a short zone of adhesion over that of a cell')
+      r(free_output%tilt_x) = result_row(name='tilt_x', unit='-', &
+         & long_name='slope by which the body has turned down along x, of one that may tilt')
+      r(free_output%tilt_y) = result_row(name='tilt_y', unit='-', &
+         & long_name='slope by which the body has turned down along y, of one that may tilt')
    end function get_free_results
 
 end module adfric_periodic_free_rows

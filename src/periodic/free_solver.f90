@@ -9,13 +9,15 @@ module adfric_periodic_free_solver
    use adfric_base_watch, only: watch_t
    use adfric_periodic_area, only: area_of_cells, area_t, refine_area, scatter_of_runs
    use adfric_periodic_chords, only: beside_body, chord_fraction
-   use adfric_periodic_free_contact, only: free_state_t, solve_free_contact
+   use adfric_periodic_free_contact, only: solve_free_contact
    use adfric_periodic_free_operator, only: free_operator_t, new_free_operator
+   use adfric_periodic_free_state, only: free_state_t
    use adfric_periodic_grids, only: n_grids_of, refine
    use adfric_periodic_maps, only: sum_of
    implicit none (type, external)
    private
-   public :: free_solver_t, free_solution_t, new_free_solver, solve_free, grids_for_error
+   public :: free_field_t, free_solver_t, free_solution_t, new_free_solver, set_fields, solve_free, grids_for_error
+   public :: change_error, free_hinge_t, is_inside
 
    !> Grids whose results tell the error of the finest one.
    integer, parameter :: grids_for_error = 3
@@ -30,6 +32,14 @@ module adfric_periodic_free_solver
       type(free_operator_t), allocatable :: operators(:)
    end type free_solver_t
 
+   !> How a body is held under a load.
+   type :: free_hinge_t
+      !> May it tilt along x, along y?
+      logical :: may_tilt(2) = .false.
+      !> Point of the load from the corner of the map, in its unit.
+      real(dp) :: point(2) = 0
+   end type free_hinge_t
+
    !> A solved contact; lengths in the unit of the map, pressures in E*.
    type :: free_solution_t
       !> Was the contact found on all grids?
@@ -37,6 +47,8 @@ module adfric_periodic_free_solver
       !> Sum of pressure times area, approach, and bounds of their errors; an error is infinite (`huge`) where there are too few
       !> grids.
       real(dp) :: load = 0, approach = 0, load_error = huge(1.0_dp), approach_error = huge(1.0_dp)
+      !> Tilts: slopes by which the body has come nearer along x and along y.
+      real(dp) :: tilt(2) = 0
       !> Area in contact as a share of the map.
       type(area_t) :: area
       !> The same by chords, which varies smoothly.
@@ -87,7 +99,7 @@ contains
    end subroutine new_free_solver
 
    !> Solve a contact under a given load, or at a given approach.
-   subroutine solve_free(self, shape, is_body, has_load, prescribed, tolerance, solution)
+   subroutine solve_free(self, shape, is_body, has_load, prescribed, tolerance, solution, hinge)
       type(free_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces on the finest grid, 0 at first touch; of no meaning beside the body.
       real(dp), intent(in) :: shape(:, :)
@@ -100,6 +112,8 @@ contains
       !> Largest residual on the finest grid [-].
       real(dp), intent(in) :: tolerance
       type(free_solution_t), intent(inout) :: solution
+      !> How the body is held under a load. Not given: it does not tilt.
+      type(free_hinge_t), intent(in), optional :: hinge
       type(free_field_t) :: fields(size(self%operators))
       type(free_state_t) :: states(size(self%operators))
       integer :: k, before, n
@@ -118,6 +132,7 @@ contains
             if (has_load) states(k)%total = prescribed/product(operator%cell_size)
             call move_alloc(fields(k)%shape, states(k)%shape)
             call move_alloc(fields(k)%is_body, states(k)%is_body)
+            if (present(hinge)) call set_hinge(states(k), hinge, operator)
             before = k - 1
             if (k == 1) call start(states(k))
             if (k > 1) call start_from_coarse(states(k), states(before), operator)
@@ -129,6 +144,66 @@ contains
       end do
       call set_solution(states, self%operators, solution)
    end subroutine solve_free
+
+   !> Let a body tilt about the point of its load.
+   subroutine set_hinge(state, hinge, operator)
+      type(free_state_t), intent(inout) :: state
+      type(free_hinge_t), intent(in) :: hinge
+      !> Operator of the grid, for its cells.
+      type(free_operator_t), intent(in) :: operator
+      integer :: i
+
+      state%may_tilt = hinge%may_tilt .and. state%has_load
+      if (.not. any(state%may_tilt)) return
+      state%arm_x = [((i - 0.5_dp)*operator%cell_size(1) - hinge%point(1), i=1, operator%n_cells(1))]
+      state%arm_y = [((i - 0.5_dp)*operator%cell_size(2) - hinge%point(2), i=1, operator%n_cells(2))]
+   end subroutine set_hinge
+
+   !> Does the point of the load lie inside the outline of the body, so that it can stand on its cells? The outline is convex.
+   pure logical function is_inside(is_body, lengths, hinge)
+      !> Is the cell one of the body?
+      logical, intent(in) :: is_body(:, :)
+      !> Lengths of the map along x and y.
+      real(dp), intent(in) :: lengths(2)
+      type(free_hinge_t), intent(in) :: hinge
+      real(dp) :: ends(2, size(is_body, 2)), y(size(is_body, 2)), left, right, part
+      integer :: i, j, k
+
+      is_inside = .true.
+      if (.not. any(hinge%may_tilt)) return
+      ends(1, :) = huge(1.0_dp)
+      ends(2, :) = -huge(1.0_dp)
+      do j = 1, size(is_body, 2)
+         y(j) = (j - 0.5_dp)*lengths(2)/size(is_body, 2)
+         i = findloc(is_body(:, j), .true., 1)
+         if (i > 0) ends(1, j) = (i - 0.5_dp)*lengths(1)/size(is_body, 1)
+         i = findloc(is_body(:, j), .true., 1, back=.true.)
+         if (i > 0) ends(2, j) = (i - 0.5_dp)*lengths(1)/size(is_body, 1)
+      end do
+      associate (rows => pack(y, ends(1, :) < huge(1.0_dp)))
+         if (hinge%may_tilt(2)) is_inside = minval(rows) < hinge%point(2) .and. hinge%point(2) < maxval(rows)
+      end associate
+      if (.not. (is_inside .and. hinge%may_tilt(1))) return
+      left = huge(1.0_dp)
+      right = -huge(1.0_dp)
+      do j = 1, size(y)
+         if (.not. ends(1, j) < huge(1.0_dp)) cycle
+         if (.not. hinge%may_tilt(2)) then
+            left = min(left, ends(1, j))
+            right = max(right, ends(2, j))
+            cycle
+         end if
+         if (y(j) > hinge%point(2)) exit
+         do k = j, size(y)
+            if (.not. ends(1, k) < huge(1.0_dp) .or. y(k) < hinge%point(2)) cycle
+            part = 0
+            if (k > j) part = (hinge%point(2) - y(j))/(y(k) - y(j))
+            left = min(left, (1 - part)*ends(1, j) + part*ends(1, k))
+            right = max(right, (1 - part)*ends(2, j) + part*ends(2, k))
+         end do
+      end do
+      is_inside = left < hinge%point(1) .and. hinge%point(1) < right
+   end function is_inside
 
    !> The bodies do not press each other.
    subroutine set_apart(shape, is_body, has_load, prescribed, solution)
@@ -207,12 +282,15 @@ contains
       !> Operator of the finer grid, for its cells.
       type(free_operator_t), intent(in) :: operator
       real(dp), allocatable :: sign_function(:, :), detail(:, :)
+      integer :: j
 
       associate (width => maxval(operator%cell_size))
          allocate (sign_function, mold=coarse%shape)
          allocate (detail, state%displacement, mold=state%shape)
-         sign_function(:, :) = merge(coarse%pressure, -(coarse%displacement + coarse%shape - coarse%approach)/width, &
-            & coarse%is_contact)
+         do j = 1, size(sign_function, 2)
+            sign_function(:, j) = merge(coarse%pressure(:, j), -(coarse%displacement(:, j) + coarse%shape(:, j) &
+               & - coarse%depths(j))/width, coarse%is_contact(:, j))
+         end do
          detail(:, :) = (state%shape - refine(coarse%shape, state%shape, .true.))/(2*width)
          allocate (state%is_contact, source=state%is_body)
          state%is_contact(:, :) = state%is_body .and. refine(sign_function, state%shape, .true.) >= detail
@@ -243,8 +321,8 @@ contains
       end do
       if (n >= grids_for_error) then
          call refine_area(areas(n), areas(n - 1), areas(n - 2), .false.)
-         solution%load_error = error_of(loads(n - 2:))
-         solution%approach_error = error_of(states(n - 2:)%approach)
+         solution%load_error = change_error(loads(n - 2:))
+         solution%approach_error = change_error(states(n - 2:)%approach)
       end if
       cell = product(operators(n)%cell_size)
       associate (finest => states(n))
@@ -255,8 +333,11 @@ contains
          solution%approach = finest%approach
          allocate (solution%pressure, solution%gap, mold=finest%shape)
          solution%pressure(:, :) = merge(max(finest%pressure, 0.0_dp), 0.0_dp, finest%is_contact)
-         solution%gap(:, :) = merge(max(finest%displacement + finest%shape - finest%approach, 0.0_dp), 0.0_dp, &
-            & finest%is_body .and. .not. finest%is_contact)
+         solution%tilt = finest%tilt
+         do k = 1, size(solution%gap, 2)
+            solution%gap(:, k) = merge(max(finest%displacement(:, k) + finest%shape(:, k) - finest%depths(k), 0.0_dp), 0.0_dp, &
+               & finest%is_body(:, k) .and. .not. finest%is_contact(:, k))
+         end do
          allocate (gap, source=solution%gap)
          where (.not. finest%is_body) gap = beside_body
          solution%smooth_area = chord_fraction(solution%pressure, gap, operators(n)%cell_size, .false., operators(n)%is_periodic)
@@ -272,11 +353,11 @@ contains
    end subroutine set_solution
 
    !> Bound of the error of the last of three values: of the last change, or a part of the one before.
-   pure real(dp) function error_of(values) result(error)
+   pure real(dp) function change_error(values) result(error)
       !> Values on three grids, the finest last.
       real(dp), intent(in) :: values(:)
 
       error = safety*max(abs(values(3) - values(2)), of_change_before*abs(values(2) - values(1)))
-   end function error_of
+   end function change_error
 
 end module adfric_periodic_free_solver

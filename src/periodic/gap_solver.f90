@@ -181,8 +181,10 @@ contains
       else if (.not. self%is_symmetric) then
          call self%set_sliding_step(operator, pressure, length, cohesion)
          is_stuck = .not. length > 0
+         ! a tension that falls with the gap in all cells may leave no definite solid: then the shortest remains may lie the other way
+         if (is_stuck .and. has_law(cohesion)) is_stuck = .not. abs(length) > 0
          if (is_stuck) return
-         self%length = length
+         if (length > 0) self%length = length
          ! what M makes of the pressure follows it, but for the mean pressure that a given mean gap asks for
          self%has_correction = .not. self%has_fixed_mean
          if (self%has_correction) call add_multiple(self%correction, length, self%preconditioned)
@@ -203,6 +205,15 @@ contains
       end if
       call self%advance(length, gap, pressure, extremes)
    end subroutine improve
+
+   !> Is there another law of attraction than Dugdale's?
+   pure logical function has_law(cohesion)
+      !> Adhesion; not allocated: none.
+      type(cohesion_t), allocatable, intent(in) :: cohesion
+
+      has_law = .false.
+      if (allocated(cohesion)) has_law = allocated(cohesion%law)
+   end function has_law
 
    !> Go along the direction, and find the largest values there.
    subroutine advance(self, length, gap, pressure, extremes)

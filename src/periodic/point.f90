@@ -188,6 +188,7 @@ contains
       type(periodic_solution_t), intent(inout) :: solution
       type(periodic_operator_t), allocatable :: operator
       type(contact_state_t) :: state
+      type(periodic_adhesion_t) :: law
       type(error_t), allocatable :: error
       integer :: k, n
 
@@ -215,7 +216,9 @@ contains
             state%mean_gap = sum(state%gap)/size(state%gap)
             if (allocated(goal%adhesion) .and. allocated(solution%share)) then
                allocate (state%cohesion)
-               call new_cohesion(state%cohesion, goal%adhesion%stress, goal%adhesion%range/unit, .false.)
+               law = goal%adhesion
+               if (allocated(law%law)) law%law = law%law%in_units(1.0_dp, unit)
+               call new_cohesion(state%cohesion, law%stress, law%range/unit, .false., law%law)
             end if
             call solve_near_contact(state, operator, grid%gap_solver, goal%tolerance, solution%near(k))
             deallocate (operator)
@@ -267,6 +270,7 @@ contains
 
       adhesion = goal%adhesion
       adhesion%range = adhesion%range/surface%period(1)
+      if (allocated(adhesion%law)) adhesion%law = adhesion%law%in_units(1.0_dp, surface%period(1))
       allocate (shape_in_periods, source=surface%shape/surface%period(1))
       value = goal%value
       if (.not. goal%is_pressure) value = goal%value/surface%period(1)

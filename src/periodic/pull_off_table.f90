@@ -36,6 +36,10 @@ contains
       found = 0
       allocate (parts(0))
       if (allocated(adhesion%part)) parts = pack(adhesion%part, .true.)
+      if (allocated(adhesion%law)) then
+         parts = [parts, real(adhesion%law%law, dp), adhesion%law%stress, adhesion%law%range]
+         if (allocated(adhesion%law%gaps)) parts = [parts, adhesion%law%gaps, adhesion%law%tensions]
+      end if
       call look_up(table, [adhesion%stress, adhesion%range, merge(adhesion%turning_pressure, -1.0_dp, adhesion%has_turned), &
          & adhesion%opening, tolerance, solid, parts, real(size(shape, 1), dp), &
          & merge(1.0_dp, 0.0_dp, solver%grids(1)%operator%is_quarter)], shape, found, is_known, search)

@@ -4,7 +4,8 @@ module adfric_periodic_sliding_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_interface_adhesion_rows, only: check_adhesion, has_adhesion
+   use adfric_interface_attraction_rows, only: check_attraction, given_attraction_t, has_attraction, has_wall_at_contact, &
+      & largest_tension
    use adfric_interface_friction_law_rows, only: given_law_t, n_interface_rows
    use adfric_interface_heat_rows, only: has_heat
    use adfric_interface_shear_coupling, only: check_coupling, is_coupled
@@ -15,9 +16,9 @@ module adfric_periodic_sliding_check
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_sliding_case, only: is_direction, poisson_ratio_of_solid, speed_of
    use adfric_periodic_sliding_interface, only: check_surface_interface, without_temperature
-   use adfric_periodic_sliding_variables, only: base_frictionless, cells_of, kind_heights, kind_wave_2d, s_adhesion, s_base, &
-      & s_coupling, s_friction, s_heat, s_last_adhesion, s_last_heat, s_poisson_ratio, s_thickness, s_velocity, &
-      & in => sliding_input
+   use adfric_periodic_sliding_variables, only: attraction_values, base_frictionless, cells_of, kind_heights, kind_wave_2d, &
+      & s_adhesion, s_base, s_coupling, s_friction, s_heat, s_last_heat, s_law, s_poisson_ratio, s_tension_table, &
+      & s_thickness, s_velocity, in => sliding_input
    use adfric_periodic_variables, only: is_wanted, prescribed => periodic_input
    implicit none (type, external)
    private
@@ -77,7 +78,7 @@ contains
    end subroutine check_sliding_surface
 
    !> Add to `problems` what is wrong with material, layer and velocity.
-   subroutine check_sliding_solid(rows, values, length, spectrum, given_law, is_swept, problems)
+   subroutine check_sliding_solid(rows, values, length, spectrum, given_law, given_attraction, is_swept, problems)
       !> Rows of the solid; their names stand in the messages.
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_solid_rows)`.
@@ -86,6 +87,8 @@ contains
       real(dp), intent(in) :: length
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given_law
+      !> Table of the law of attraction.
+      type(given_attraction_t), intent(in) :: given_attraction
       !> Is the variable swept? Shape `(n_solid_rows)`.
       logical, intent(in) :: is_swept(:)
       type(problems_t), intent(inout) :: problems
@@ -97,12 +100,15 @@ contains
          call check_spectrum(rows(:n_spectrum_rows), of_solid(:n_spectrum_rows), spectrum, needs(:n_spectrum_rows), problems)
       end associate
       call require(rows, values, [s_velocity], problems, needs_velocity)
-      call check_adhesion(rows(s_adhesion:s_last_adhesion), values(s_adhesion:s_last_adhesion), problems)
+      call check_attraction(rows(s_adhesion:s_tension_table), attraction_values(values), given_attraction, problems)
+      if (.not. has_wall_at_contact(attraction_values(values))) call problems%add(rows(s_law)%group, rows(s_law)%name, &
+         & 'is ''lennard_jones'', which has no wall; a body that slides is solved with laws that only pull')
       if (problems%count() == before) then
          if (.not. speed_of(values, spectrum) <= fastest) call problems%add(rows(s_velocity)%group, rows(s_velocity)%name, &
             & 'times the factor of the relaxation times is too large')
       end if
-      if (problems%count() == before) call check_surface_interface(rows, values, spectrum, given_law, problems)
+      if (problems%count() == before) call check_surface_interface(rows, values, spectrum, given_law, &
+         & largest_tension(attraction_values(values), given_attraction), problems)
       call check_layer(rows, values, length, is_swept, problems)
       if (problems%count() == before) call check_coupled(rows, values, problems)
    end subroutine check_sliding_solid
@@ -119,7 +125,7 @@ contains
          call check_coupling(row, values(s_coupling), values(s_friction:s_friction + n_interface_rows - 1), &
             & poisson_ratio_of_solid(values), .true., problems)
          if (.not. is_coupled(values(s_coupling))) return
-         if (has_adhesion(values(s_adhesion:s_last_adhesion))) call problems%add(row%group, row%name, &
+         if (has_attraction(attraction_values(values))) call problems%add(row%group, row%name, &
             & 'stands beside adhesion, with which the contact is that of frictionless faces')
          if (has_heat(values(s_heat:s_last_heat))) call problems%add(row%group, row%name, &
             & 'stands beside &heat, with which the contact is that of frictionless faces')

@@ -8,7 +8,6 @@ module adfric_periodic_sliding_interface
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
-   use adfric_interface_adhesion_rows, only: has_adhesion
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, has_interface, n_interface_rows, needs_temperature
@@ -31,7 +30,7 @@ module adfric_periodic_sliding_interface
    use adfric_periodic_sliding_heat, only: find_contact_temperature
    use adfric_periodic_law_of_cells, only: get_mean_of_cells
    use adfric_periodic_sliding_slope, only: contact_slope
-   use adfric_periodic_sliding_variables, only: base_bonded, s_adhesion, s_base, s_coupling, s_friction, s_heat, s_last_adhesion, &
+   use adfric_periodic_sliding_variables, only: base_bonded, s_base, s_coupling, s_friction, s_heat, &
       & s_last_heat, s_temperature, s_thickness, s_velocity, out => sliding_output
    use adfric_periodic_variables, only: periodic_output
    implicit none (type, external)
@@ -78,15 +77,6 @@ contains
       call get_friction_law(interface_of(values), given, solid_shift_of(values(:n_spectrum_rows), spectrum), law)
    end subroutine law_of_surface
 
-   !> Largest tension in contact, that of adhesion [Pa].
-   pure real(dp) function tension_of(values) result(tension)
-      !> Values of the rows of the solid; shape `(n_solid_rows)`.
-      real(dp), intent(in) :: values(:)
-
-      tension = 0
-      if (has_adhesion(values(s_adhesion:s_last_adhesion))) tension = values(s_adhesion)
-   end function tension_of
-
    !> The values without a temperature that is for the interface alone.
    pure function without_temperature(values, spectrum) result(of_solid)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
@@ -102,29 +92,33 @@ contains
    end function without_temperature
 
    !> Add to `problems` what is wrong with the friction of the interface.
-   subroutine check_surface_interface(rows, values, spectrum, given, problems)
+   subroutine check_surface_interface(rows, values, spectrum, given, tension, problems)
       !> Rows of the solid; their names stand in the messages.
       type(variable_t), intent(in) :: rows(:)
       !> Values of the rows; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given
+      !> Largest tension in contact, that of adhesion [Pa].
+      real(dp), intent(in) :: tension
       type(problems_t), intent(inout) :: problems
       integer :: k
 
       call check_heat(rows, values, s_heat, s_temperature, has_surface_interface(values), values(s_thickness), .false., problems)
       if (.not. has_surface_interface(values)) return
       call check_interface(rows, values, [(k, k=s_friction, s_friction + n_interface_rows - 1)], [s_temperature, s_velocity], &
-         & given, solid_shift_of(values(:n_spectrum_rows), spectrum), tension_of(values), problems)
+         & given, solid_shift_of(values(:n_spectrum_rows), spectrum), tension, problems)
    end subroutine check_surface_interface
 
    !> Add the interface to the friction of a point, and its heat.
-   subroutine add_surface_interface(values, spectrum, given, surface, pressure, is_contact, near, results, flash, &
+   subroutine add_surface_interface(values, spectrum, given, tension, surface, pressure, is_contact, near, results, flash, &
       & is_valid)
       !> Values of the rows of the solid; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
       type(given_spectrum_t), intent(in) :: spectrum
       type(given_law_t), intent(in) :: given
+      !> Tension of adhesion in contact, and outside of it over nominal area [Pa]; 0 without adhesion.
+      real(dp), intent(in) :: tension(2)
       !> Periods and cells of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
       !> Pressure in the cells, below 0 where adhesion pulls [Pa], and where the faces touch; shape `(nx, ny)`.
@@ -157,8 +151,7 @@ contains
             friction%interfacial = area*friction%interfacial
             friction%interfacial_slope = area*friction%interfacial_slope
          else
-            carried = results(periodic_output%mean_pressure)
-            if (tension_of(values) > 0) carried = carried + tension_of(values)*results(out%adhesion_fraction)
+            carried = results(periodic_output%mean_pressure) + tension(2)
             call get_shear_of_area(law, values(s_velocity), temperature, area, carried, friction%interfacial, &
                & friction%interfacial_slope, is_valid)
          end if
@@ -169,7 +162,7 @@ contains
       if (allocated(near)) then
          select type (solid => surface%solid)
          type is (viscoelastic_solid_t)
-            friction%contact_slope = contact_slope(law, values(s_velocity), values(s_temperature), tension_of(values), &
+            friction%contact_slope = contact_slope(law, values(s_velocity), values(s_temperature), tension(1), &
                & solid, near, friction%hysteretic + friction%interfacial)
          end select
       end if

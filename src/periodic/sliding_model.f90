@@ -11,13 +11,14 @@ module adfric_periodic_sliding_model
    use adfric_interface_friction_law_rows, only: given_law_t, take_law_attribute, take_law_table
    use adfric_interface_shear_strength_rows, only: n_shear_rows, p_shear_stress, shear_profiles
    use adfric_solid_given_spectrum, only: given_spectrum_t
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, has_adhesion, resolve_adhesion
+   use adfric_interface_adhesion_rows, only: adhesion_law_t
+   use adfric_interface_attraction_rows, only: given_attraction_t, has_attraction, resolve_attraction
    use adfric_solid_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, n_spectrum_rows
    use adfric_describe_derived, only: derived_t
    use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_table, only: profile_axis_t, profile_t, variable_t
-   use adfric_periodic_adhesion_cells, only: are_sizes_possible, doubt_zone
+   use adfric_periodic_adhesion_cells, only: are_sizes_possible, doubt_zone, tension_outside
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
@@ -30,8 +31,8 @@ module adfric_periodic_sliding_model
       & has_surface_interface, set_interface_maps, velocity_that_heats_surface, wants_velocity_slope
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_chords, only: chord_fraction
-   use adfric_periodic_sliding_variables, only: cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
-      & kind_wave_2d, n_solid_rows, n_surface_rows, s_adhesion, s_friction, s_last_adhesion, s_other_branch, &
+   use adfric_periodic_sliding_variables, only: attraction_values, cells_of, get_sliding_results, kind_heights, kind_wave_1d, &
+      & kind_wave_2d, n_solid_rows, n_surface_rows, s_friction, s_last_adhesion, s_other_branch, &
       & s_pull_off, s_thickness, &
       & set_solid_rows, set_surface_rows, &
       & in => sliding_input, out => sliding_output
@@ -54,6 +55,8 @@ module adfric_periodic_sliding_model
       type(given_spectrum_t) :: spectrum
       !> Table of the law of the interface.
       type(given_law_t) :: given_law
+      !> Table of the law of attraction.
+      type(given_attraction_t) :: given_attraction
    contains
       procedure :: take_dataset
       procedure :: take_attribute
@@ -120,6 +123,7 @@ contains
       else
          call take_spectrum(self%spectrum, index - self%first_of_solid + 1, values)
          call take_law_table(self%given_law, law_row(self, index), values)
+         call self%given_attraction%take(index - (self%first_of_solid + s_last_adhesion - 1), values)
       end if
    end subroutine take_dataset
 
@@ -174,9 +178,9 @@ contains
       associate (first => self%first_of_solid, last => self%last_of_solid)
          call check_sliding_solid(self%variables(first:last), values(first:last), &
             & values(merge(in%length_x, in%period, is_set(values(in%length_x)))), self%spectrum, self%given_law, &
-            & is_swept(first:last), problems)
+            & self%given_attraction, is_swept(first:last), problems)
       end associate
-      is_adhesive = has_adhesion(values(self%first_of_solid + s_adhesion - 1:self%first_of_solid + s_last_adhesion - 1))
+      is_adhesive = has_attraction(attraction_values(values(self%first_of_solid:self%last_of_solid)))
       associate (before => self%first_of_solid - 1)
          if (.not. is_adhesive) call check_pull(self%variables, values, self%before_prescribed, &
             & before + [s_pull_off, s_other_branch], problems)
@@ -331,7 +335,7 @@ contains
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      call resolve_adhesion(values(self%first_of_solid + s_adhesion - 1:self%first_of_solid + s_last_adhesion - 1), law)
+      call resolve_attraction(attraction_values(values(self%first_of_solid:self%last_of_solid)), self%given_attraction, law)
    end function adhesion_of
 
    !> Range of the undeformed gap [m].
@@ -361,18 +365,21 @@ contains
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the friction [-]; where there is none, that of the area.
       real(dp), intent(out) :: error_estimate
+      type(adhesion_law_t) :: law
       logical :: is_valid
 
       error_estimate = 0
+      law = self%adhesion_of(values)
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
-         call set_sliding_results(values, self%adhesion_of(values), surface, solid, solution, results, error_estimate)
+         call set_sliding_results(values, law, surface, solid, solution, results, error_estimate)
          results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
       end select
       if (allocated(solution%near) .and. nint(values(in%kind)) /= kind_heights) call set_near_losses(values, surface, results, &
          & solution%near)
-      call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, surface, &
-         & solution%pressure*surface%solid%modulus, .not. solution%gap > 0, solution%near, results, solution%flash, is_valid)
+      call add_surface_interface(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, &
+         & [law%stress, tension_outside(law, solution)], surface, solution%pressure*surface%solid%modulus, &
+         & .not. solution%gap > 0, solution%near, results, solution%flash, is_valid)
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
          if (is_valid) call add_left_out(values(self%first_of_solid:self%last_of_solid), self%spectrum, self%given_law, solid, &

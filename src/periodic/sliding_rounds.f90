@@ -15,12 +15,15 @@
 !>   two rounds, within a few c r/(1 - r).
 !> - Shares that all move to one side pass on slowly where a state has just been lost, and need many rounds. Only where some move back
 !>   and the change does not fall any more, rounds go half the distance. Those that have not ended after the last one are no answer.
+!> - Another law than Dugdale's has a tension for each gap. Where the stiffness of these cells has the order, Newton's state is taken only if
+!>   no other one lies between it and the gap of the rounds (`adfric_periodic_ordered_rounds`), and rounds go on until then.
 module adfric_periodic_sliding_rounds
    use adfric_base_kinds, only: dp
    use adfric_periodic_adhesive_contact, only: find_state, solve_again, solve_with_share
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_gap_solver, only: gap_solver_t
    use adfric_periodic_operator, only: periodic_operator_t
+   use adfric_periodic_ordered_rounds, only: has_order, is_extremal
    implicit none (type, external)
    private
    public :: solve_by_rounds
@@ -42,7 +45,7 @@ module adfric_periodic_sliding_rounds
 contains
 
    !> Solve under the load in `state`.
-   subroutine solve_by_rounds(state, operator, gap_solver, tolerance, bound, has_contact)
+   subroutine solve_by_rounds(state, operator, gap_solver, tolerance, is_adhered, bound, has_contact)
       !> In: the shape, the load and the law of adhesion, and gap and open region to begin from, if there are any. Out: the state.
       type(contact_state_t), intent(inout) :: state
       !> Operator of this grid, which counts how often it is applied.
@@ -50,6 +53,8 @@ contains
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Largest residual that is allowed [-], see `residual_of`.
       real(dp), intent(in) :: tolerance
+      !> Is the most adhered state wanted? Else the least adhered one is.
+      logical, intent(in) :: is_adhered
       !> Shares of the first round.
       real(dp), intent(in), contiguous :: bound(:, :)
       !> Receives whether there is a state with contact; else `state` has no meaning.
@@ -58,9 +63,11 @@ contains
       real(dp), allocatable :: share(:, :)
       real(dp) :: change, before, smallest, rate
       integer :: k, next_try, since_smallest
-      logical :: has_found
+      logical :: has_found, is_ordered, has_rested
 
       allocate (share, source=bound)
+      is_ordered = .false.
+      if (allocated(state%cohesion%law)) is_ordered = has_order(operator)
       change = 0
       before = huge(before)
       smallest = huge(smallest)
@@ -74,13 +81,18 @@ contains
          call state%cohesion%set_share(state%gap)
          change = maxval(abs(state%cohesion%share - share))
          rate = max(least_rate, change/before)
-         if (change <= resting_share .or. (k >= next_try .and. change <= near .and. rate <= largest_rate)) then
+         has_rested = change <= resting_share .and. .not. is_ordered
+         if (has_rested .or. (k >= next_try .and. change <= near .and. (rate <= largest_rate .or. is_ordered))) then
             next_try = k + max(2, k/4)
             found = state
             call find_state(found, operator, gap_solver, tolerance, has_found)
-            if (has_found) has_found = maxval(abs(found%cohesion%share - state%cohesion%share)) &
-               & <= nearby*(max(change, resting_share)*rate/(1 - min(rate, largest_rate)) + resting_share)
-            if (has_found .or. change <= resting_share) exit
+            if (has_found .and. is_ordered) then
+               has_found = is_extremal(found, operator, gap_solver, is_adhered, state)
+            else if (has_found) then
+               has_found = maxval(abs(found%cohesion%share - state%cohesion%share)) &
+                  & <= nearby*(max(change, resting_share)*rate/(1 - min(rate, largest_rate)) + resting_share)
+            end if
+            if (has_found .or. has_rested) exit
          end if
          before = change
          since_smallest = since_smallest + 1
@@ -96,7 +108,7 @@ contains
       end do
       if (has_found) then
          state = found
-      else if (change <= resting_share) then
+      else if (change <= resting_share .and. .not. is_ordered) then
          ! no Newton's method, but the shares rest
          call solve_again(state, operator, gap_solver, tolerance)
       else

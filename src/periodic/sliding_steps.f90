@@ -186,8 +186,8 @@ contains
          self%step%is_open = self%shape > minval(self%shape)
          start = first_load*end
          if (state%has_fixed_mean) then
-            start = sum_of(self%shape)/size(self%shape) - minval(self%shape) + state%cohesion%range
-            self%step%gap(:, :) = self%shape - minval(self%shape) + state%cohesion%range
+            start = sum_of(self%shape)/size(self%shape) - minval(self%shape) + state%cohesion%far_range()
+            self%step%gap(:, :) = self%shape - minval(self%shape) + state%cohesion%far_range()
             self%step%is_open(:, :) = .true.
          end if
          ! nothing presses, or all is apart

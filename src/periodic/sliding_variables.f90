@@ -4,6 +4,8 @@ module adfric_periodic_sliding_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_base_unset, only: unset
+   use adfric_interface_attraction, only: law_words
+   use adfric_interface_attraction_rows, only: law_row, n_attraction_rows, table_row
    use adfric_interface_friction_law_rows, only: n_interface_rows, set_law_rows
    use adfric_interface_shear_coupling, only: coupling_results, coupling_row
    use adfric_interface_heat_rows, only: heat_results, n_heat_results, n_heat_rows, set_heat_rows
@@ -18,7 +20,7 @@ module adfric_periodic_sliding_variables
       & smooth_fraction_row, periodic_output
    implicit none (type, external)
    private
-   public :: set_surface_rows, set_solid_rows, get_sliding_results, cells_of
+   public :: attraction_values, set_surface_rows, set_solid_rows, get_sliding_results, cells_of
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: sliding_input_t
@@ -36,10 +38,11 @@ module adfric_periodic_sliding_variables
    integer, parameter, public :: s_thickness = n_spectrum_rows + 1, s_base = n_spectrum_rows + 2, &
       & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4, &
       & s_temperature = n_spectrum_rows, s_friction = n_spectrum_rows + 5
-   !> Indices of the last row of the interface, of the first and last one of adhesion, of the switches of the pull-off and of the
-   !> other branch, of the coupling, of the first and last row of heat, and number of all.
+   !> Indices of the last row of the interface, of the first and last one of adhesion, of its law and the table of that, of the switches of
+   !> the pull-off and of the other branch, of the coupling, of the first and last row of heat, and number of all.
    integer, parameter, public :: s_last_friction = s_friction + n_interface_rows - 1, s_adhesion = s_last_friction + 1, &
-      & s_last_adhesion = s_last_friction + n_adhesion_rows, s_pull_off = s_last_adhesion + 1, s_other_branch = s_pull_off + 1, &
+      & s_last_adhesion = s_last_friction + n_adhesion_rows, s_law = s_last_adhesion + 1, s_tension_table = s_law + 1, &
+      & s_pull_off = s_tension_table + 1, s_other_branch = s_pull_off + 1, &
       & s_coupling = s_other_branch + 1, s_heat = s_coupling + 1, s_last_heat = s_coupling + n_heat_rows
    integer, parameter, public :: n_solid_rows = s_last_heat
    !> Bases of the layer, in the order of the choice.
@@ -102,12 +105,24 @@ contains
       call set_shear_rows(v(s_friction:s_friction + n_shear_rows - 1))
       call set_law_rows(v(s_friction + n_shear_rows:s_last_friction))
       call set_adhesion_rows(v(s_adhesion:s_last_adhesion))
+      v(s_law) = law_row(law_words)
+      v(s_tension_table) = table_row()
       v(s_pull_off) = pull_off_row()
       v(s_other_branch) = switch(group='output', name='compare_branches', &
          & meaning='solve the other branch too, and say whether it has another state', default=.false.)
       v(s_coupling) = coupling_row()
       call set_heat_rows(v(s_heat:s_last_heat))
    end subroutine set_solid_rows
+
+   !> Values of the rows of adhesion and of its law, as all models of periodic surfaces have them: those that sliding does not have are unset.
+   pure function attraction_values(values) result(attraction)
+      !> Values of the rows of the solid; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: attraction(n_adhesion_rows + n_attraction_rows)
+
+      attraction = unset
+      attraction(:n_adhesion_rows + 2) = values(s_adhesion:s_tension_table)
+   end function attraction_values
 
    !> Cells along a period of a wave.
    pure integer function cells_of(values) result(n)

@@ -12,10 +12,10 @@ module adfric_round_timed_adhesion_contact
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_shape, only: shape_t
-   use adfric_round_timed_adhesion_memory, only: prepare_step, reserve_nodes, spring_memory_t, start_memory, stored_energy, &
-      & take_step
+   use adfric_round_timed_adhesion_memory, only: prepare_step, reserve_nodes, spring_memory_t, start_memory, &
+      & stored_energy, take_step, wake_springs
    use adfric_round_timed_adhesion_problem, only: set_shape, zone_problem_t, zone_state_t
-   use adfric_round_timed_adhesion_search, only: find_jump, find_near, near
+   use adfric_round_timed_adhesion_search, only: find_jump, find_near, near, nowhere
    use adfric_round_timed_adhesion_zone, only: set_edge, sum_up, zone_energy
    use adfric_round_timed_path, only: prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
    use adfric_solid_prony, only: prony_t
@@ -221,10 +221,15 @@ contains
          call sum_up(self%problem, self%problem%adhesion_radius(self%state%c), self%state%a, self%moved/(2*self%problem%cell), &
             & .true.)
          call find_near(self%problem, self%control, self%state, prescribed, reach, state, verdict)
+         if (self%memory%core > 0 .and. (verdict == nowhere .or. int(state%a/self%problem%cell) < self%memory%core)) then
+            call wake_all(self, span)
+            call find_near(self%problem, self%control, self%state, prescribed, reach, state, verdict)
+         end if
          moved = abs(state%c - self%state%c)
          if (max(state%a, self%state%a) > 2*reach) moved = max(moved, abs(state%a - self%state%a))
          if (verdict == near .and. (moved <= reach .or. end - self%phase <= 2*least_phase)) exit
          if (end - self%phase <= 2*least_phase) then
+            call wake_all(self, span)
             call find_jump(self%problem, self%memory, self%control, self%state, prescribed, state, verdict)
             is_jump = verdict == near
             exit
@@ -249,6 +254,19 @@ contains
          self%next = least_phase
       end if
    end subroutine take_one_step
+
+   !> States of the present step may ask for the memory of all nodes.
+   pure subroutine wake_all(self, span)
+      type(adhesive_contact_t), intent(inout) :: self
+      !> Length of the step in time.
+      real(dp), intent(in) :: span
+      integer, parameter :: pause = 64
+
+      self%memory%pause = max(self%memory%pause, pause)
+      if (self%memory%core == 0 .and. self%memory%tail%first > self%memory%last) return
+      call wake_springs(self%memory)
+      call prepare_step(self%memory, span, self%problem)
+   end subroutine wake_all
 
    !> Energies, jumps, least load and memory of a step.
    pure subroutine account(self, state, clock, is_jump)

@@ -19,6 +19,8 @@ module adfric_round_timed_adhesion_problem
       real(dp) :: cell = 1
       !> The memory w at the nodes; shape `(0:n_nodes)`.
       real(dp), allocatable :: memory(:)
+      !> Nodes of a core far within the contact, whose memory is not known: states that need it are not found.
+      integer :: core = 0
       !> A node beside the edge of contact.
       integer :: anchor = 0
       !> The integral of the memory from the axis up to it.

@@ -76,7 +76,8 @@ contains
 
       state%c = c
       if (.not. c > 0) then
-         state%approach = self%memory(0) - self%range
+         state%is_found = self%core == 0
+         if (state%is_found) state%approach = self%memory(0) - self%range
       else if (c > self%face) then
          call solve_face(self, c, guess, state)
       else if (c < within_edge*self%shape%edge) then
@@ -113,6 +114,10 @@ contains
       a = min(max(guess, 0.0_dp), narrowest)
       is_last = .false.
       do k = 1, most_steps
+         if (int(a/self%cell) < self%core) then
+            state%is_found = .false.
+            return
+         end if
          call get_opening(self, c, a, total, opening)
          if (.not. a > 0) then
             if (.not. opening%value > 0) then

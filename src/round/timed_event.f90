@@ -25,14 +25,14 @@ contains
       integer, intent(out) :: event
       !> Receives its position in the panel, from -1 to 1.
       real(dp), intent(out) :: end
-      ! derivatives at the nodes of a panel lose two digits
-      real(dp), parameter :: noise = 2048*epsilon(1.0_dp)
+      ! derivatives at the nodes of a panel lose two digits; at the edge the approach has no more than its own
+      real(dp), parameter :: noise = 2048*epsilon(1.0_dp), round_off = 64*epsilon(1.0_dp)
       real(dp) :: small, beyond
 
       event = by_time
       end = 2
       small = thin_depth(self, 1.0e-2_dp)
-      if (self%edge_mode /= lost) small = max(small, noise*maxval(abs(panel%rise)))
+      if (self%edge_mode /= lost) small = max(small, noise*maxval(abs(panel%rise)), round_off*maxval(abs(panel%approach)))
       select case (self%edge_mode)
       case (lost)
          if (abs(self%control%by_approach) > 0) call look(-panel%depth, small, by_contact, event, end)

@@ -7,7 +7,7 @@ module dense_sliding
    use dense_kernel, only: set_kernel
    implicit none (type, external)
    private
-   public :: solve_dense
+   public :: set_matrix, solve_dense
 
 contains
 

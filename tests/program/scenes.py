@@ -49,7 +49,7 @@ LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
 
 
 # the kind of scene in each column of the table
-KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 17, 18, 19, 20, 13, 14, 7, 11, 8, 12, 9, 10)
+KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 21, 17, 18, 19, 20, 13, 14, 7, 11, 8, 12, 9, 10)
 
 
 def scene_of(surface, kind):
@@ -69,6 +69,7 @@ def scene_of(surface, kind):
             16: ELASTIC.replace(" /", ", boundaries = 'free' /") + "&operating load = 1e-5 /\n",
             17: ON_LAYER + f"&operating {load} /\n", 18: ON_LAYER + adhesion + f"&operating {load} /\n",
             19: COATING + f"&operating {load} /\n", 20: COATING + adhesion + f"&operating {load} /\n",
+            21: ELASTIC.replace(" /", ", boundaries = 'free' /") + adhesion + "&operating load = 1e-5 /\n",
             7: RELAXING.format(more="") + f"&operating {load}, velocity = 0.01 /\n",
             8: LAYER + f"&operating {load}, velocity = 0.01 /\n",
             9: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
@@ -105,7 +106,7 @@ class Scenes(Runs):
         """The cells of `adfric help scenes`: surface, column, letter."""
         page, _ = self.run_program("help", "scenes")
         rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES
-                and len(line.split()) == 21 and set(line.split()[1:]) <= set("ent-")]
+                and len(line.split()) == 1 + len(KINDS) and set(line.split()[1:]) <= set("ent-")]
         self.assertEqual([row[0] for row in rows], list(SURFACES))
         return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
 
@@ -127,9 +128,9 @@ class Scenes(Runs):
 
     def test_variable_of_another_scene(self):
         """A variable that this scene does not have is refused with the nearest scene that has it."""
-        self.write(scene_of("wave_1d", 11).replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
+        self.write(scene_of("wave_1d", 11).replace("work_of_adhesion", "work_map = 'map.h5:/work', work_of_adhesion"))
         _, errors = self.run_program("run", "run.nml", status=2)
-        self.assertRegex(errors, r"^run.nml: &adhesion law: unknown variable, allowed: .*; the nearest scene that has it is wave_1d on an elastic "
+        self.assertRegex(errors, r"^run.nml: &adhesion work_map: unknown variable, allowed: .*; the nearest scene that has it is wave_1d on an elastic "
                          r"half-space with adhesion, pressed \(line \d\)\n$")
 
     def test_spectrum_beside_what_it_has_not(self):
@@ -791,7 +792,9 @@ class Scenes(Runs):
             file["nothing"] = np.full((8, 8), np.nan)
         masked = free.replace("/map", "/masked")
         for scene, message in (
-                (free + ADHESION, "&adhesion: nothing solves heights on an elastic half-space with free boundaries with adhesion, pressed; the nearest"),
+                (free + ADHESION + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with adhesion and"),
+                (free + "&output pull_off = .true. /\n", "&output pull_off: "),
+                (free + ADHESION.replace("&adhesion", "&adhesion law = 'exponential',"), "&adhesion law: "),
                 (free + "&friction coulomb_coefficient = 0.3 /\n", "&friction: nothing solves heights on an elastic half-space with free boundaries with a coefficient"),
                 (free + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with a shear strength, pressed"),
                 (scene_of("heights", 7).replace("&solid ", "&solid boundaries = 'periodic_x', "), "&solid: nothing solves heights on a viscoelastic half-space with free boundaries"),
@@ -800,7 +803,7 @@ class Scenes(Runs):
                 (scene_of("profile", 1).replace("&solid ", "&solid boundaries = 'free', "), "nothing solves profile on an elastic half-space with free boundaries"),
                 (scene_of("sphere", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "&solid boundaries: are periodic under waves and given heights, and a body of kind 'sphere' is alone"),
                 (free.replace("'free'", "'open'"), "&solid boundaries"),
-                (free.replace("load = 1e-5", "load = 1e-5, mean_pressure = 1e5"), "&operating mean_pressure: unknown variable, allowed: load, approach"),
+                (free.replace("load = 1e-5", "load = 1e-5, mean_pressure = 1e5"), "&operating mean_pressure: unknown variable, allowed: branch, turning_load, load, approach"),
                 (free.replace("load = 1e-5", "load = 1e-5, approach = 1e-7"), "&operating load: "),
                 (free.replace("load = 1e-5", "load = -1e-5"), "&operating load: "),
                 (free.replace("/map", "/profile"), "&surface heights: have one dimension, x; a body that ends somewhere needs two, (ny, nx)"),
@@ -811,7 +814,7 @@ class Scenes(Runs):
             _, errors = self.run_program("check", "run.nml", status=2)
             self.assertIn(message, errors)
             self.assertEqual(1, len(errors.splitlines()), errors)
-        for scene, solver in ((masked, "free_surface"), (free.replace("'free'", "'periodic_y'"), "free_surface"),
+        for scene, solver in ((masked, "free_surface"), (free.replace("'free'", "'periodic_y'"), "free_surface"), (free + LIGHT, "free_surface"),
                               (scene_of("heights", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "surface_elastic"),
                               (scene_of("wave_2d", 1).replace("&solid ", "&solid boundaries = 'periodic', "), "wave_2d_elastic")):
             self.write(scene)

@@ -251,6 +251,41 @@ class TimeScenes(SolverRuns):
             self.assertLess(np.max(np.abs(found["load"] - wanted)), error_of_springs*max(wanted), exponent)
             self.assertLess(abs(found["energy_imbalance"]), 1e-6)
 
+    def test_power_law_loads_that_come_back(self):
+        """Loads that fall to 0, rest there and come back, beside springs in small steps. In each step the approach is where the springs that
+        are in contact carry the load, which rises with it. The springs have an error of first order in their steps."""
+        n_steps, n_springs, error_of_springs = 150, 300, 6e-3
+        turns = (0, 1, 1.5, 1.8, 2.4, 3, 3.5)
+        loads = (0, 1, 0, 0, 0.8, 0, 0.5)
+        # of a spring of a micrometre on a ball, both its sides
+        unit = 800*2*np.sqrt(5e-12)*1e-6
+        for exponent in (0.3, 0.6, 0.9):
+            found = self.solve(BALL + POWER.format(exponent) + f"&history times = {', '.join(map(str, turns))}, "
+                               f"loads = {', '.join(f'{load*unit:.15e}' for load in loads)} /\n&output steps_per_leg = 20 /\n")
+            grid = (np.arange(1, n_steps + 1)/n_steps)**3
+            times = np.concatenate([[0]] + [begin + (end - begin)*grid for begin, end in zip(turns, turns[1:])])
+            load = np.interp(times, turns, loads)
+            width = 1.3*np.max(found["contact_radius"])/np.sqrt(5e-12)/n_springs
+            depth = (width*(np.arange(n_springs) + 0.5))**2
+            stretch = np.zeros((len(times), n_springs))
+            approach = np.zeros(len(times))
+            for k in range(1, len(times)):
+                past = (times[k] - times[:k + 1])**(1 - exponent)/(1 - exponent)
+                kernel = (past[:-1] - past[1:])/np.diff(times[:k + 1])
+                known = kernel[:-1] @ np.diff(stretch[:k], axis=0) if k > 1 else np.zeros(n_springs)
+                free = stretch[k - 1] - known/kernel[-1]
+                low, high = np.min(free + depth), np.min(free + depth) + 2*depth[-1]
+                for _ in range(60):
+                    middle = (low + high)/2
+                    carried = width*kernel[-1]*np.sum(np.maximum(middle - depth - free, 0))
+                    low, high = (middle, high) if carried < load[k] else (low, middle)
+                approach[k] = low
+                stretch[k] = np.maximum(low - depth, free)
+            wanted = 1e-6*np.interp(found["time"], times, approach)
+            off = np.max(np.abs(found["approach"] - wanted))/max(wanted)
+            self.assertLess(off, error_of_springs, exponent)
+            self.assertLess(abs(found["energy_imbalance"]), 1e-6)
+
     def test_power_law_refused(self):
         """A power law without one of its numbers, beside arms, with adhesion, under a jump; a solver that has none."""
         path = "&history times = 0, 1, approaches = 0, 1e-7 /\n"
