@@ -128,6 +128,7 @@ contains
       logical :: is_possible
 
       call make_spectrum(values(:n_density_rows), self%given, spectrum, is_possible)
+      if (.not. is_possible) return
       call self%get_cells(values, surface)
       if (is_too_long(surface%n_cells, surface%period)) then
          call problems%add('surface', 'length_y', 'makes cells more than 1e6 times as long as wide, given '// &

@@ -10,7 +10,7 @@
 module adfric_shape_drawn_heights
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi, two_pi
-   use adfric_base_error, only: error_t
+   use adfric_base_error, only: error_t, file_failure, set_error
    use adfric_base_kinds, only: dp
    use adfric_numerics_counted_numbers, only: counted_uniforms
    use adfric_numerics_wave_sum, only: sum_waves
@@ -50,12 +50,18 @@ contains
       type(error_t), allocatable, intent(out) :: error
       complex(dp), allocatable :: waves(:, :)
       complex(dp) :: wave
-      integer :: n(2), most(2), mx, my
+      integer :: n(2), most(2), mx, my, failure
 
       n = shape(heights)
       most = int(waves_along(spectrum, period)*(1 + round_off))
       if (has_asserts) call assert(can_hold(spectrum, period, n), 'draw_heights: more than two cells in a wave')
-      allocate (waves(0:n(1)/2, 0:n(2) - 1), source=(0.0_dp, 0.0_dp))
+      allocate (waves(0:n(1)/2, 0:n(2) - 1), stat=failure)
+      if (failure /= 0) then
+         heights = 0
+         call set_error(error, file_failure, 'there is no memory for the waves of a surface')
+         return
+      end if
+      waves = 0
       do my = -most(2), most(2)
          do mx = 0, most(1)
             if (mx == 0 .and. my <= 0) cycle
