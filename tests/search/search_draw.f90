@@ -141,17 +141,16 @@ contains
       cells = model%index_of('numerics', 'cells')
       call draw_value(model, dice, sizes, values, model%index_of('surface', 'seed'))
       call draw_value(model, dice, sizes, values, period)
-      call dice%choose(3, which)
-      values(cells) = model%variables(cells)%lower*2**(which - 1)
+      ! few have many cells
+      call dice%choose(7, which)
+      values(cells) = model%variables(cells)%lower*2**(which/3)
       ! octaves from the period to the shortest wave that cells have
       octaves = log(values(cells))/log(2.0_dp) - 1.1_dp
       call find_table(model, data, octaves - 1, is_table, longest)
       if (is_table) call dice%happens(0.5_dp, is_table)
-      associate (group => model%variables%group)
-         do k = 1, size(values)
-            if (group(k) == 'power_spectrum') values(k) = model%variables(k)%default
-         end do
-      end associate
+      do k = 1, size(values)
+         if (model%variables(k)%group == 'power_spectrum') values(k) = model%variables(k)%default
+      end do
       call dice%between(0.0_dp, 1.0_dp, step)
       if (is_table) then
          values(spectrum_row('wave_numbers')) = 1
