@@ -21,6 +21,8 @@ module search_draw
 
    !> How often a case is mended before it is given up.
    integer, parameter :: max_repairs = 60
+   !> How often a case of a drawn spectrum begins anew, whose solid or interface is not to be mended.
+   integer, parameter :: max_spectra = 6
    !> Points of a block of neighbours.
    integer, parameter :: n_neighbours = 6
    !> Shares of cases with profiles; of numbers that are 0, or at a bound, or left at their default; of optional numbers that are
@@ -61,13 +63,17 @@ contains
       real(dp), allocatable :: values(:)
       type(drawn_data_t), allocatable :: data(:)
       type(sizes_t) :: sizes
+      integer :: trial
 
       call draw_sizes(dice, sizes)
       call draw_data(model, dice, sizes%logarithm, data, is_drawn)
       if (.not. is_drawn) return
-      call draw_values(model, dice, sizes, values)
-      if (model%name == 'spectrum_elastic') call draw_waves(model, dice, sizes, data, values)
-      call mend_values(model, dice, sizes, values, is_drawn)
+      do trial = 1, merge(max_spectra, 1, model%name == 'spectrum_elastic')
+         call draw_values(model, dice, sizes, values)
+         if (model%name == 'spectrum_elastic') call draw_waves(model, dice, sizes, data, values)
+         call mend_values(model, dice, sizes, values, is_drawn)
+         if (is_drawn) exit
+      end do
       if (is_drawn) call draw_neighbours(model, dice, sizes, values, drawn, is_drawn)
       call move_alloc(data, drawn%data)
    end subroutine draw_case
@@ -141,8 +147,8 @@ contains
       cells = model%index_of('numerics', 'cells')
       call draw_value(model, dice, sizes, values, model%index_of('surface', 'seed'))
       call draw_value(model, dice, sizes, values, period)
-      ! few have many cells
-      call dice%choose(7, which)
+      ! grids of more cells take as long as many cases
+      call dice%choose(3, which)
       values(cells) = model%variables(cells)%lower*2**(which/3)
       ! octaves from the period to the shortest wave that cells have
       octaves = log(values(cells))/log(2.0_dp) - 1.1_dp
