@@ -147,9 +147,8 @@ contains
       cells = model%index_of('numerics', 'cells')
       call draw_value(model, dice, sizes, values, model%index_of('surface', 'seed'))
       call draw_value(model, dice, sizes, values, period)
-      ! grids of more cells take as long as many cases
-      call dice%choose(3, which)
-      values(cells) = model%variables(cells)%lower*2**(which/3)
+      ! a law of attraction on more cells takes minutes
+      values(cells) = model%variables(cells)%lower
       ! octaves from the period to the shortest wave that cells have
       octaves = log(values(cells))/log(2.0_dp) - 1.1_dp
       call find_table(model, data, octaves - 1, is_table, longest)
