@@ -780,6 +780,23 @@ class Scenes(Runs):
         self.write(without + "&sweep variable = 'thickness', values = 1e-5, 1e-4 /\n")
         self.run_program("check", "run.nml")
 
+    def test_two_of_adhesion_while_sliding(self):
+        """Any two of work, stress and range are one law. The work of one that fades linearly is half of stress times range, that of
+        van der Waals' law likewise, of the exponential one the whole."""
+        for law, ratio in (("dugdale", 1), ("exponential", 1), ("linear", 0.5), ("van_der_waals", 0.5)):
+            found = []
+            for pair in ({"work_of_adhesion": 0.02, "adhesion_range": 1e-6}, {"work_of_adhesion": 0.02, "adhesion_stress": 0.02/ratio/1e-6},
+                         {"adhesion_stress": 0.02/ratio/1e-6, "adhesion_range": 1e-6}):
+                words = ", ".join(f"{name} = {value!r}" for name, value in pair.items())
+                self.write("&job output = 'run.h5' /\n&surface kind = 'profile', heights = 'z.h5:/profile', length_x = 1e-4 /\n"
+                           + "&solid modulus = 1e6, moduli = 9e6, relaxation_times = 1e-3 /\n"
+                           + f"&adhesion law = '{law}', {words} /\n&operating mean_pressure = 5e4, velocity = 0.01 /\n")
+                self.run_program("run", "--quiet", "--force", "run.nml")
+                results, solver = results_of(self.folder/"run.h5")
+                self.assertEqual(solver, "surface_sliding")
+                found.append([float(results[name]) for name in ("friction_stress", "contact_fraction", "penetration")])
+            np.testing.assert_allclose(found[1:], found[:1]*2, rtol=1e-9, err_msg=law)
+
     def test_boundaries(self):
         """Heights end where boundaries say so; what has no solver there, and bodies that are alone anyway, are refused in one line."""
         free = scene_of("heights", 16)
@@ -790,10 +807,12 @@ class Scenes(Runs):
             heights[0, 0] = np.inf
             file["infinite"] = heights
             file["nothing"] = np.full((8, 8), np.nan)
+            file["few"] = heights[4:19, 4:]
         masked = free.replace("/map", "/masked")
         for scene, message in (
                 (free + ADHESION + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with adhesion and"),
                 (free + "&output pull_off = .true. /\n", "&output pull_off: "),
+                (free.replace("/map", "/few") + LIGHT, "&surface heights: has 15 cells along a side, allowed: at least 16; with adhesion"),
                 (free + ADHESION.replace("&adhesion", "&adhesion law = 'exponential',"), "&adhesion law: "),
                 (free + "&friction coulomb_coefficient = 0.3 /\n", "&friction: nothing solves heights on an elastic half-space with free boundaries with a coefficient"),
                 (free + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with a shear strength, pressed"),
