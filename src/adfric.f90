@@ -19,6 +19,7 @@ module adfric
    use adfric_describe_model, only: model_t
    use adfric_periodic_free_model, only: free_model_t, new_free_model
    use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
+   use adfric_periodic_spectrum_model, only: new_spectrum_model, spectrum_model_t
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
    use adfric_periodic_surface_time, only: surface_time_t, new_surface_time
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_1d_cells, new_wave_2d_model
@@ -33,7 +34,7 @@ module adfric
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
       & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder '// &
       & 'indenter_time adhesive_indenter_time surface_time adhesive_indenter_history wave_1d_elastic '// &
-      & 'attracted_indenter rough_theories free_surface'
+      & 'attracted_indenter rough_theories free_surface spectrum_elastic'
 
 contains
 
@@ -56,6 +57,7 @@ contains
       type(wave_model_t), allocatable :: wave
       type(wave_2d_model_t), allocatable :: wave_2d
       type(surface_model_t), allocatable :: surface
+      type(spectrum_model_t), allocatable :: spectrum
       type(free_model_t), allocatable :: free
       type(sliding_model_t), allocatable :: sliding
       type(adhesive_cylinder_t), allocatable :: adhesive_cylinder
@@ -129,6 +131,10 @@ contains
          allocate (surface)
          call new_surface_model(surface)
          call move_alloc(surface, model)
+      case ('spectrum_elastic')
+         allocate (spectrum)
+         call new_spectrum_model(spectrum)
+         call move_alloc(spectrum, model)
       case ('free_surface')
          allocate (free)
          call new_free_model(free)

@@ -157,7 +157,8 @@ contains
       lines = ''
       do i = 1, self%n
          if (i > 1) lines = lines//newline
-         lines = lines//'model = '''//join_words(self%items(i)%owners, ''', ''')//''''//newline//self%items(i)%text
+         lines = lines//'model = '//wrap(''''//join_words(self%items(i)%owners, ''' ''')//'''', len('model = '))//newline &
+            & //self%items(i)%text
       end do
    end function show_pages
 

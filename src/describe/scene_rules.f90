@@ -18,7 +18,7 @@ module adfric_describe_scene_rules
    !> Stands in a rule for the name of what has no meaning in a scene.
    character(*), parameter :: hidden = '-'
    !> Solvers that several rules have in common.
-   character(*), parameter :: on_cells = 'wave_1d_elastic,wave_2d_elastic,surface_elastic'
+   character(*), parameter :: on_cells = 'wave_1d_elastic,wave_2d_elastic,surface_elastic,spectrum_elastic'
    character(*), parameter :: in_elastic = 'hertz,wave_1d', two_solids = 'hertz,wave_1d,rough_theories', &
       & slips = 'hertz,indenter,wave_1d,'//on_cells, with_depth = 'rigid_punch,line_load,strip_load', &
       & periodic = 'wave_1d,'//on_cells, round = 'sphere,indenter', &
@@ -28,7 +28,7 @@ module adfric_describe_scene_rules
    character(*), parameter :: couples = 'hertz,wave_1d,surface_sliding,rigid_punch'
 
    !> Variables. A group stands for all its variables that no rule before it names.
-   character(*), parameter :: variable_rules(*) = [character(140) :: &
+   character(*), parameter :: variable_rules(*) = [character(160) :: &
       & 'rough_theories operating%velocity,operating%temperature - !relaxing', &
       & 'rough_theories adhesion% - relaxing', &
       & on_cells//' layer%base - !layer', &
@@ -101,7 +101,7 @@ module adfric_describe_scene_rules
       & 'strip_load operating% traction%']
 
    !> Results.
-   character(*), parameter :: result_rules(*) = [character(140) :: &
+   character(*), parameter :: result_rules(*) = [character(160) :: &
       & 'rough_theories contact_fraction_persson,mean_square_pressure_persson - adhesion', &
       & 'rough_theories contact_fraction_yang_persson,contact_fraction_wang_mueser - adhesion', &
       & 'rough_theories contact_fraction_greenwood_williamson,contact_fraction_bush_gibson_thomas - adhesion', &
@@ -268,7 +268,7 @@ module adfric_describe_scene_rules
       & heats//' thermal_gain,thermal_states,heat_share,bulk_heat,interface_heat - !heat']
 
    !> Profiles.
-   character(*), parameter :: profile_rules(*) = [character(140) :: &
+   character(*), parameter :: profile_rules(*) = [character(160) :: &
       & with_depth//' stress_yy_map stress_zz_map', &
       & with_depth//' stress_xy_map stress_xz_map', &
       & 'line_load displacement_y_map displacement_z_map', &
@@ -278,7 +278,7 @@ module adfric_describe_scene_rules
       & 'hertz_history stick_half_width stick_major_half_width ellipsoid']
 
    !> Words: the solvers, the variable in their language, each word that is another one in scenes, `old=new`, and the facts.
-   character(*), parameter :: word_rules(*) = [character(140) :: &
+   character(*), parameter :: word_rules(*) = [character(160) :: &
       & 'wavy_sliding surface%kind wave_2d=wave_1d wave_3d=wave_product map=heights', &
       & 'surface_sliding,surface_time surface%kind heights=profile profile', &
       & 'hertz,hertz_history contact%kind line=cylinder circular=paraboloid elliptical=ellipsoid', &
@@ -293,8 +293,8 @@ module adfric_describe_scene_rules
    character(*), parameter :: meanings(*) = [character(122) :: &
       & 'surface%radius radius of the body, or of curvature at its tip', &
       & 'surface%amplitude amplitude of each wave: half its height from valley to crest', &
-      & 'surface%length_x length of the heights along x: samples times spacing', &
-      & 'surface%length_y length of the heights along y: rows times spacing', &
+      & 'surface%length_x period along x; length of the heights: samples times spacing', &
+      & 'surface%length_y period along y; length of the heights: rows times spacing', &
       & 'surface%slope slope of a cone or wedge', &
       & 'operating%velocity sliding velocity along direction, or +x; below 0 the body slides the other way', &
       & 'operating%direction angle from +x, or the major axis, to the sliding or the force', &
@@ -328,19 +328,19 @@ module adfric_describe_scene_rules
 
    !> Values that follow from what a scene leaves out: the solvers, the variable in their language, its value, and the facts.
    !> Without a range adhesion is that of JKR (the third word of `theory`).
-   character(*), parameter :: default_rules(*) = [character(140) :: &
+   character(*), parameter :: default_rules(*) = [character(160) :: &
       & 'sphere sphere%work_of_adhesion 0 !adhesion', &
       & 'sphere model%theory 3 adhesion !range']
 
    !> Words that an input which names a model leaves out and its scene says: the solvers, the variable, the word, and the facts, to
    !> which the names count that the input gives. The force of sliding of an indenter stood beside every contact that a shear
    !> strength can hold. A master curve with Poisson's ratio of the layer alone is one of the contact modulus.
-   character(*), parameter :: added_words(*) = [character(140) :: &
+   character(*), parameter :: added_words(*) = [character(160) :: &
       & 'indenter operating%state sliding strength !tangential', &
       & 'surface_sliding solid%curve_modulus contact material%master_curve layer%poisson_ratio']
 
    !> Phrases of the messages, meanings and units of solvers, and behind = what a scene says.
-   character(*), parameter :: phrases(*) = [character(140) :: &
+   character(*), parameter :: phrases(*) = [character(160) :: &
       & 'wave_3d and map=wave_product and heights', 'wave_3d=wave_product', 'N/m for line=N/m for cylinder', &
       & '90 degrees=pi/2', '45 degrees=pi/4', '&material=relaxation in &solid', 'make a map of it=sample it as heights', &
       & 'adhesion_stress needs it, or adhesion_range=give two of work_of_adhesion, adhesion_stress and adhesion_range', &

@@ -76,6 +76,11 @@ module adfric_describe_scene_solvers
       & 'wave_1d,wave_2d,profile,heights half_space shear press,slide surface_sliding numerical', &
       & 'spectrum half_space none,adhesion press rough_theories theory', &
       & 'spectrum relaxing none slide rough_theories theory', &
+      & 'spectrum half_space none,adhesion press spectrum_elastic numerical', &
+      & 'spectrum half_space shear,adhesion+shear press,slide spectrum_elastic numerical', &
+      & 'spectrum half_space coulomb press,tangential spectrum_elastic numerical', &
+      & 'spectrum layer,coating none,adhesion,shear,adhesion+shear press spectrum_elastic numerical', &
+      & 'spectrum layer,coating shear,adhesion+shear slide spectrum_elastic numerical', &
       & 'line half_space none press,tangential line_load exact', &
       & 'strip half_space none press strip_load exact', &
       & 'point half_space none press,tangential point_load exact']

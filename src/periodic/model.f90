@@ -41,6 +41,7 @@ module adfric_periodic_model
       procedure :: wants_profiles
       procedure :: get_profile_axes
       procedure :: solve_point
+      procedure, non_overridable :: solve_contact => solve_point
       procedure :: fill_profiles
       procedure, non_overridable :: fill_contact_maps => fill_profiles
       procedure :: derive_quantities
@@ -94,7 +95,7 @@ module adfric_periodic_model
          class(periodic_model_t), intent(in) :: self
          real(dp), intent(in) :: values(:)
          !> In: the map of the point before, not allocated at the first one. Out: that of this point, which is not copied again
-         !> where it is the same [m].
+         !> where it is the same [m]; not allocated if there is no memory.
          real(dp), allocatable, intent(inout) :: shape(:, :)
       end subroutine get_shape_i
 
@@ -288,6 +289,10 @@ contains
       type is (periodic_state_t)
          call self%get_cells(values, state%surface)
          call self%get_shape(values, state%surface%shape)
+         if (.not. allocated(state%surface%shape)) then
+            status = status_out_of_memory
+            return
+         end if
          call self%set_solid(values, state%surface)
          goal = get_goal(self, values, state%surface%solid%modulus)
          call self%set_interface(values, state%surface%solid%modulus, goal)
@@ -445,6 +450,7 @@ contains
       call self%get_shape(values, surface%shape)
       call self%set_solid(values, surface)
       derived = self%derive_solid(values, surface)
+      if (.not. allocated(surface%shape)) return
       on_cells = not_a_number()
       if (.not. self%knows_full_pressure) on_cells = find_full_pressure(surface)
       pressure = self%get_full_pressure(values, surface%solid, on_cells)

@@ -9,7 +9,7 @@ module adfric_rough_atlas
    use adfric_base_kinds, only: dp
    use adfric_base_text, only: newline
    use adfric_base_words, only: pad
-   use adfric_rough_height_spectrum, only: height_spectrum_t
+   use adfric_shape_height_spectrum, only: height_spectrum_t
    use adfric_rough_variables, only: n_shares, share_yang_persson, suffixes
    implicit none (type, external)
    private

@@ -8,8 +8,8 @@ module adfric_rough_check
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
    use adfric_interface_adhesion_rows, only: check_stress, has_adhesion, n_stress_rows
-   use adfric_rough_height_spectrum, only: height_spectrum_t
-   use adfric_rough_variables, only: given_density_t, in => rough_input, is_rising, make_spectrum
+   use adfric_rough_variables, only: in => rough_input
+   use adfric_shape_power_spectrum, only: check_density, given_density_t, n_density_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: check_spectrum, has_spectrum, needs_velocity
@@ -30,26 +30,11 @@ contains
       type(given_density_t), intent(in) :: density
       type(problems_t), intent(inout), target :: problems
       type(checks_t) :: c
-      type(height_spectrum_t) :: spectrum
-      logical :: is_possible
-      integer :: before
 
-      before = problems%count()
       call new_checks(c, variables, values, problems, is_swept)
       call check_solid(c, variables, values, is_swept, given)
-      if (c%has_any([in%wave_numbers, in%densities])) then
-         call check_table(c, density)
-      else
-         call check_self_affine(c, values)
-      end if
-      if (problems%count() > before) return
-      call make_spectrum(values, density, spectrum, is_possible)
-      if (is_possible) return
-      if (c%has(in%densities)) then
-         call c%add(in%densities, 'leads to moments above 1e120 or below 1e-120, or waves of lengths above 1e12 times the shortest')
-      else
-         call c%add(in%shortest_wavelength, 'leads to moments above 1e120 or below 1e-120, or is below 1e-12 of the longest')
-      end if
+      call check_density(variables(:n_density_rows), values(:n_density_rows), is_swept(:n_density_rows), density, &
+         & problems)
    end subroutine check_rough
 
    !> Is the solid one that relaxes?
@@ -109,37 +94,5 @@ contains
       call c%add(in%mean_pressure, 'is below 1e-30, given '//show_number(values(in%mean_pressure))// &
          & ' [Pa]; the theories need a load', values(in%mean_pressure) < 1.0e-30_dp)
    end subroutine check_pressure
-
-   !> A self-affine spectrum.
-   subroutine check_self_affine(c, values)
-      type(checks_t), intent(in) :: c
-      real(dp), intent(in) :: values(:)
-
-      call c%need([in%hurst_exponent, in%shortest_wavelength])
-      call c%add(in%longest_wavelength, 'is missing [m]; or give rolloff_wavelength', &
-         & .not. c%has_any([in%longest_wavelength, in%rolloff_wavelength]))
-      call c%need_one([in%root_mean_square_height, in%root_mean_square_slope, in%plateau_density], .true.)
-      call c%refuse([in%convention], 'is one of a table; wavelengths and plateau_density need none')
-      if (.not. c%has(in%shortest_wavelength) .or. .not. c%has_any([in%longest_wavelength, in%rolloff_wavelength])) return
-      if (is_rising(values)) return
-      call c%add(in%shortest_wavelength, 'is not below rolloff_wavelength and longest_wavelength in this order, given '// &
-         & show_number(values(in%shortest_wavelength))//' [m]')
-   end subroutine check_self_affine
-
-   !> A table of a spectrum.
-   subroutine check_table(c, density)
-      type(checks_t), intent(in) :: c
-      type(given_density_t), intent(in) :: density
-      integer :: n
-
-      call c%need([in%wave_numbers, in%densities, in%convention])
-      call c%refuse([in%hurst_exponent, in%shortest_wavelength, in%rolloff_wavelength, in%longest_wavelength, &
-         & in%root_mean_square_height, in%root_mean_square_slope, in%plateau_density], 'stands beside a table of densities')
-      if (.not. (allocated(density%wave_numbers) .and. allocated(density%densities))) return
-      n = size(density%wave_numbers)
-      call c%add(in%densities, 'has another number of values than wave_numbers', size(density%densities) /= n)
-      call c%add(in%wave_numbers, 'does not rise from value to value', &
-         & any(.not. density%wave_numbers(2:) > density%wave_numbers(:n - 1)*(1 + 1.0e-12_dp)))
-   end subroutine check_table
 
 end module adfric_rough_check

@@ -16,16 +16,17 @@ module adfric_rough_model
    use adfric_interface_adhesion_rows, only: range_of
    use adfric_rough_atlas, only: describe_bands
    use adfric_rough_check, only: adheres, check_rough, relaxes
-   use adfric_rough_height_spectrum, only: height_spectrum_t
    use adfric_rough_persson, only: get_persson_states, most_pressure, persson_fraction, persson_mean_square, persson_state_t
    use adfric_rough_pull_off, only: find_pull_off, pastewka_robbins, bearing_pull_off_t
    use adfric_rough_rubber_friction, only: get_rubber_friction, rubber_friction_t
    use adfric_rough_separation_functions, only: area_function_t, energy_share_t, new_area_function, new_separation_functions, &
       & plain_share, separation_functions_t, wang_mueser_share, yang_persson_share
    use adfric_rough_summits, only: n_summit_theories, new_summits, summit_state_t, summits_t
-   use adfric_rough_variables, only: get_rough_results, get_rough_variables, given_density_t, in => rough_input, make_spectrum, &
-      & n_shares, out => rough_output, share_plain, share_wang_mueser, share_yang_persson, spectrum_sources
+   use adfric_rough_variables, only: get_rough_results, get_rough_variables, in => rough_input, &
+      & n_shares, out => rough_output, share_plain, share_wang_mueser, share_yang_persson
    use adfric_rough_wave_nodes, only: least_for_gap, least_for_squares, new_wave_nodes, wave_nodes_t
+   use adfric_shape_height_spectrum, only: height_spectrum_t
+   use adfric_shape_power_spectrum, only: derive_moments, given_density_t, make_spectrum, n_density_rows
    use adfric_solid_contact_modulus, only: contact_modulus_of, derive_contact_modulus
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_prony, only: prony_t
@@ -184,10 +185,8 @@ contains
       real(dp), intent(in) :: values(:, :)
       type(problems_t), intent(inout) :: problems
 
-      if (index == in%wave_numbers) then
-         self%density%wave_numbers = values(:, 1)
-      else if (index == in%densities) then
-         self%density%densities = values(:, 1)
+      if (index <= n_density_rows) then
+         call self%density%take(index, values(:, 1))
       else
          call take_spectrum(self%given, index - in%material(1) + 1, values)
       end if
@@ -221,16 +220,9 @@ contains
          list = derive_contact_modulus(self%variables(in%contact_modulus:in%second_poisson_ratio), &
             & values(in%contact_modulus:in%second_poisson_ratio))
       end if
-      call make_spectrum(values, self%density, spectrum, is_possible)
+      call make_spectrum(values(:n_density_rows), self%density, spectrum, is_possible)
       if (.not. is_possible) return
-      call add_derived(list, 'root_mean_square_height', 'm', 'root mean square of the heights', &
-         & spectrum%root_mean_square_height(), spectrum_sources)
-      call add_derived(list, 'root_mean_square_slope', '-', 'root mean square of the gradient', &
-         & spectrum%root_mean_square_slope(), spectrum_sources)
-      call add_derived(list, 'root_mean_square_curvature', '1/m', 'root mean square of half the Laplacian', &
-         & spectrum%root_mean_square_curvature(), spectrum_sources)
-      call add_derived(list, 'nayak_parameter', '-', 'm0 m4/m2^2 of the moments along a line', spectrum%nayak_parameter(), &
-         & spectrum_sources)
+      call derive_moments(list, spectrum)
       if (.not. relaxes(values)) call add_derived(list, 'full_contact_energy', 'J/m^2', &
          & 'elastic energy of an area in full contact', elastic_modulus(values)*spectrum%moment(1)/4)
    end function derive_quantities
@@ -256,7 +248,7 @@ contains
          return
       end if
       if (adheres(values)) return
-      call make_spectrum(values, self%density, spectrum, is_possible)
+      call make_spectrum(values(:n_density_rows), self%density, spectrum, is_possible)
       if (is_possible) text = describe_bands(spectrum, values(in%mean_pressure)/elastic_modulus(values) &
          & /spectrum%root_mean_square_slope(), values(in%yang_persson_constant))
    end function describe_case
@@ -271,7 +263,7 @@ contains
 
       text = ''
       if (.not. relaxes(values)) return
-      call make_spectrum(values, self%density, spectrum, is_possible)
+      call make_spectrum(values(:n_density_rows), self%density, spectrum, is_possible)
       if (is_possible) text = doubt_spectrum(values(in%material(1):in%temperature), self%given, &
          & abs(values(in%velocity))*[spectrum%q(0), spectrum%q(size(spectrum%power))])
    end function describe_doubts
@@ -288,7 +280,7 @@ contains
       type(height_spectrum_t) :: spectrum
       logical :: is_possible
 
-      call make_spectrum(values, self%density, spectrum, is_possible)
+      call make_spectrum(values(:n_density_rows), self%density, spectrum, is_possible)
       if (is_possible) measures(doubt_slope_too_steep) = spectrum%root_mean_square_slope()
       associate (unused => results)
       end associate
@@ -361,7 +353,7 @@ contains
          if (all(abs(of_spectrum - surface%values) <= 0)) return
       end if
       surface%values = of_spectrum
-      call make_spectrum(values, self%density, surface%spectrum, surface%is_possible)
+      call make_spectrum(values(:n_density_rows), self%density, surface%spectrum, surface%is_possible)
       if (.not. surface%is_possible) return
       surface%shares(share_plain) = plain_share()
       surface%shares(share_yang_persson) = yang_persson_share(values(in%yang_persson_constant))

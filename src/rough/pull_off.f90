@@ -12,7 +12,7 @@
 module adfric_rough_pull_off
    use adfric_base_constants, only: pi
    use adfric_base_kinds, only: dp
-   use adfric_rough_height_spectrum, only: height_spectrum_t
+   use adfric_shape_height_spectrum, only: height_spectrum_t
    use adfric_rough_persson, only: get_persson_states, persson_state_t
    use adfric_rough_separation_functions, only: energy_share_t, separation_functions_t
    use adfric_rough_wave_nodes, only: wave_nodes_t

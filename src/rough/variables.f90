@@ -1,20 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Rows of the model `rough_theories`, and the spectrum of its values.
+!> Rows of the model `rough_theories`.
 module adfric_rough_variables
-   use adfric_base_constants, only: pi
    use adfric_base_counting, only: counting
    use adfric_base_kinds, only: dp
-   use adfric_base_unset, only: is_set
-   use adfric_describe_rows, only: any_number, choice, list_row, number, positive, result_row
+   use adfric_describe_rows, only: any_number, number, positive, result_row
    use adfric_describe_table, only: result_t, variable_t
    use adfric_interface_adhesion_rows, only: n_stress_rows, set_stress_rows
-   use adfric_rough_height_spectrum, only: convention_words, height_spectrum_t, in_this_convention, new_self_affine, new_tabulated
    use adfric_rough_summits, only: n_summit_theories
    use adfric_solid_contact_modulus, only: set_modulus_rows
+   use adfric_shape_power_spectrum, only: set_density_rows
    use adfric_solid_spectrum_rows, only: n_spectrum_rows, set_spectrum_rows
    implicit none (type, external)
    private
-   public :: get_rough_variables, get_rough_results, given_density_t, make_spectrum, is_rising, spectrum_sources
+   public :: get_rough_variables, get_rough_results
    public :: suffixes, n_shares, share_plain, share_yang_persson, share_wang_mueser
 
    !> Forms of Persson's theory.
@@ -51,49 +49,15 @@ module adfric_rough_variables
    type(rough_output_t), parameter, public :: rough_output = transfer(counting, rough_output_t())
    integer, parameter, public :: n_rough_results = storage_size(rough_output)/storage_size(1)
 
-   !> Names of the variables that say the spectrum, separated by a blank.
-   character(*), parameter :: spectrum_sources = 'hurst_exponent shortest_wavelength rolloff_wavelength longest_wavelength '// &
-      & 'root_mean_square_height root_mean_square_slope plateau_density wave_numbers densities convention'
-
-   !> A table of a spectrum as the input gives it.
-   type :: given_density_t
-      !> Wave numbers, and densities in their convention; not allocated: none are given.
-      real(dp), allocatable :: wave_numbers(:), densities(:)
-   end type given_density_t
-
 contains
 
    !> The variables.
    function get_rough_variables() result(v)
       type(variable_t), allocatable :: v(:)
-      character(*), parameter :: group = 'power_spectrum'
 
       allocate (v(n_rough_variables))
       associate (in => rough_input)
-         v(in%hurst_exponent) = any_number(group=group, name='hurst_exponent', unit='-', &
-            & meaning='H: the density falls as q^(-2-2H) beyond the roll-off', lower=0.0_dp, upper=1.0_dp)
-         v(in%shortest_wavelength) = positive(group=group, name='shortest_wavelength', unit='m', &
-            & meaning='wavelength 2 pi/q of the shortest wave')
-         v(in%rolloff_wavelength) = positive(group=group, name='rolloff_wavelength', unit='m', &
-            & meaning='wavelength above which the density is constant; the longest one if not given')
-         v(in%longest_wavelength) = positive(group=group, name='longest_wavelength', unit='m', &
-            & meaning='wavelength of the longest wave; that of the roll-off if not given')
-         v(in%root_mean_square_height) = positive(group=group, name='root_mean_square_height', unit='m', &
-            & meaning='root mean square of the heights h')
-         v(in%root_mean_square_slope) = positive(group=group, name='root_mean_square_slope', unit='-', &
-            & meaning='root mean square of the gradient g, instead of the height')
-         v(in%plateau_density) = any_number(group=group, name='plateau_density', unit='m^4', &
-            & meaning='C at the roll-off, h^2 = int C d^2q, instead of the height', lower=0.0_dp)
-         v(in%plateau_density)%lower_open = .true.
-         v(in%wave_numbers) = list_row(group=group, name='wave_numbers', unit='1/m', &
-            & meaning='wave numbers of a table, rising, in rad/m, or in cycles per length', most_count=100000, &
-            & least_count=2, lower=0.0_dp, lower_open=.true.)
-         v(in%densities) = list_row(group=group, name='densities', unit='m^4', &
-            & meaning='densities at wave_numbers, in the convention', most_count=100000, least_count=2, lower=0.0_dp, &
-            & lower_open=.true.)
-         v(in%convention) = choice(group=group, name='convention', &
-            & meaning='h^2 = int C d^2q (variance), int C d^2q/(2 pi)^2 (transform), or int C d^2f, q = 2 pi f (cycles)', &
-            & choices=convention_words)
+         call set_density_rows(v(in%hurst_exponent:in%convention))
          call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
             & v(in%contact_modulus:in%second_poisson_ratio))
          call set_spectrum_rows(v(in%material(1):in%temperature))
@@ -167,67 +131,5 @@ contains
 
       row = result_row(name=name//'_'//trim(suffixes(k)), unit=unit, long_name=long_name//' ('//trim(meanings(k))//')')
    end function of_theory
-
-   !> Do wavelengths that are set make a spectrum?
-   pure logical function is_rising(values)
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      real(dp) :: waves(3)
-
-      waves = wavelengths_of(values)
-      is_rising = waves(1) < waves(3) .and. waves(1) <= waves(2) .and. waves(2) <= waves(3)
-   end function is_rising
-
-   !> Shortest wavelength, that of the roll-off, and the longest one; of the last two one may be left out.
-   pure function wavelengths_of(values) result(waves)
-      real(dp), intent(in) :: values(:)
-      real(dp) :: waves(3)
-
-      waves = values([rough_input%shortest_wavelength, rough_input%rolloff_wavelength, rough_input%longest_wavelength])
-      if (.not. is_set(waves(2))) waves(2) = waves(3)
-      if (.not. is_set(waves(3))) waves(3) = waves(2)
-   end function wavelengths_of
-
-   !> The spectrum of values that have been checked.
-   pure subroutine make_spectrum(values, given, spectrum, is_possible)
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Table of the input.
-      type(given_density_t), intent(in) :: given
-      !> Receives the spectrum.
-      type(height_spectrum_t), intent(out) :: spectrum
-      !> Do the wavelengths rise, and are the moments within the numbers?
-      logical, intent(out) :: is_possible
-      real(dp), parameter :: most = 1.0e120_dp, farthest = 1.0e30_dp, widest = 1.0e12_dp
-      real(dp) :: waves(3), factor
-      real(dp), allocatable :: q(:), density(:)
-
-      is_possible = .false.
-      if (is_set(values(rough_input%wave_numbers))) then
-         allocate (q(size(given%wave_numbers)), density(size(given%wave_numbers)))
-         associate (first => given%wave_numbers(1), last => given%wave_numbers(size(q)))
-            if (.not. (first > 1/farthest .and. last < farthest .and. last < widest*first)) return
-         end associate
-         if (.not. (minval(given%densities) > 1/most .and. maxval(given%densities) < most)) return
-         call in_this_convention(nint(values(rough_input%convention)), given%wave_numbers, given%densities, q, density)
-         call new_tabulated(spectrum, q, density)
-      else
-         if (.not. is_rising(values)) return
-         waves = wavelengths_of(values)
-         if (.not. waves(3) < widest*waves(1)) return
-         call new_self_affine(spectrum, values(rough_input%hurst_exponent), 2*pi/waves(3), 2*pi/waves(2), 2*pi/waves(1))
-         if (is_set(values(rough_input%root_mean_square_height))) then
-            factor = (values(rough_input%root_mean_square_height)/spectrum%root_mean_square_height())**2
-         else if (is_set(values(rough_input%root_mean_square_slope))) then
-            factor = (values(rough_input%root_mean_square_slope)/spectrum%root_mean_square_slope())**2
-         else
-            factor = values(rough_input%plateau_density)*(2*pi/waves(2))**4
-         end if
-         if (.not. (factor > 1/most .and. factor < most)) return
-         call spectrum%scale_by(factor)
-      end if
-      is_possible = spectrum%moment(0) > 1/most .and. spectrum%moment(0) < most .and. spectrum%moment(2) > 1/most &
-         & .and. spectrum%moment(2) < most .and. spectrum%moment(4) > 1/most .and. spectrum%moment(4) < most
-   end subroutine make_spectrum
 
 end module adfric_rough_variables

@@ -14,7 +14,7 @@ module adfric_rough_wave_nodes
    use adfric_base_kinds, only: dp
    use adfric_numerics_gauss, only: gauss_nodes_10, gauss_weights_10
    use adfric_numerics_libm, only: expm1, log1p
-   use adfric_rough_height_spectrum, only: height_spectrum_t
+   use adfric_shape_height_spectrum, only: height_spectrum_t
    implicit none (type, external)
    private
    public :: wave_nodes_t, new_wave_nodes, n_of_panel, least_for_gap, least_for_squares

@@ -141,7 +141,8 @@ contains
       if (has_word('sphere indenter adhesive_indenter_time adhesive_indenter_history', solver)) then
          if (has_word(facts, 'stress_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'work_given')) &
             follows = follows_work
-      else if (has_word('attracted_indenter wave_1d_elastic wave_2d_elastic surface_elastic surface_sliding', solver)) then
+      else if (has_word('attracted_indenter wave_1d_elastic wave_2d_elastic surface_elastic surface_sliding spectrum_elastic', &
+         & solver)) then
          ! these have the stress from the law
          follows = follows_nothing
       else if (has_word(facts, 'work_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'stress_given')) then

@@ -79,6 +79,8 @@ def scene_of(surface, kind):
             13: RELAXING.format(more="") + f"&history times = 0.0, 1.0, 3.0, {path} /\n",
             14: RELAXING.format(more="") + ADHESION.replace("1e6", "1e5") + "&history times = 0.0, 1.0, 3.0, approaches = 0.0, 1e-6, 0.0 /\n"}[kind]
     cells = "&numerics cells = 64 /\n" if surface == "wave_2d" or surface in PERIODIC and kind in (8, 12) and surface not in ("profile", "heights", "spectrum") else ""
+    if surface == "spectrum" and kind not in (1, 2, 7):
+        return f"&job output = 'run.h5' /\n&surface kind = 'spectrum', length_x = 1e-5, seed = 1 /\n{SPECTRUM}{rest}&numerics cells = 64 /\n"
     if surface == "spectrum":
         rest = SPECTRUM + (rest.replace(f"&operating {load} /\n", "") if "&adhesion" in rest else rest)
     return f"&job output = 'run.h5' /\n&surface kind = '{surface}'{', ' if SURFACES[surface] else ''}{SURFACES[surface]} /\n{rest}{cells}"
@@ -132,15 +134,30 @@ class Scenes(Runs):
                          r"half-space with adhesion, pressed \(line \d\)\n$")
 
     def test_spectrum_beside_what_it_has_not(self):
-        """A law of attraction leads from a spectrum to heights, and a pressure beside adhesion is refused at any size."""
+        """A law of attraction leads from theories to a surface that is drawn, and a pressure beside adhesion is refused at any size."""
         text = scene_of("spectrum", 2)
-        self.write(text.replace("work_of_adhesion", "law = 'exponential', work_of_adhesion"))
+        self.write(text.replace("work_of_adhesion", "law = 'exponential', work_of_adhesion").replace("'spectrum' /", "'spectrum', length_x = 1e-5 /")
+                   + "&operating mean_pressure = 5e4 /\n")
         _, errors = self.run_program("run", "run.nml", status=2)
-        self.assertRegex(errors, r"&adhesion law: .*; the nearest scene that has it is heights on an elastic half-space with adhesion")
+        self.assertIn("&surface seed: is missing [-]; cells have a surface that a seed draws from the spectrum", errors)
         for pressure in "0.0", "1e5":
             self.write(f"{text}\n&operating mean_pressure = {pressure} /\n")
             _, errors = self.run_program("run", "run.nml", status=2)
             self.assertIn("mean_pressure: stands beside adhesion, whose theories give pull-off alone", errors)
+
+    def test_seeds(self):
+        """A seed is one surface for any number of threads, in any order, and among other seeds."""
+        text = f"&job output = 'run.h5' /\n&surface kind = 'spectrum', length_x = 1e-5 /\n{SPECTRUM}{ELASTIC}&numerics cells = 64 /\n"
+        found = []
+        for seeds, threads in (("1, 2, 3, 4, 5, 6", 1), ("1, 2, 3, 4, 5, 6", 2), ("6, 5, 4, 3, 2, 1", 2), ("2, 6", 1)):
+            self.write(text + f"&sweep variable = 'seed', values = {seeds} /\n&sweep variable = 'mean_pressure', values = 2e4, 6e4 /\n")
+            self.run_program("run", "--quiet", "--force", "run.nml", threads=threads)
+            found.append(results_of(self.folder/"run.h5")[0])
+        for name, expected in found[0].items():
+            np.testing.assert_array_equal(found[1][name], expected, name)
+            np.testing.assert_array_equal(found[2][name][::-1], expected, name)
+            np.testing.assert_array_equal(found[3][name], expected[[1, 5]], name)
+        self.assertGreater(np.ptp(found[0]["contact_fraction"][:, 0]), 1e-3)
 
     def test_said_once(self):
         """What both the scene and its solver read is wrong once."""

@@ -4,6 +4,7 @@
 !> Numbers are drawn about sizes that fit together: a length, a stress and a time are drawn first, and every variable lies within
 !> some decades of what these make of its unit. What the model finds wrong with the values together is drawn anew, or left out.
 module search_draw
+   use adfric_base_constants, only: two_pi
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
@@ -20,6 +21,8 @@ module search_draw
 
    !> How often a case is mended before it is given up.
    integer, parameter :: max_repairs = 60
+   !> How often a case of a drawn spectrum begins anew, whose solid or interface is not to be mended.
+   integer, parameter :: max_spectra = 6
    !> Points of a block of neighbours.
    integer, parameter :: n_neighbours = 6
    !> Shares of cases with profiles; of numbers that are 0, or at a bound, or left at their default; of optional numbers that are
@@ -60,12 +63,17 @@ contains
       real(dp), allocatable :: values(:)
       type(drawn_data_t), allocatable :: data(:)
       type(sizes_t) :: sizes
+      integer :: trial
 
       call draw_sizes(dice, sizes)
       call draw_data(model, dice, sizes%logarithm, data, is_drawn)
       if (.not. is_drawn) return
-      call draw_values(model, dice, sizes, values)
-      call mend_values(model, dice, sizes, values, is_drawn)
+      do trial = 1, merge(max_spectra, 1, model%name == 'spectrum_elastic')
+         call draw_values(model, dice, sizes, values)
+         if (model%name == 'spectrum_elastic') call draw_waves(model, dice, sizes, data, values)
+         call mend_values(model, dice, sizes, values, is_drawn)
+         if (is_drawn) exit
+      end do
       if (is_drawn) call draw_neighbours(model, dice, sizes, values, drawn, is_drawn)
       call move_alloc(data, drawn%data)
    end subroutine draw_case
@@ -118,6 +126,99 @@ contains
          if (is_given) call draw_value(model, dice, sizes, values, k)
       end do
    end subroutine draw_values
+
+   !> A spectrum, a period and a few cells that fit together: the period has the longest wave, and the shortest one has more than
+   !> two cells. Whatever else is drawn, such as the height, is left as it is.
+   subroutine draw_waves(model, dice, sizes, data, values)
+      class(model_t), intent(in) :: model
+      type(dice_t), intent(inout) :: dice
+      type(sizes_t), intent(in) :: sizes
+      !> Datasets, of which the table of a spectrum may be one.
+      type(drawn_data_t), intent(in) :: data(:)
+      real(dp), intent(inout) :: values(:)
+      character(*), parameter :: heights(3) = [character(23) :: 'root_mean_square_height', 'root_mean_square_slope', &
+         & 'plateau_density']
+      real(dp) :: octaves, band, step, longest, shortest
+      logical :: is_table
+      integer :: period, period_y, cells, which, k
+
+      period = model%index_of('surface', 'length_x')
+      period_y = model%index_of('surface', 'length_y')
+      cells = model%index_of('numerics', 'cells')
+      call draw_value(model, dice, sizes, values, model%index_of('surface', 'seed'))
+      call draw_value(model, dice, sizes, values, period)
+      ! a law of attraction on more cells takes minutes
+      values(cells) = model%variables(cells)%lower
+      ! octaves from the period to the shortest wave that cells have
+      octaves = log(values(cells))/log(2.0_dp) - 1.1_dp
+      call find_table(model, data, octaves - 1, is_table, longest)
+      if (is_table) call dice%happens(0.5_dp, is_table)
+      do k = 1, size(values)
+         if (model%variables(k)%group == 'power_spectrum') values(k) = model%variables(k)%default
+      end do
+      call dice%between(0.0_dp, 1.0_dp, step)
+      if (is_table) then
+         values(spectrum_row('wave_numbers')) = 1
+         values(spectrum_row('densities')) = 1
+         call draw_value(model, dice, sizes, values, spectrum_row('convention'))
+         if (nint(values(spectrum_row('convention'))) == 3) longest = longest/two_pi
+         values(period) = longest*2**step
+         if (is_set(values(period_y))) values(period_y) = values(period)
+         return
+      end if
+      call draw_value(model, dice, sizes, values, spectrum_row('hurst_exponent'))
+      call dice%choose(size(heights), which)
+      call draw_value(model, dice, sizes, values, spectrum_row(trim(heights(which))))
+      longest = values(period)*2**(-step)
+      octaves = octaves - step
+      if (is_set(values(period_y))) then
+         call dice%between(0.0_dp, 1.0_dp, step)
+         values(period_y) = values(period)*2**step
+         octaves = octaves - step
+      end if
+      call dice%between(0.2_dp, octaves, band)
+      shortest = longest*2**(-band)
+      values(spectrum_row('shortest_wavelength')) = shortest
+      call dice%between(0.0_dp, band, step)
+      ! one of both, or both
+      call dice%choose(3, which)
+      if (which /= 1) values(spectrum_row('longest_wavelength')) = longest
+      if (which == 1) values(spectrum_row('rolloff_wavelength')) = longest
+      if (which == 3) values(spectrum_row('rolloff_wavelength')) = max(shortest, longest*2**(-step))
+
+   contains
+
+      integer function spectrum_row(name)
+         character(*), intent(in) :: name
+
+         spectrum_row = model%index_of('power_spectrum', name)
+      end function spectrum_row
+
+   end subroutine draw_waves
+
+   !> Do the wave numbers of a table rise, over no more than some octaves?
+   subroutine find_table(model, data, octaves, is_table, longest)
+      class(model_t), intent(in) :: model
+      type(drawn_data_t), intent(in) :: data(:)
+      real(dp), intent(in) :: octaves
+      logical, intent(out) :: is_table
+      !> Receives the longest wave if the wave numbers are in radians [m]; 0 if there is no table.
+      real(dp), intent(out) :: longest
+      integer :: row, k, n
+
+      is_table = .false.
+      longest = 0
+      row = model%index_of('power_spectrum', 'wave_numbers')
+      do k = 1, size(data)
+         if (data(k)%position /= row) cycle
+         associate (q => data(k)%values(:, 1))
+            n = size(q)
+            is_table = all(q(2:) > q(:n - 1)*(1 + 1.0e-9_dp))
+            if (is_table) is_table = q(n) < q(1)*2**octaves
+            if (is_table) longest = two_pi/q(1)
+         end associate
+      end do
+   end subroutine find_table
 
    !> Draw one value.
    subroutine draw_value(model, dice, sizes, values, k)

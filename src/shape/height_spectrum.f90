@@ -10,7 +10,7 @@
 !>
 !> which has no difference of equal numbers where n + 2 + s = 0. The slope up to a wave number has the inverse
 !> q = q_i exp(log1p(a z)/a), a = 4 + s_i, z = M_2/(2 pi C_i q_i^4).
-module adfric_rough_height_spectrum
+module adfric_shape_height_spectrum
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi
    use adfric_base_kinds, only: dp
@@ -272,4 +272,4 @@ contains
       if (convention == convention_cycles) q = 2*pi*wave_numbers
    end subroutine in_this_convention
 
-end module adfric_rough_height_spectrum
+end module adfric_shape_height_spectrum
