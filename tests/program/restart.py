@@ -116,7 +116,7 @@ class Restart(Runs):
         self.assertIn("stopped by SIGTERM", errors)
         (self.folder / "run.h5.partial").unlink()
         # a block that takes long, of a solver that does not ask
-        process = self.stopped_twice(LOADS.format(strips=4096, count=8000), 1.1)
+        process = self.stopped_twice(LOADS.format(strips=65536, count=8000), 1.1)
         _, errors = process.communicate(timeout=60)
         self.assertEqual((process.returncode, errors), (-signal.SIGTERM, ""))
 
