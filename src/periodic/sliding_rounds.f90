@@ -80,7 +80,8 @@ contains
          if (operator%is_stopped()) exit
          call state%cohesion%set_share(state%gap)
          change = maxval(abs(state%cohesion%share - share))
-         rate = max(least_rate, change/before)
+         rate = least_rate
+         if (before > 0) rate = max(least_rate, change/before)
          has_rested = change <= resting_share .and. .not. is_ordered
          if (has_rested .or. (k >= next_try .and. change <= near .and. (rate <= largest_rate .or. is_ordered))) then
             next_try = k + max(2, k/4)
