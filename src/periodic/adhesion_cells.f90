@@ -9,7 +9,6 @@ module adfric_periodic_adhesion_cells
    use adfric_base_constants, only: pi
    use adfric_describe_derived, only: add_derived, derived_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names
-   use adfric_periodic_layer_kernel, only: layer_kernel_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables, only: regime_adhesion_only, regime_adhesion_zones, regime_full, regime_none, regime_partial, &
@@ -78,12 +77,9 @@ contains
 
       length = pi*surface%solid%modulus*law%range/(4*law%stress)
       if (.not. allocated(surface%solid%kernel)) return
-      select type (kernel => surface%solid%kernel)
-      type is (layer_kernel_t)
-         associate (unit => surface%period(1))
-            length = unit*kernel%zone_length(length/unit, maxval(surface%period, mask=surface%n_cells > 1)/unit)
-         end associate
-      end select
+      associate (unit => surface%period(1))
+         length = length*surface%solid%kernel%stretch_of_zone(length/unit, maxval(surface%period, mask=surface%n_cells > 1)/unit)
+      end associate
    end function zone_length
 
    !> That over the length of a cell.

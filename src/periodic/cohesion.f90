@@ -19,7 +19,7 @@
 !> stress. The other one is what had closed at a turn: opening may have a longer range than closing, and what had not come within the
 !> range of closing by then has no tension. Both only weigh the integrals over g, so that all of the above stays.
 !>
-!> Another law that falls with the gap may stand in place of Dugdale's. Then the share of a cell is its tension over the largest one, and
+!> Another law that falls with the gap may replace Dugdale's. Then the share of a cell is its tension over the largest one, and
 !> depends on the gap in its middle alone; no triangles are asked.
 !>
 !> The file is long by shares and slopes, which are integrals over the same triangles.

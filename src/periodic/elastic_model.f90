@@ -446,11 +446,11 @@ contains
          if (.not. allocated(law%attraction)) results(out%adhesion_fraction) = adhesion_fraction_of(solution)
          results(out%regime) = regime_of(solution)
          ! the edge of a contact is taken for that on a half-space
-         if (.not. has_layer(layer_values(self, values))) results(out%smooth_fraction) = smooth_fraction_of(law, surface, solution)
+         if (.not. allocated(surface%solid%kernel)) results(out%smooth_fraction) = smooth_fraction_of(law, surface, solution)
          call store_friction(friction_values(self, values), self%given_law, tension_outside(law, solution), &
             & modulus*solution%pressure, results, is_valid)
          if (.not. is_valid) error_estimate = huge(error_estimate)
-         if (is_valid .and. is_set(poisson_ratio_of(self, values)) .and. .not. has_layer(layer_values(self, values))) &
+         if (is_valid .and. is_set(poisson_ratio_of(self, values)) .and. .not. allocated(surface%solid%kernel)) &
             & call store_left_out(friction_values(self, values), self%given_law, poisson_ratio_of(self, values), surface, &
             & solution, results)
          if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)

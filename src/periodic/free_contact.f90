@@ -15,7 +15,7 @@
 !>
 !>     z = M (delta - g0 - u),   sum of z = 0.
 !>
-!> A body that may tilt under its load has delta + t_x (x - x_P) + t_y (y - y_P) in place of delta. Its moments about the point P of
+!> A body that may tilt under its load has delta + t_x (x - x_P) + t_y (y - y_P) instead of delta. Its moments about the point P of
 !> the load are 0, so that the tilts are multipliers of the same kind.
 module adfric_periodic_free_contact
    use adfric_base_kinds, only: dp

@@ -162,7 +162,7 @@ contains
          & 'is free beside &adhesion, where the body must be fixed')
    end subroutine check_tilt
 
-   !> How the body of a point is held.
+   !> How the body of a point may move.
    pure type(free_hinge_t) function hinge_of(values, unit) result(hinge)
       !> Values of the variables.
       real(dp), intent(in) :: values(:)
@@ -251,6 +251,7 @@ contains
       real(dp), intent(inout) :: counts(:)
       type(error_t), allocatable :: error
       type(adhesion_law_t) :: law
+      type(free_hinge_t) :: hinge
       real(dp) :: unit, prescribed
       logical :: has_load
 
@@ -265,6 +266,7 @@ contains
          call set_free_solid(values, state%surface)
          call prepare_solver(state, self%watch, is_periodic_by(values(in%boundaries)), law%stress > 0, error)
          unit = state%surface%period(1)
+         hinge = hinge_of(values, unit)
          has_load = is_set(values(in%load))
          prescribed = values(merge(in%load, in%approach, has_load))/unit
          associate (modulus => state%surface%solid%modulus)
@@ -276,9 +278,9 @@ contains
                   & free_law_in_units(law, modulus, unit), values(in%tolerance), is_wanted(values(in%pull_off)), &
                   & self%pull_offs, state%solution, state%adhesion, error)
                if (state%adhesion%is_out_of_range) status = status_no_equilibrium
-            else if (is_inside(self%given%is_body, state%surface%period/unit, hinge_of(values, unit))) then
+            else if (is_inside(self%given%is_body, state%surface%period/unit, hinge)) then
                call solve_free(state%solver, state%surface%shape/unit, self%given%is_body, has_load, prescribed, &
-                  & values(in%tolerance), state%solution, hinge_of(values, unit))
+                  & values(in%tolerance), state%solution, hinge)
             else
                ! it tips over
                status = status_no_equilibrium
@@ -298,7 +300,7 @@ contains
                return
             end if
             status = status_solved
-            call store(values, state, modulus, hinge_of(values, unit), results)
+            call store(values, state, modulus, hinge, results)
             if (law%stress > 0) call store_adhesion(law, state, results)
          end associate
       end select

@@ -113,7 +113,7 @@ contains
       type(free_point_state_t), intent(in) :: state
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
-      !> How the body is held.
+      !> How the body may move.
       type(free_hinge_t), intent(in) :: hinge
       !> In: all NaN. Out: with what has a value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)

@@ -32,7 +32,7 @@ module adfric_periodic_free_solver
       type(free_operator_t), allocatable :: operators(:)
    end type free_solver_t
 
-   !> How a body is held under a load.
+   !> How a body may move under a load.
    type :: free_hinge_t
       !> May it tilt along x, along y?
       logical :: may_tilt(2) = .false.
@@ -112,7 +112,7 @@ contains
       !> Largest residual on the finest grid [-].
       real(dp), intent(in) :: tolerance
       type(free_solution_t), intent(inout) :: solution
-      !> How the body is held under a load. Not given: it does not tilt.
+      !> How the body may move under a load. Not given: it does not tilt.
       type(free_hinge_t), intent(in), optional :: hinge
       type(free_field_t) :: fields(size(self%operators))
       type(free_state_t) :: states(size(self%operators))

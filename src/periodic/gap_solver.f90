@@ -181,7 +181,7 @@ contains
       else if (.not. self%is_symmetric) then
          call self%set_sliding_step(operator, pressure, length, cohesion)
          is_stuck = .not. length > 0
-         ! a tension that falls with the gap in all cells may leave no definite solid: then the shortest remains may lie the other way
+         ! a tension that falls with the gap in all cells may leave no definite solid: the shortest remains may lie opposite then
          if (is_stuck .and. has_law(cohesion)) is_stuck = .not. abs(length) > 0
          if (is_stuck) return
          if (length > 0) self%length = length

@@ -12,6 +12,8 @@ module adfric_periodic_kernel
    contains
       procedure(get_stiffness_i), deferred :: get_stiffness
       procedure :: mean_compliance
+      procedure :: orders_states
+      procedure :: stretch_of_zone
    end type kernel_t
 
    abstract interface
@@ -46,5 +48,27 @@ contains
       associate (unused => self)
       end associate
    end function mean_compliance
+
+   !> Do adhesive states have an order, so that steps which find no state prove that there is none? A layer overrides it.
+   pure logical function orders_states(self)
+      !> The surface of the solid; nothing is read from it here.
+      class(kernel_t), intent(in) :: self
+
+      orders_states = .true.
+      associate (unused => self)
+      end associate
+   end function orders_states
+
+   !> Length of a short zone of adhesion over that on a half-space of the same modulus. A layer overrides it.
+   pure real(dp) function stretch_of_zone(self, on_half_space, longest) result(stretch)
+      !> The surface of the solid; nothing is read from it here.
+      class(kernel_t), intent(in) :: self
+      !> That length on a half-space, and the most that it can be here, in the unit of the kernel's lengths, > 0.
+      real(dp), intent(in) :: on_half_space, longest
+
+      stretch = 1
+      associate (unused => self, unused_length => on_half_space, unused_longest => longest)
+      end associate
+   end function stretch_of_zone
 
 end module adfric_periodic_kernel

@@ -28,6 +28,8 @@ module adfric_periodic_layer_kernel
    contains
       procedure :: get_stiffness
       procedure :: mean_compliance
+      procedure :: orders_states
+      procedure :: stretch_of_zone
       procedure :: zone_length
    end type layer_kernel_t
 
@@ -65,6 +67,24 @@ contains
       if (self%is_bonded) mean_compliance = self%thickness*mean_factor_of_bonded(self%poisson_ratio)
       if (allocated(self%coating)) mean_compliance = 0
    end function mean_compliance
+
+   !> See `kernel_t`: entries of the stiffness off its diagonal are above 0, so that no order is proved (docs/theory/layers.md).
+   pure logical function orders_states(self)
+      class(layer_kernel_t), intent(in) :: self
+
+      orders_states = .false.
+      associate (unused => self)
+      end associate
+   end function orders_states
+
+   !> See `kernel_t`.
+   pure real(dp) function stretch_of_zone(self, on_half_space, longest) result(stretch)
+      class(layer_kernel_t), intent(in) :: self
+      !> That length on a half-space, and the most that it can be, in the unit of the thickness.
+      real(dp), intent(in) :: on_half_space, longest
+
+      stretch = self%zone_length(on_half_space, longest)/on_half_space
+   end function stretch_of_zone
 
    !> Length l of a short zone of adhesion. On a half-space it is pi E* h0/(4 p0). Here the modulus is E*/F(2 H/l), that of waves
    !> with the wave number 2/l, so that l F(2 H/l) is that length. The least l counts.

@@ -57,8 +57,8 @@ module adfric_periodic_model
       procedure(get_shape_i), deferred :: get_shape
       procedure(check_solid_i), deferred :: check_solid
       procedure(set_solid_i), deferred :: set_solid
-      procedure(get_full_pressure_i), deferred :: get_full_pressure
-      procedure(get_peak_pressure_i), deferred :: get_peak_pressure
+      procedure :: get_full_pressure
+      procedure :: get_peak_pressure
    end type periodic_model_t
 
    abstract interface
@@ -120,30 +120,6 @@ module adfric_periodic_model
          type(periodic_surface_t), intent(inout) :: surface
       end subroutine set_solid_i
 
-      !> Mean pressure at which contact becomes full [Pa].
-      pure real(dp) function get_full_pressure_i(self, values, solid, on_cells)
-         import :: periodic_model_t, periodic_solid_t, dp
-         implicit none (type, external)
-         !> The model whose pressure of full contact is wanted.
-         class(periodic_model_t), intent(in) :: self
-         real(dp), intent(in) :: values(:)
-         !> The solid of the point.
-         class(periodic_solid_t), intent(in) :: solid
-         !> Pressure of full contact of the surface as its cells have it [E*]; of no meaning where the model `knows_full_pressure`.
-         real(dp), intent(in) :: on_cells
-      end function get_full_pressure_i
-
-      !> The largest pressure of a map, in its unit.
-      real(dp) function get_peak_pressure_i(self, values, pressure)
-         import :: periodic_model_t, dp
-         implicit none (type, external)
-         !> The model whose largest pressure is wanted.
-         class(periodic_model_t), intent(in) :: self
-         real(dp), intent(in) :: values(:)
-         !> Pressure in the middles of the cells; shape `(nx, ny)`.
-         real(dp), intent(in) :: pressure(:, :)
-      end function get_peak_pressure_i
-
    end interface
 
    !> What a point leaves: its surface and solver for the next point, and its solution for the maps.
@@ -162,6 +138,34 @@ module adfric_periodic_model
    integer, parameter :: most_neighbours = 4
 
 contains
+
+   !> Mean pressure at which contact becomes full [Pa]: that of the cells, unless a model knows better.
+   pure real(dp) function get_full_pressure(self, values, solid, on_cells)
+      !> The model whose pressure of full contact is wanted.
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> The solid of the point.
+      class(periodic_solid_t), intent(in) :: solid
+      !> Pressure of full contact of the surface as its cells have it [E*]; of no meaning where the model `knows_full_pressure`.
+      real(dp), intent(in) :: on_cells
+
+      get_full_pressure = solid%modulus*on_cells
+      associate (unused => self, unused_values => values)
+      end associate
+   end function get_full_pressure
+
+   !> The largest pressure of a map, in its unit: that of a cell, unless a model knows better.
+   real(dp) function get_peak_pressure(self, values, pressure)
+      !> The model whose largest pressure is wanted.
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> Pressure in the middles of the cells; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+
+      get_peak_pressure = maxval(pressure)
+      associate (unused => self, unused_values => values)
+      end associate
+   end function get_peak_pressure
 
    !> Set the tables of the model.
    subroutine set_tables(self, name, summary, surface, solid, may_pull)

@@ -18,7 +18,6 @@ module adfric_periodic_point
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
-   use adfric_periodic_layer_kernel, only: layer_kernel_t
    use adfric_periodic_near_contact, only: solve_near_contact
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_pull_off_table, only: get_pull_off
@@ -321,26 +320,14 @@ contains
          call solve_adhesive_load(solver, shape, value, adhesion, goal%tolerance, solution, error)
          if (allocated(error)) return
          ! rounds that find no state are a proof where states have an order
-         if (solution%status == contact_out_of_range .and. lacks_order(solver) .and. value >= -largest_tension_of(adhesion)) &
-            & solution%status = contact_not_converged
+         if (solution%status == contact_out_of_range .and. .not. solver%kernel%orders_states() &
+            & .and. value >= -largest_tension_of(adhesion)) solution%status = contact_not_converged
       else if (solver%grids(size(solver%grids))%operator%mean_compliance > 0) then
          call solve_adhesive_layer(solver, shape, value, adhesion, goal%tolerance, solution, error)
       else
          call solve_adhesive_penetration(solver, shape, value, adhesion, goal%tolerance, solution, error)
       end if
    end subroutine solve_branch
-
-   !> Is the solid an elastic layer or coating, on which adhesive states have no order that is proved (docs/theory/layers.md)?
-   pure logical function lacks_order(solver)
-      type(periodic_solver_t), intent(in) :: solver
-
-      select type (kernel => solver%kernel)
-      type is (layer_kernel_t)
-         lacks_order = .true.
-      class default
-         lacks_order = .false.
-      end select
-   end function lacks_order
 
    !> Mean tension that no state exceeds, whatever the solid [E*]: all cells within the range, and none pressed.
    pure real(dp) function largest_tension_of(adhesion) result(tension)

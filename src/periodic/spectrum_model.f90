@@ -18,7 +18,7 @@ module adfric_periodic_spectrum_model
    use adfric_describe_table, only: variable_t
    use adfric_periodic_elastic_model, only: elastic_model_t
    use adfric_periodic_operator, only: is_too_long
-   use adfric_periodic_point, only: periodic_solid_t, periodic_surface_t
+   use adfric_periodic_point, only: periodic_surface_t
    use adfric_shape_drawn_heights, only: can_hold, draw_heights, has_longest, waves_along
    use adfric_shape_height_spectrum, only: height_spectrum_t
    use adfric_shape_power_spectrum, only: check_density, given_density_t, make_spectrum, n_density_rows, set_density_rows
@@ -51,8 +51,6 @@ module adfric_periodic_spectrum_model
       procedure :: get_cells
       procedure :: get_shape
       procedure :: solve_point
-      procedure :: get_full_pressure
-      procedure :: get_peak_pressure
       procedure :: height_of
       procedure :: describe_doubts
       procedure :: measure
@@ -258,34 +256,6 @@ contains
       call make_spectrum(values(:n_density_rows), self%given, spectrum, is_possible)
       if (is_possible) height_of = typical_range*spectrum%root_mean_square_height()
    end function height_of
-
-   !> See `periodic_model_t`: that of the cells as they are.
-   pure real(dp) function get_full_pressure(self, values, solid, on_cells)
-      class(spectrum_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
-      real(dp), intent(in) :: values(:)
-      !> The half-space or layer.
-      class(periodic_solid_t), intent(in) :: solid
-      !> Pressure of full contact of the surface as its cells have it [E*].
-      real(dp), intent(in) :: on_cells
-
-      get_full_pressure = solid%modulus*on_cells
-      associate (unused => self, unused_values => values)
-      end associate
-   end function get_full_pressure
-
-   !> See `periodic_model_t`: that of a cell.
-   real(dp) function get_peak_pressure(self, values, pressure)
-      class(spectrum_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
-      real(dp), intent(in) :: values(:)
-      !> Pressure in the middles of the cells; shape `(nx, ny)`.
-      real(dp), intent(in) :: pressure(:, :)
-
-      get_peak_pressure = maxval(pressure)
-      associate (unused => self, unused_values => values)
-      end associate
-   end function get_peak_pressure
 
    !> See `model_t`: cells that are coarse for the shortest wave, and what is left out of the interface.
    function describe_doubts(self, values) result(text)

@@ -10,7 +10,7 @@ module adfric_periodic_surface_model
    use adfric_describe_table, only: variable_t
    use adfric_periodic_elastic_model, only: elastic_model_t
    use adfric_periodic_given_heights, only: given_heights_t, set_heights_rows, n_heights_rows
-   use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t
+   use adfric_periodic_point, only: periodic_surface_t
    implicit none (type, external)
    private
    public :: surface_model_t, new_surface_model
@@ -32,8 +32,6 @@ module adfric_periodic_surface_model
       procedure :: check_surface
       procedure :: get_cells
       procedure :: get_shape
-      procedure :: get_full_pressure
-      procedure :: get_peak_pressure
       procedure :: height_of
       procedure :: describe_surface
       procedure :: describe_doubts
@@ -118,34 +116,6 @@ contains
 
       height_of = self%given%factor_of(values(surface_input%heights:surface_input%rms_height))*maxval(self%given%depths)
    end function height_of
-
-   !> See `periodic_model_t`: that of the cells as they are.
-   pure real(dp) function get_full_pressure(self, values, solid, on_cells)
-      class(surface_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
-      real(dp), intent(in) :: values(:)
-      !> The half-space.
-      class(periodic_solid_t), intent(in) :: solid
-      !> Pressure of full contact of the surface as its cells have it [E*].
-      real(dp), intent(in) :: on_cells
-
-      get_full_pressure = solid%modulus*on_cells
-      associate (unused => self, unused_values => values)
-      end associate
-   end function get_full_pressure
-
-   !> See `periodic_model_t`: that of a cell.
-   real(dp) function get_peak_pressure(self, values, pressure)
-      class(surface_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
-      real(dp), intent(in) :: values(:)
-      !> Pressure in the middles of the cells; shape `(nx, ny)`.
-      real(dp), intent(in) :: pressure(:, :)
-
-      get_peak_pressure = maxval(pressure)
-      associate (unused => self, unused_values => values)
-      end associate
-   end function get_peak_pressure
 
    !> See `periodic_model_t`.
    function describe_surface(self) result(text)

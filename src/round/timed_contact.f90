@@ -12,7 +12,8 @@ module adfric_round_timed_contact
    use adfric_round_timed_event, only: by_contact, by_piece, by_time, by_turn, find_event
    use adfric_round_timed_loss, only: ends_soon, solve_end
    use adfric_round_timed_panel, only: approach_rate, cannot_solve, solve_panel, timed_panel_t
-   use adfric_round_timed_path, only: later, mark_t, prescribed_at, prescribed_rate, timed_control_t, timed_leg_t
+   use adfric_round_timed_path, only: falls_to_zero, later, mark_t, prescribed_at, prescribed_rate, timed_control_t, &
+      & timed_leg_t
    use adfric_solid_prony, only: prony_t
    use adfric_round_timed_springs, only: free_memory, get_spot, growing, growing_again, lost, mark_of, new_timed_springs, &
       & shrinking, thin_depth, timed_springs_t
@@ -46,8 +47,6 @@ module adfric_round_timed_contact
       integer, private :: n_of_leg = 0
       !> Was contact lost or made at once?
       logical, private :: was_sudden = .false.
-      !> Largest depth that the edge still had where contact was lost under a load, over the largest depth.
-      real(dp), private :: left_depth = 0
       !> Phase that passes until contact is made at once, 0 if it is not to be made.
       real(dp), private :: wait = 0
    end type timed_contact_t
@@ -142,7 +141,7 @@ contains
       integer, parameter :: most_tries = 150, most_instant = 2, most_cuts = 8, most_of_leg = 3000, most_of_arms = 30000, &
          & most_for_digits = 8
       real(dp), parameter :: at_once = 64*epsilon(1.0_dp), least_span = 1.0e-12_dp, stands_still = 30, &
-         & round_off = 8*epsilon(1.0_dp)
+         & round_off = 8*epsilon(1.0_dp), digits = 1.0e-9_dp
       type(mark_t) :: mark
       real(dp) :: span, end, waited
       integer :: try, event, ended_by, n_cuts
@@ -224,7 +223,6 @@ contains
             call let_all_go(self)
          else
             self%largest_error = max(self%largest_error, self%load/self%load_size/self%tolerance)
-            self%left_depth = max(self%left_depth, self%depth/self%depth_size)
             call lose_contact(self)
          end if
          span = (1 - self%phase) - self%phase_rest
@@ -249,6 +247,10 @@ contains
       call accept(self, panel, mark)
       self%phase = mark%phase
       self%phase_rest = mark%rest
+      ! under a load that ends at 0 the edge has no digits there, but may have a depth
+      if (self%edge_mode == shrinking .and. self%touched%count > 0 .and. .not. self%control%by_approach > 0) then
+         if (self%load <= min(self%tolerance, digits)*self%legs(self%leg)%begin) call let_all_go(self)
+      end if
       if (self%wait > 0) then
          self%wait = self%wait - span
          if (self%wait <= round_off*waited) call touch_now(self)
@@ -279,11 +281,8 @@ contains
       type(timed_contact_t), intent(in) :: self
       ! what is left out where contact is lost or made at once stays: 3.5 times as much at worst (`tests/round`)
       real(dp), parameter :: margin = 4, sudden_margin = 16
-      ! springs within the edge are free too early by the time that it would have taken: the approach after it lies within their depth
-      real(dp), parameter :: depth_margin = 2
 
-      error = max(16*epsilon(1.0_dp), merge(sudden_margin, margin, self%was_sudden)*self%tolerance*self%largest_error, &
-         & depth_margin*self%left_depth)
+      error = max(16*epsilon(1.0_dp), merge(sudden_margin, margin, self%was_sudden)*self%tolerance*self%largest_error)
    end function error_of
 
    !> Size of F of the springs at the edge.
@@ -463,8 +462,7 @@ contains
 
       is_let_go = .not. self%control%by_approach > 0 .and. self%edge_mode == shrinking .and. self%touched%count > 0 &
          & .and. self%load <= as_good_as_none*self%tolerance*self%load_size .and. self%leg <= size(self%legs)
-      if (is_let_go) is_let_go = .not. abs(self%legs(self%leg)%end) > 0 .and. self%legs(self%leg)%begin > 0 &
-         & .and. .not. abs(self%legs(self%leg)%amplitude) > 0
+      if (is_let_go) is_let_go = falls_to_zero(self%legs(self%leg))
       if (is_let_go) is_let_go = abs(force_at_axis(self%timed_springs_t)) <= as_good_as_none*self%tolerance*self%depth_size
    end function is_let_go
 
@@ -476,7 +474,6 @@ contains
       self%largest_error = max(self%largest_error, self%load/self%load_size/self%tolerance, &
          & abs(force_at_axis(self%timed_springs_t))/self%depth_size/self%tolerance)
       self%was_sudden = .true.
-      self%left_depth = max(self%left_depth, self%depth/self%depth_size)
       call let_go(self%timed_springs_t, carried)
       if (self%has_energy) self%energy%carried = self%energy%carried + carried
       call lose_contact(self)
@@ -488,7 +485,6 @@ contains
       type(timed_panel_t), intent(in) :: panel
       !> When it ends.
       type(mark_t), intent(in) :: mark
-      real(dp), parameter :: digits = 1.0e-9_dp
       logical :: is_thin, is_lost
       real(dp) :: small
 
@@ -512,10 +508,6 @@ contains
       self%at_edge = panel%at_edge(n_nodes, :)
       if (self%edge_mode /= shrinking) return
       is_lost = self%depth <= small*self%depth_size
-      ! under a load that ends at 0 the edge has no digits left there
-      if (.not. self%control%by_approach > 0) is_lost = is_lost .or. &
-         & self%load <= min(self%tolerance, digits)*self%legs(self%leg)%begin
-      if (is_lost) self%left_depth = max(self%left_depth, self%depth/self%depth_size)
       if (is_lost) call lose_contact(self)
    end subroutine accept
 

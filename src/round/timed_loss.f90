@@ -12,7 +12,7 @@ module adfric_round_timed_loss
    use adfric_base_kinds, only: dp
    use adfric_numerics_time_panels, only: n_nodes, panel_nodes
    use adfric_round_timed_panel, only: begin_panel, timed_panel_t
-   use adfric_round_timed_path, only: prescribed_at, time_between
+   use adfric_round_timed_path, only: falls_to_zero, prescribed_at, time_between
    use adfric_round_timed_springs, only: get_spot, mark_of, shrinking, thin_depth, timed_springs_t
    implicit none (type, external)
    private
@@ -28,8 +28,7 @@ contains
       real(dp), parameter :: last_phase = 1.0e-6_dp, share = 0.1_dp
 
       ends_soon = .not. self%control%by_approach > 0 .and. self%edge_mode == shrinking .and. 1 - self%phase <= last_phase
-      if (ends_soon) ends_soon = self%legs(self%leg)%begin > 0 .and. .not. abs(self%legs(self%leg)%end) > 0 &
-         & .and. .not. abs(self%legs(self%leg)%amplitude) > 0
+      if (ends_soon) ends_soon = falls_to_zero(self%legs(self%leg))
       if (ends_soon) ends_soon = left_out(self) <= thin_depth(self, share)
    end function ends_soon
 

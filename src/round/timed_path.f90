@@ -6,7 +6,8 @@ module adfric_round_timed_path
    use adfric_numerics_exact_pairs, only: get_sum
    implicit none (type, external)
    private
-   public :: timed_leg_t, timed_control_t, mark_t, prescribed_at, prescribed_rate, prescribed_rise, later, time_between
+   public :: timed_leg_t, timed_control_t, mark_t
+   public :: falls_to_zero, later, prescribed_at, prescribed_rate, prescribed_rise, time_between
 
    !> One leg. Along it the phase goes from 0 to 1.
    type :: timed_leg_t
@@ -33,6 +34,13 @@ module adfric_round_timed_path
    end type mark_t
 
 contains
+
+   !> Does what is prescribed fall to 0 at the end of a leg, without a sine?
+   elemental logical function falls_to_zero(leg)
+      type(timed_leg_t), intent(in) :: leg
+
+      falls_to_zero = leg%begin > 0 .and. .not. abs(leg%end) > 0 .and. .not. abs(leg%amplitude) > 0
+   end function falls_to_zero
 
    !> A moment of the same leg, later by a step in phase.
    pure type(mark_t) function later(mark, step)

@@ -134,16 +134,16 @@ contains
 
    !> What of adhesion a scene leaves out that its solver asks for. Round bodies ask for the work beside another one, surfaces of
    !> waves and heights for the stress.
-   pure integer function find_what_follows(solver, facts) result(follows)
-      character(*), intent(in) :: solver, facts
+   pure integer function find_what_follows(model, facts) result(follows)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: facts
 
       follows = follows_nothing
-      if (has_word('sphere indenter adhesive_indenter_time adhesive_indenter_history', solver)) then
+      if (has_word('sphere indenter adhesive_indenter_time adhesive_indenter_history', model%name)) then
          if (has_word(facts, 'stress_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'work_given')) &
             follows = follows_work
-      else if (has_word('attracted_indenter wave_1d_elastic wave_2d_elastic surface_elastic surface_sliding spectrum_elastic', &
-         & solver)) then
-         ! these have the stress from the law
+      else if (model%index_of('adhesion', 'law') > 0) then
+         ! the stress follows from the law
          follows = follows_nothing
       else if (has_word(facts, 'work_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'stress_given')) then
          follows = follows_stress

@@ -62,7 +62,7 @@ contains
          self%how(i) = conversion_of(model%variables(i))
       end do
       self%changed = pack([(i, i=1, size(self%how))], self%how /= as_it_is)
-      self%follows = find_what_follows(model%name, facts)
+      self%follows = find_what_follows(model, facts)
       self%lengths = lengths_of(model)
       self%work = model%index_of('adhesion', 'work_of_adhesion')
       self%stress = model%index_of('adhesion', 'adhesion_stress')

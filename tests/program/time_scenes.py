@@ -253,10 +253,10 @@ class TimeScenes(SolverRuns):
 
     def test_approach_after_loss(self):
         """After a load has fallen to 0 the surface of a power law recovers as its creep says. The edge of a cone goes as the root of the
-        load, so that a load that is as good as 0 leaves a part of the depth; what that does to the approach is within `error_estimate`."""
+        load: where a load is as good as 0 it still has a depth, and the springs within it are let go."""
         for kind, exponent in (("kind = 'cone', slope = 0.1", 0.1), ("kind = 'cone', slope = 0.1", 0.5), ("kind = 'paraboloid', radius = 1.0", 0.8)):
             scene = f"&surface {kind} /\n&solid power_law_modulus = 1e5, power_law_exponent = {exponent} /\n" \
-                "&history times = 0.0, 1.0, 2.0, 4.0, 4.5, loads = 0.0, 1e-3, 0.0, 0.0, 0.0 /\n&output steps_per_leg = 2000 /\n"
+                "&history times = 0.0, 1.0, 2.0, 4.0, 4.5, loads = 0.0, 1e-3, 0.0, 0.0, 0.0 /\n&output steps_per_leg = 8000 /\n"
             path = self.solve(scene)
             # up to the loss all tolerances agree, so that the recovery is an integral over what is known
             known = path["time"] <= 2
@@ -267,9 +267,9 @@ class TimeScenes(SolverRuns):
             lasting = (most[:, None]/2*weights/(1 + (most[:, None]*(nodes + 1)/2)**(1/(1 - exponent)))).sum(axis=1)/(1 - exponent)
             exact = np.sin(np.pi*exponent)/np.pi*np.sum(lasting*np.diff(approach))
             for tolerance in (1e-7, 1e-8, 1e-9):
-                found = self.solve(scene.replace("2000", "4") + f"&numerics relative_tolerance = {tolerance} /\n")
+                found = self.solve(scene.replace("8000", "4") + f"&numerics relative_tolerance = {tolerance} /\n")
                 size = np.max(found["approach"])
-                self.assertLess(abs(found["approach"][-1] - exact)/size, found["error_estimate"] + 1e-6, (kind, exponent, tolerance))
+                self.assertLess(abs(found["approach"][-1] - exact)/size, found["error_estimate"] + 3e-7, (kind, exponent, tolerance))
 
     def test_power_law_loads_that_come_back(self):
         """Loads that fall to 0, rest there and come back, beside springs in small steps. In each step the approach is where the springs that
