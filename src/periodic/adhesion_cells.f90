@@ -16,7 +16,7 @@ module adfric_periodic_adhesion_cells
    implicit none (type, external)
    private
    public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, error_of_edge, few_cells
-   public :: least_cells, regime_of, tension_outside
+   public :: regime_of, sees_pull_off, tension_outside
 
    !> Cells per zone below which there is a doubt, and below which edges of adhesion are those of the cells.
    real(dp), parameter :: few_cells = 4, least_cells = 0.5_dp
@@ -92,6 +92,15 @@ contains
          cells_per_zone = zone_length(law, surface)/maxval(size, mask=surface%n_cells > 1)
       end associate
    end function cells_per_zone
+
+   !> Can the cells tell a pull-off? Where they cannot it is not sought.
+   pure logical function sees_pull_off(law, surface)
+      type(adhesion_law_t), intent(in) :: law
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+
+      sees_pull_off = cells_per_zone(law, surface) >= least_cells
+   end function sees_pull_off
 
    !> Add the work of adhesion, and what a short zone is on the cells.
    subroutine derive_zone(derived, law, surface, meaning)

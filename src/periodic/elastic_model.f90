@@ -23,7 +23,7 @@ module adfric_periodic_elastic_model
    use adfric_describe_rows, only: positive
    use adfric_describe_table, only: profile_axis_t, variable_t
    use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, &
-      & error_of_edge, least_cells, regime_of, tension_outside
+      & error_of_edge, regime_of, sees_pull_off, tension_outside
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_attracted_surface, only: attraction_in_units
    use adfric_periodic_area, only: relative_error_of
@@ -374,11 +374,11 @@ contains
    end function adhesion_of
 
    !> See `periodic_model_t`.
-   subroutine set_interface(self, values, modulus, goal)
+   subroutine set_interface(self, values, surface, goal)
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Contact modulus E* [Pa].
-      real(dp), intent(in) :: modulus
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
       !> What is prescribed at the point; receives adhesion or friction.
       type(periodic_goal_t), intent(inout) :: goal
       type(adhesion_law_t) :: law
@@ -388,16 +388,16 @@ contains
       if (allocated(goal%friction)) deallocate (goal%friction)
       if (has_coulomb(coulomb_values(self, values))) then
          goal%friction = friction_of(self, values)
-         goal%friction%stress = goal%friction%stress/modulus
+         goal%friction%stress = goal%friction%stress/surface%solid%modulus
       end if
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
       if (allocated(law%attraction)) then
-         goal%attraction = attraction_in_units(law, modulus)
+         goal%attraction = attraction_in_units(law, surface%solid%modulus)
       else
-         goal%adhesion = adhesion_in_units(law, modulus)
+         goal%adhesion = adhesion_in_units(law, surface%solid%modulus)
       end if
-      goal%wants_pull_off = is_wanted(values(pull_off_index(self)))
+      goal%wants_pull_off = is_wanted(values(pull_off_index(self))) .and. sees_pull_off(law, surface)
    end subroutine set_interface
 
    !> Largest gap of what is in contact [m]: 0, or that of the largest tension where the law has no wall.
@@ -457,8 +457,7 @@ contains
          if (.not. law%stress > 0) return
          results(out%cells_per_zone) = cells_per_zone(law, surface)
          if (law%opening > 1) results(out%opening_loss) = modulus*solution%opening_loss
-         if (solution%pull_off < huge(1.0_dp) .and. results(out%cells_per_zone) >= least_cells) &
-            & results(out%pull_off_pressure) = modulus*solution%pull_off
+         if (solution%pull_off < huge(1.0_dp)) results(out%pull_off_pressure) = modulus*solution%pull_off
          if (any(solution%share > 0) .and. any(solution%share < 1)) &
             & error_estimate = max(error_estimate, error_of_edge(results(out%cells_per_zone)))
       end associate

@@ -17,7 +17,7 @@ module adfric_periodic_free_model
    use adfric_describe_table, only: profile_axis_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t, has_adhesion, n_adhesion_rows
    use adfric_numerics_found_once, only: found_once_t
-   use adfric_periodic_adhesion_cells, only: derive_zone, doubt_zone
+   use adfric_periodic_adhesion_cells, only: derive_zone, doubt_zone, sees_pull_off
    use adfric_periodic_free_adhesion, only: solve_free_adhesion
    use adfric_periodic_free_law, only: check_free_law, free_law_in_units, free_law_of, set_free_solid
    use adfric_periodic_free_point, only: error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, store, &
@@ -275,7 +275,8 @@ contains
                continue
             else if (law%stress > 0) then
                call solve_free_adhesion(state%adhesive_solver, state%surface%shape/unit, self%given%is_body, has_load, prescribed, &
-                  & free_law_in_units(law, modulus, unit), values(in%tolerance), is_wanted(values(in%pull_off)), &
+                  & free_law_in_units(law, modulus, unit), values(in%tolerance), &
+                  & is_wanted(values(in%pull_off)) .and. sees_pull_off(law, state%surface), &
                   & self%pull_offs, state%solution, state%adhesion, error)
                if (state%adhesion%is_out_of_range) status = status_no_equilibrium
             else if (is_inside(self%given%is_body, state%surface%period/unit, hinge)) then

@@ -7,7 +7,7 @@ module adfric_periodic_free_point
    use adfric_base_watch, only: watch_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t
-   use adfric_periodic_adhesion_cells, only: cells_per_zone, error_of_edge, least_cells
+   use adfric_periodic_adhesion_cells, only: cells_per_zone, error_of_edge
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_free_adhesion, only: free_adhesion_solver_t, free_adhesion_t, new_free_adhesion_solver
    use adfric_periodic_free_rows, only: in => free_input, out => free_output
@@ -156,8 +156,7 @@ contains
          results(out%adhesion_area) = adhesion%area*product(state%surface%period)
          results(out%adhesion_energy) = adhesion%energy*modulus*unit*unit*unit
          results(out%cells_per_zone) = cells_per_zone(law, state%surface)
-         if (adhesion%pull_off < huge(1.0_dp) .and. results(out%cells_per_zone) >= least_cells) &
-            & results(out%pull_off_load) = adhesion%pull_off*modulus*unit*unit
+         if (adhesion%pull_off < huge(1.0_dp)) results(out%pull_off_load) = adhesion%pull_off*modulus*unit*unit
       end associate
    end subroutine store_adhesion
 

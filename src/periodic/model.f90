@@ -299,7 +299,7 @@ contains
          end if
          call self%set_solid(values, state%surface)
          goal = get_goal(self, values, state%surface%solid%modulus)
-         call self%set_interface(values, state%surface%solid%modulus, goal)
+         call self%set_interface(values, state%surface, goal)
          goal%watch => self%watch
          goal%pull_offs => self%pull_offs
          ! what follows may end without a solution of its own
@@ -396,17 +396,17 @@ contains
    end subroutine solve_in_closed_form
 
    !> Adhesion and friction of a point: none. A model may override it.
-   subroutine set_interface(self, values, modulus, goal)
+   subroutine set_interface(self, values, surface, goal)
       class(periodic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Contact modulus E* [Pa], not used here.
-      real(dp), intent(in) :: modulus
+      !> Periods and cells of the surface [m], and its solid, not used here.
+      type(periodic_surface_t), intent(in) :: surface
       !> What is prescribed at the point; may receive adhesion or friction.
       type(periodic_goal_t), intent(inout) :: goal
 
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
       if (allocated(goal%friction)) deallocate (goal%friction)
-      associate (unused => self, unused_values => values, unused_modulus => modulus)
+      associate (unused => self, unused_values => values, unused_surface => surface)
       end associate
    end subroutine set_interface
 

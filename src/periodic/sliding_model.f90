@@ -18,7 +18,7 @@ module adfric_periodic_sliding_model
    use adfric_describe_doubt, only: doubt_slope_too_steep
    use adfric_describe_pointwise, only: point_state_t
    use adfric_describe_table, only: profile_axis_t, profile_t, variable_t
-   use adfric_periodic_adhesion_cells, only: are_sizes_possible, doubt_zone, tension_outside
+   use adfric_periodic_adhesion_cells, only: are_sizes_possible, doubt_zone, sees_pull_off, tension_outside
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
@@ -311,11 +311,11 @@ contains
    end subroutine solve_in_closed_form
 
    !> See `periodic_model_t`.
-   subroutine set_interface(self, values, modulus, goal)
+   subroutine set_interface(self, values, surface, goal)
       class(sliding_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      !> Contact modulus E0 of the relaxed solid [Pa].
-      real(dp), intent(in) :: modulus
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
       !> What is prescribed at the point; receives adhesion.
       type(periodic_goal_t), intent(inout) :: goal
       type(adhesion_law_t) :: law
@@ -324,8 +324,8 @@ contains
       law = self%adhesion_of(values)
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
       if (.not. law%stress > 0) return
-      goal%adhesion = adhesion_in_units(law, modulus)
-      goal%wants_pull_off = is_wanted(values(self%first_of_solid + s_pull_off - 1))
+      goal%adhesion = adhesion_in_units(law, surface%solid%modulus)
+      goal%wants_pull_off = is_wanted(values(self%first_of_solid + s_pull_off - 1)) .and. sees_pull_off(law, surface)
       goal%wants_other_branch = is_wanted(values(self%first_of_solid + s_other_branch - 1))
    end subroutine set_interface
 
