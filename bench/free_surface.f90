@@ -2,7 +2,9 @@
 !> Bodies that end, on an elastic half-space that goes on: time and steps of a load against the error of closed forms. See
 !> bench/README.md.
 !>
-!> free_surface [TABLE.csv [LARGEST]]
+!> free_surface [TABLE.csv [LARGEST [FOLDER]]]
+!>
+!> FOLDER receives the gaps of the rough patches, raw numbers, for `free_public`.
 program free_surface
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
@@ -24,7 +26,8 @@ program free_surface
    integer :: table, k, n
 
    call print_heading('Bodies that end, on a half-space')
-   table = open_table(text_argument(1, 'free_surface.csv'), 'body,cells,ms,steps,error,estimate,area_error,area_estimate')
+   table = open_table(text_argument(1, 'free_surface.csv'), &
+      & 'body,cells,ms,steps,error,estimate,area_error,area_estimate,answer')
    print '(a8, a7, a10, a7, 4a11)', 'body', 'cells', 'ms', 'steps', 'error', 'estimate', 'area', 'estimate'
    do k = 1, size(bodies)
       n = fewest
@@ -46,11 +49,13 @@ contains
       type(free_solution_t) :: found
       type(error_t), allocatable :: error
       class(watch_t), pointer :: nobody
-      real(dp) :: shape(n, n), seconds, exact, area, errors(2)
-      logical :: is_body(n, n)
+      real(dp), allocatable :: shape(:, :)
+      logical, allocatable :: is_body(:, :)
+      real(dp) :: seconds, exact, area, errors(2)
       integer :: i, j
 
       nobody => null()
+      allocate (shape(n, n), is_body(n, n))
       is_body = .true.
       if (name == 'rough') then
          block
@@ -58,6 +63,7 @@ contains
             call make_surface(n, hurst, min(most_waves, n/4), heights)
             shape = rough_height*heights
          end block
+         call write_heights(n, shape - minval(shape))
       else
          do j = 1, n
             do i = 1, n
@@ -113,15 +119,34 @@ contains
          errors(1) = abs((found%approach + minval(shape))/exact - 1)
       end if
       if (area > 0) errors(2) = abs(found%area%corrected/area - 1)
-      call report(name, n, seconds, found, errors)
+      call report(name, n, seconds, found, merge(0.0_dp, minval(shape), name == 'rough'), errors)
    end subroutine solve
 
+   !> Write the gaps of a rough patch where a folder was given.
+   subroutine write_heights(n, gaps)
+      integer, intent(in) :: n
+      real(dp), intent(in) :: gaps(:, :)
+      character(:), allocatable :: folder
+      character(20) :: cells
+      integer :: file
+
+      allocate (folder, source=text_argument(3, ''))
+      if (len(folder) == 0) return
+      write (cells, '(i0)') n
+      open (newunit=file, file=folder//'/rough_'//trim(cells)//'.bin', access='stream', form='unformatted', action='write', &
+         & status='replace')
+      write (file) gaps
+      close (file)
+   end subroutine write_heights
+
    !> Print and write a line; errors that are not known are left empty.
-   subroutine report(name, n, seconds, found, errors)
+   subroutine report(name, n, seconds, found, highest, errors)
       character(*), intent(in) :: name
       integer, intent(in) :: n
       real(dp), intent(in) :: seconds
       type(free_solution_t), intent(in) :: found
+      !> Gap of the highest cell before touch, from which the approach does not count.
+      real(dp), intent(in) :: highest
       !> Relative errors of the approach, or of the load of the punch, and of the area.
       real(dp), intent(in) :: errors(2)
       real(dp) :: estimates(2)
@@ -130,8 +155,9 @@ contains
       estimates(2) = relative_error_of(found%area)
       print '(a8, i7, f10.1, i7, 4es11.1)', name, n, 1000*seconds, found%n_iterations, errors(1), estimates(1), &
          & errors(2), estimates(2)
-      write (table, '(a, ",", i0, ",", f0.2, ",", i0, 4(",", es9.2))') name, n, 1000*seconds, found%n_iterations, errors(1), &
-         & min(estimates(1), 1.0_dp), errors(2), min(estimates(2), 1.0_dp)
+      write (table, '(a, ",", i0, ",", f0.2, ",", i0, 4(",", es9.2), ",", es23.15)') name, n, 1000*seconds, found%n_iterations, &
+         & errors(1), min(estimates(1), 1.0_dp), errors(2), min(estimates(2), 1.0_dp), &
+         & merge(found%load, found%approach + highest, name == 'punch')
    end subroutine report
 
 end program free_surface

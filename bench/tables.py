@@ -365,6 +365,14 @@ def free_surface(folder):
     return table(["body", "cells along x", "time [ms]", "steps", "error", "of the area", "estimate", "of the area"], body)
 
 
+def free_public(folder):
+    """Bodies that end, beside the public library."""
+    body = [[row["body"], row["cells"], time(row["ms"]), error(row["error"]) if row["error"] else "", time(row["library_ms"]),
+             error(row["library_error"]) if row["library_error"] else "", time(row["slower"]), error(row["apart"]) if row["apart"] else ""]
+            for row in rows_of(folder, "free_public")]
+    return table(["body", "cells along x", "adfric [ms]", "error", "ContactMechanics 1.8.3 [ms]", "error", "ratio", "apart"], body)
+
+
 def adhesion_laws(folder):
     """A wave that adheres by each law of attraction."""
     body = [[f"`{row['law']}`", row["cells"], f"{time(row['ms_least'])} to {time(row['ms_most'])}",
@@ -412,7 +420,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_laws, free_surface, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip)}
+    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_laws, free_surface, free_public, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip)}
 
 
 def main():

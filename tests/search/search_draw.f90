@@ -21,8 +21,9 @@ module search_draw
 
    !> How often a case is mended before it is given up.
    integer, parameter :: max_repairs = 60
-   !> How often a case of a drawn spectrum begins anew, whose solid or interface is not to be mended.
-   integer, parameter :: max_spectra = 6
+   !> How often a case of a drawn spectrum begins anew, whose solid or interface is not to be mended, and one of a body whose cells
+   !> are too few for adhesion.
+   integer, parameter :: max_starts = 6
    !> Points of a block of neighbours.
    integer, parameter :: n_neighbours = 6
    !> Shares of cases with profiles; of numbers that are 0, or at a bound, or left at their default; of optional numbers that are
@@ -68,7 +69,7 @@ contains
       call draw_sizes(dice, sizes)
       call draw_data(model, dice, sizes%logarithm, data, is_drawn)
       if (.not. is_drawn) return
-      do trial = 1, merge(max_spectra, 1, model%name == 'spectrum_elastic')
+      do trial = 1, merge(max_starts, 1, model%name == 'spectrum_elastic' .or. model%name == 'free_surface')
          call draw_values(model, dice, sizes, values)
          if (model%name == 'spectrum_elastic') call draw_waves(model, dice, sizes, data, values)
          call mend_values(model, dice, sizes, values, is_drawn)
