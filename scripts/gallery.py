@@ -113,6 +113,7 @@ AREAS = {
         one("surface_adhesion_maps"), one("surface_work_map"), one("surface_stickiness"), one("surface_opening", options="--y pull_off_pressure contact_fraction"),
         one("surface_adhesion_friction"),
         one("free_tip_adhesion", "free_tip_adhesion_approach", options="--x approach --y load contact_area"),
+        one("free_tip_law", "free_tip_adhesion", options="--x approach --y load contact_area"),
         one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
         one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"), one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
         one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),

@@ -14,6 +14,9 @@
 !> most adhered state lies above the constant gap at which it pushes the full contact apart, and the least adhered one below the
 !> contact without tension, as its push only parts cells further.
 !>
+!> At the penetration of a layer A has a stiffness of a constant too, and q is the penetration over the compliance of the layer. All that
+!> follows is the same, but that a state need not have contact: bodies that are apart are one.
+!>
 !> **Bounds.** A gap b on the adhered side of the least gaps, g = 0 at first, goes up by linear problems (`adfric_periodic_linear_step`)
 !> whose slopes are no smaller than any chord of the law from b into the interval where the state lies. With such slopes the linear
 !> problem has the state as a supersolution, so it never passes the state; without slopes it is a round with the tension as it is. From
@@ -27,7 +30,7 @@
 !> a state itself is the extremal one.
 module adfric_periodic_attracted_contact
    use adfric_base_kinds, only: dp
-   use adfric_periodic_attracted_state, only: find_state_near, has_contact, set_force, set_linear_force, set_scales
+   use adfric_periodic_attracted_state, only: find_state_near, has_contact, mean_of, set_force, set_linear_force, set_scales
    use adfric_periodic_attraction_cells, only: attraction_cells_t
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_linear_step, only: linear_step_t, new_linear_step, step_solved
@@ -139,7 +142,7 @@ contains
             state%is_converged = .true.
             exit
          end if
-         if (.not. falls) has_state = may_hold(bound, state, cells)
+         if (.not. (falls .or. state%resists_mean)) has_state = may_hold(bound, state, cells)
          if (.not. has_state) return
          if (has_other) has_other = is_beyond(other%gap, bound, slack(state, cells, tolerance))
          ! from above Newton's method is the step of the bound itself, for a convex law
@@ -213,13 +216,6 @@ contains
       state%pressure = bound%force
    end subroutine take
 
-   !> Mean of a map.
-   pure real(dp) function mean_of(map)
-      real(dp), intent(in) :: map(:, :)
-
-      mean_of = sum(map)/size(map)
-   end function mean_of
-
    !> Where the bound begins.
    subroutine begin(work, bound, state, operator, cells, has_state, start)
       type(linear_step_t), intent(inout) :: work
@@ -261,6 +257,8 @@ contains
          bound%gap(:, :) = max(bound%gap, 0.0_dp)
       else if (bound%falls) then
          bound%gap(:, :) = state%shape
+         ! apart, a layer is as it was
+         if (state%resists_mean) bound%gap(:, :) = state%shape - operator%mean_compliance*state%mean_pressure
       end if
       bound%is_open(:, :) = bound%gap > 0 .or. .not. cells%has_wall()
    end subroutine begin
@@ -315,7 +313,7 @@ contains
       real(dp), intent(in), optional :: other(:, :)
       real(dp), allocatable :: slope(:, :), gap(:, :), force(:, :)
       logical, allocatable :: is_open(:, :)
-      real(dp) :: goal
+      real(dp) :: goal, carried
       integer :: outcome
 
       allocate (slope, source=0*bound%gap)
@@ -330,7 +328,12 @@ contains
       if (.not. any(slope < 0)) bound%part = 0
       goal = next_goal*bound%care*min(bound%residual, 1.0_dp)*state%pressure_scale
       ! nor may what is left count beside what contact carries in all
-      if (cells%has_wall()) goal = min(goal, next_goal*bound%care*abs(state%mean_pressure + mean_of(cells%tension(bound%gap))))
+      if (state%resists_mean) then
+         carried = abs(mean_of(bound%force))
+      else
+         carried = abs(state%mean_pressure + mean_of(cells%tension(bound%gap)))
+      end if
+      if (cells%has_wall()) goal = min(goal, next_goal*bound%care*carried)
       goal = max(tolerance/4*state%pressure_scale, goal)
       do
          if (bound%part < least_part) bound%part = 0

@@ -12,7 +12,7 @@ module adfric_periodic_attracted_state
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: find_state_near, has_contact, is_apart, set_force, set_linear_force, set_scales, violation_of
+   public :: find_state_near, has_contact, is_apart, mean_of, set_force, set_linear_force, set_scales, violation_of
 
    !> Steps of Newton's method at most.
    integer, parameter :: most_tries = 30
@@ -46,7 +46,7 @@ contains
 
    !> What presses the cells together without a tension: q + A (g - g0).
    subroutine set_linear_force(state, operator, gap, force)
-      !> Shape and mean pressure.
+      !> Shape and mean pressure; at the penetration of a layer that over its compliance stands for it.
       type(contact_state_t), intent(in) :: state
       !> Operator of the grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
@@ -108,6 +108,14 @@ contains
       end if
    end function violation_of
 
+   !> Mean of a map.
+   pure real(dp) function mean_of(map)
+      !> The map; shape of the cells.
+      real(dp), intent(in) :: map(:, :)
+
+      mean_of = sum(map)/size(map)
+   end function mean_of
+
    !> Is any cell in contact?
    pure logical function has_contact(gap, cells)
       !> Gap in the cells.
@@ -128,7 +136,8 @@ contains
       is_apart = .not. any(abs(cells%tension(gap)) > no_tension*cells%law%stress)
    end function is_apart
 
-   !> Newton's method for a state near a gap. Under a mean pressure a state without contact is none that is wanted.
+   !> Newton's method for a state near a gap. Under a mean pressure a state without contact is none that is
+   !> wanted.
    subroutine find_state_near(work, state, operator, cells, tolerance, has_found)
       !> Workspace of this grid.
       type(linear_step_t), intent(inout) :: work
@@ -164,7 +173,8 @@ contains
          ! far apart the gap has no more digits
          if (state%has_fixed_mean) allowed = max(tolerance, digits*maxval(state%gap)*state%cell_stiffness/state%pressure_scale)
          if (.not. residual > allowed) then
-            has_found = state%has_fixed_mean .or. has_contact(state%gap, cells)
+            has_found = state%has_fixed_mean .or. state%resists_mean
+            if (.not. has_found) has_found = has_contact(state%gap, cells)
             state%is_converged = has_found
             return
          end if

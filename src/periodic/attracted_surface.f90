@@ -17,7 +17,8 @@ module adfric_periodic_attracted_surface
       & periodic_solution_t, periodic_solver_t, set_friction, set_full_pressure, set_solution, start_from_coarse
    implicit none (type, external)
    private
-   public :: attraction_in_units, cells_of_grids, collect_attracted, periodic_attraction_t, solve_attracted_load
+   public :: attraction_in_units, cells_of_grids, collect_attracted, periodic_attraction_t, solve_attracted_layer
+   public :: solve_attracted_load
 
    !> Attraction of a surface, and which of the states is wanted.
    type :: periodic_attraction_t
@@ -87,16 +88,8 @@ contains
       call check_shape(self, shape, error)
       if (allocated(error)) return
       n = size(self%grids)
-      allocate (states(n))
+      call set_states(n, shape, mean_pressure, states)
       call cells_of_grids(self, attraction, cells)
-      do k = n, 1, -1
-         if (k == n) then
-            allocate (states(k)%shape, source=shape)
-         else
-            allocate (states(k)%shape, source=coarsen(states(k + 1)%shape))
-         end if
-         states(k)%mean_pressure = mean_pressure
-      end do
       if (attraction%is_adhered .and. attraction%has_turned .and. mean_pressure < attraction%turning_pressure) then
          allocate (turned, source=states)
          turned%mean_pressure = attraction%turning_pressure
@@ -116,6 +109,89 @@ contains
       if (solution%status == contact_out_of_range .or. .not. allocated(states(n)%gap)) return
       call collect_attracted(self, states, cells(n), solution)
    end subroutine solve_attracted_load
+
+   !> Solve at a given penetration of a solid whose mean displacement is known, as that of a layer on a rigid base; its law has a wall. A
+   !> penetration is no load: there is a state at each, and after a turn those that the turn did not reach are states of approach.
+   subroutine solve_attracted_layer(self, shape, penetration, attraction, tolerance, solution, error)
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Penetration from first touch at the base of the layer, in the unit of `shape`; below 0 before it.
+      real(dp), intent(in) :: penetration
+      type(periodic_attraction_t), intent(in) :: attraction
+      real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended.
+      type(periodic_solution_t), intent(out) :: solution
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t), allocatable :: states(:), turned(:)
+      type(attraction_cells_t), allocatable :: cells(:)
+      logical :: comes_back, has_turned
+      integer :: k, n
+
+      call check_shape(self, shape, error)
+      if (allocated(error)) return
+      n = size(self%grids)
+      call cells_of_grids(self, attraction, cells)
+      has_turned = attraction%is_adhered .and. attraction%has_turned
+      comes_back = .false.
+      associate (compliance => self%grids(n)%operator%mean_compliance)
+         if (has_turned) then
+            call set_states(n, shape, attraction%turning_pressure, turned)
+            call pass_grids(self, turned, cells, .true., tolerance, solution)
+            if (solution%status == contact_not_converged) return
+            if (solution%status == contact_solved) comes_back = penetration < sum(turned(n)%shape - turned(n)%gap)/size(shape) &
+               & + compliance*attraction%turning_pressure
+         end if
+         call set_states(n, shape, penetration/compliance, states)
+      end associate
+      do k = 1, n
+         if (comes_back) then
+            if (allocated(turned(k)%gap)) call cells(k)%open_by(attraction%opening, .not. turned(k)%gap > cells(k)%contact_gap())
+         else if (attraction%is_adhered .and. .not. attraction%has_turned) then
+            call cells(k)%open_by(attraction%opening, .not. states(k)%shape < 0)
+         end if
+         call self%grids(k)%operator%resist_mean(.true.)
+      end do
+      states%resists_mean = .true.
+      if (comes_back) then
+         call pass_grids(self, states, cells, .false., tolerance, solution, turned)
+      else
+         call pass_grids(self, states, cells, has_turned .or. .not. attraction%is_adhered, tolerance, solution)
+      end if
+      do k = 1, n
+         call self%grids(k)%operator%resist_mean(.false.)
+      end do
+      if (.not. allocated(states(n)%gap)) return
+      ! from here on the load is known
+      associate (finest => states(n))
+         finest%mean_pressure = finest%mean_pressure - sum(finest%shape - finest%gap)/size(shape) &
+            & /self%grids(n)%operator%mean_compliance
+      end associate
+      states%resists_mean = .false.
+      call collect_attracted(self, states, cells(n), solution)
+   end subroutine solve_attracted_layer
+
+   !> States of all grids with their shapes and a mean pressure.
+   subroutine set_states(n, shape, mean_pressure, states)
+      !> Number of grids.
+      integer, intent(in) :: n
+      !> Gap of the undeformed surfaces on the finest grid.
+      real(dp), intent(in) :: shape(:, :)
+      real(dp), intent(in) :: mean_pressure
+      !> Receives the states, that of the coarsest grid first.
+      type(contact_state_t), allocatable, intent(out) :: states(:)
+      integer :: k
+
+      allocate (states(n))
+      do k = n, 1, -1
+         if (k == n) then
+            allocate (states(k)%shape, source=shape)
+         else
+            allocate (states(k)%shape, source=coarsen(states(k + 1)%shape))
+         end if
+         states(k)%mean_pressure = mean_pressure
+      end do
+   end subroutine set_states
 
    !> Attraction of the cells of all grids.
    subroutine cells_of_grids(self, attraction, cells)
@@ -164,7 +240,7 @@ contains
       has_state = .false.
       do k = 1, n
          ! a body that is pulled does not come into contact by itself
-         if (falls .and. states(k)%mean_pressure < 0) exit
+         if (falls .and. states(k)%mean_pressure < 0 .and. .not. states(k)%resists_mean) exit
          associate (grid => self%grids(k), state => states(k))
             n_before = grid%operator%n_applied
             blank = state
@@ -239,6 +315,10 @@ contains
       call set_solution(states(first:), self%grids(n)%operator, solution)
       states(n)%mean_pressure = load
       solution%mean_pressure = load
+      associate (compliance => self%grids(n)%operator%mean_compliance)
+         ! the mean of the surface follows the load alone
+         solution%penetration = solution%penetration - compliance*(sum(tension)/size(tension))
+      end associate
       if (cells%has_wall()) then
          solution%pressure(:, :) = solution%pressure - tension
       else
@@ -250,7 +330,8 @@ contains
       solution%share = tension/cells%law%stress
       solution%adhesion_energy = cells%energy(solution%gap)
       solution%opening_loss = cells%opening_loss(solution%gap)
-      solution%elastic_energy = sum((solution%gap - states(n)%shape)*(solution%pressure - load))/(2*size(tension))
+      solution%elastic_energy = sum((solution%gap - states(n)%shape)*(solution%pressure - load))/(2*size(tension)) &
+         & + self%grids(n)%operator%mean_compliance*load**2/2
       call set_friction(self, states, states(n)%shape, solution)
    end subroutine collect_attracted
 

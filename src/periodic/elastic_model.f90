@@ -251,7 +251,6 @@ contains
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
       type(periodic_surface_t) :: surface
-      type(adhesion_law_t) :: law
 
       if (problems%count() > 0) return
       call self%get_cells(values, surface)
@@ -262,9 +261,8 @@ contains
       if (.not. has_layer(layer_values(self, values))) return
       if (has_coulomb(coulomb_values(self, values))) call problems%add('friction', 'coefficient', &
          & 'stands beside a layer, whose tangential displacement is not solved')
-      law = self%adhesion_of(values)
-      if (allocated(law%attraction)) call problems%add('adhesion', 'law', &
-         & 'stands beside a layer, which has that of dugdale alone')
+      if (.not. has_wall_at_contact(adhesion_values(self, values))) call problems%add('adhesion', 'law', &
+         & 'is ''lennard_jones'' beside a layer, where a law without a wall has no bounds; other laws have')
       if (is_wanted(values(pull_off_index(self)))) call problems%add('output', 'pull_off', &
          & 'is not found on layers and coatings; rounds that find no state there do not prove that there is none')
    end subroutine check_layer

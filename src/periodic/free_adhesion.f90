@@ -1,9 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Adhesive contact of a body that ends at the border of a map, or on either side of a strip, by the law of Maugis and Dugdale.
+!> Adhesive contact of a body that ends at the border of a map, or on either side of a strip, by the law of Maugis and Dugdale or by
+!> another one that falls with the gap.
 !>
 !> The body is solved as a periodic surface of twice the length (`adfric_periodic_free_kernel`), whose cells beyond the body lie so
 !> deep that they neither touch nor come into range. That is looked at where the contact is known; if they do they are laid deeper.
-!> So branches, turns and pull-off are those of `adfric_periodic_adhesive_solver`. The force is the mean pressure of the doubled
+!> So branches, turns and pull-off are those of `adfric_periodic_adhesive_solver`, and by other laws those of
+!> `adfric_periodic_attracted_surface`. The force is the mean pressure of the doubled
 !> map times its area, and the approach is the penetration of a layer. Grids of half and a quarter of the cells are solved each by
 !> itself and tell the errors of load, approach and area.
 module adfric_periodic_free_adhesion
@@ -13,8 +15,11 @@ module adfric_periodic_free_adhesion
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_pull_off, only: find_pull_off, periodic_pull_off_t
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
+   use adfric_periodic_attracted_pull_off, only: find_attracted_pull_off
+   use adfric_periodic_attracted_surface, only: solve_attracted_layer, solve_attracted_load
    use adfric_periodic_area, only: area_of_cells, area_t, refine_area, scatter_of_runs
    use adfric_periodic_chords, only: beside_body, chord_fraction
+   use adfric_periodic_free_attraction, only: free_law_t
    use adfric_periodic_free_kernel, only: free_kernel_t, new_free_kernel
    use adfric_periodic_free_solver, only: change_error, free_field_t, free_solution_t, grids_for_error, set_fields
    use adfric_periodic_grids, only: n_grids_of
@@ -57,7 +62,7 @@ module adfric_periodic_free_adhesion
 
    !> What adhesion adds to a solution.
    type :: free_adhesion_t
-      !> Area within the range and not in contact, as a share of the map.
+      !> Area within the range of Dugdale's law and not in contact, as a share of the map; of no meaning by another law.
       real(dp) :: area = 0
       !> Energy of adhesion, 0 far apart [E* times the cube of the unit of length].
       real(dp) :: energy = 0
@@ -149,9 +154,7 @@ contains
       logical, intent(in) :: has_load
       !> Load [E* times the square of the unit of length], or approach.
       real(dp), intent(in) :: prescribed
-      !> The law, with its stress in E*, its range in the unit of length, and a load of a turn as `turning_pressure` [E* times the
-      !> square of the unit of length].
-      type(periodic_adhesion_t), intent(in) :: law
+      type(free_law_t), intent(in) :: law
       !> Largest residual on the finest grid [-].
       real(dp), intent(in) :: tolerance
       !> Shall the pull-off be found?
@@ -191,34 +194,38 @@ contains
       logical, intent(in) :: has_load
       !> Load, or approach.
       real(dp), intent(in) :: prescribed
-      type(periodic_adhesion_t), intent(in) :: law
+      type(free_law_t), intent(in) :: law
       real(dp), intent(in) :: tolerance
       !> Receives what was found.
       type(free_found_t), intent(out) :: found
       type(error_t), allocatable, intent(out) :: error
       type(periodic_solution_t) :: solution
-      type(periodic_adhesion_t) :: mean_law
+      type(free_law_t) :: mean_law
       real(dp), allocatable :: doubled(:, :)
-      real(dp) :: area, depth
+      real(dp) :: area, depth, clear
       logical, allocatable :: is_beyond(:, :)
       integer :: k
 
       area = product(self%lengths*merge(1, 2, self%is_periodic))
-      mean_law = law
-      mean_law%turning_pressure = law%turning_pressure/area
-      depth = depth_beyond(self, field, law, has_load, prescribed)
+      depth = depth_beyond(self, field, law%dugdale, has_load, prescribed)
+      ! a triangle between cells of the body and of none is in range in part; other laws do not act there at all
+      clear = merge(0.0_dp, law%dugdale%range, allocated(law%attraction))
       do k = 1, most_depths
          call double_map(self, field, depth, doubled, is_beyond)
-         mean_law%part = merge(0.0_dp, 1.0_dp, is_beyond)
-         if (has_load) then
-            call solve_adhesive_load(grid%solver, doubled, prescribed/area, mean_law, tolerance, solution, error)
+         mean_law = law%on_cells(area, .not. is_beyond)
+         if (allocated(law%attraction) .and. has_load) then
+            call solve_attracted_load(grid%solver, doubled, prescribed/area, mean_law%attraction, tolerance, solution, error)
+         else if (allocated(law%attraction)) then
+            call solve_attracted_layer(grid%solver, doubled, prescribed, mean_law%attraction, tolerance, solution, error)
+         else if (has_load) then
+            call solve_adhesive_load(grid%solver, doubled, prescribed/area, mean_law%dugdale, tolerance, solution, error)
          else
-            call solve_adhesive_layer(grid%solver, doubled, prescribed, mean_law, tolerance, solution, error)
+            call solve_adhesive_layer(grid%solver, doubled, prescribed, mean_law%dugdale, tolerance, solution, error)
          end if
          if (allocated(error)) return
          found%status = solution%status
          if (solution%status /= contact_solved) return
-         if (.not. any(is_beyond .and. .not. solution%gap > law%range)) exit
+         if (.not. any(is_beyond .and. .not. solution%gap > clear)) exit
          found%status = contact_not_converged
          depth = deeper*depth
       end do
@@ -226,7 +233,11 @@ contains
       associate (n => grid%n_cells)
          allocate (found%pressure, source=solution%pressure(:n(1), :n(2)))
          allocate (found%gap, source=solution%gap(:n(1), :n(2)))
-         allocate (found%share, source=solution%weighted_share(:n(1), :n(2)))
+         if (allocated(law%attraction)) then
+            allocate (found%share, source=solution%share(:n(1), :n(2)))
+         else
+            allocate (found%share, source=solution%weighted_share(:n(1), :n(2)))
+         end if
          allocate (found%is_contact, source=field%is_body .and. .not. found%gap > 0)
       end associate
       found%has_load = has_load
@@ -326,14 +337,14 @@ contains
       type(free_adhesion_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces, and the body, on all grids.
       type(free_field_t), intent(in) :: fields(:)
-      type(periodic_adhesion_t), intent(in) :: law
+      type(free_law_t), intent(in) :: law
       real(dp), intent(in) :: tolerance
       type(found_once_t), pointer, intent(in) :: pull_offs
       !> Receives the load and its error; keeps their values where none was found.
       type(free_adhesion_t), intent(inout) :: adhesion
       type(error_t), allocatable, intent(out) :: error
       type(periodic_pull_off_t) :: found(2)
-      type(periodic_adhesion_t) :: mean_law
+      type(free_law_t) :: mean_law
       real(dp), allocatable :: doubled(:, :)
       real(dp) :: area
       logical, allocatable :: is_beyond(:, :)
@@ -341,17 +352,18 @@ contains
 
       n = size(self%grids)
       area = product(self%lengths*merge(1, 2, self%is_periodic))
-      mean_law = law
-      mean_law%turning_pressure = law%turning_pressure/area
       do k = n, max(n - 1, 1), -1
          associate (pull_off => found(n - k + 1))
-            call double_map(self, fields(k), depth_beyond(self, fields(k), law, .true., 0.0_dp), doubled, is_beyond)
-            mean_law%part = merge(0.0_dp, 1.0_dp, is_beyond)
-            if (associated(pull_offs)) then
+            call double_map(self, fields(k), depth_beyond(self, fields(k), law%dugdale, .true., 0.0_dp), doubled, is_beyond)
+            mean_law = law%on_cells(area, .not. is_beyond)
+            if (allocated(law%attraction)) then
+               call find_attracted_pull_off(self%grids(k)%solver, doubled, mean_law%attraction, tolerance, &
+                  & pull_off%mean_pressure, pull_off%is_found)
+            else if (associated(pull_offs)) then
                call get_pull_off(pull_offs, self%grids(k)%solver, doubled, &
-                  & [self%lengths, merge(1.0_dp, 0.0_dp, self%is_periodic)], mean_law, tolerance, pull_off, error)
+                  & [self%lengths, merge(1.0_dp, 0.0_dp, self%is_periodic)], mean_law%dugdale, tolerance, pull_off, error)
             else
-               call find_pull_off(self%grids(k)%solver, doubled, mean_law, tolerance, pull_off, error)
+               call find_pull_off(self%grids(k)%solver, doubled, mean_law%dugdale, tolerance, pull_off, error)
             end if
             if (allocated(error)) return
             if (.not. pull_off%is_found) return
@@ -366,6 +378,7 @@ contains
       type(free_adhesion_solver_t), intent(in) :: self
       !> Gap of the undeformed surfaces, and the body.
       type(free_field_t), intent(in) :: field
+      !> Dugdale's law, of the same stress and range.
       type(periodic_adhesion_t), intent(in) :: law
       logical, intent(in) :: has_load
       !> Load, or approach.

@@ -15,15 +15,16 @@ module adfric_periodic_free_model
    use adfric_describe_rows, only: contact_profiles, count_row, set_coordinate
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
    use adfric_describe_table, only: profile_axis_t
-   use adfric_interface_adhesion_rows, only: adhesion_law_t, has_adhesion, n_adhesion_rows
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, n_adhesion_rows
+   use adfric_interface_attraction_rows, only: given_attraction_t, has_attraction
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesion_cells, only: derive_zone, doubt_zone, sees_pull_off
    use adfric_periodic_free_adhesion, only: solve_free_adhesion
    use adfric_periodic_free_law, only: check_free_law, free_law_in_units, free_law_of, set_free_solid
    use adfric_periodic_free_point, only: error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, store, &
       & store_adhesion
-   use adfric_periodic_free_rows, only: boundaries_periodic, get_free_results, get_free_variables, in => free_input, &
-      & is_periodic_by, tilt_free
+   use adfric_periodic_free_rows, only: attraction_values, boundaries_periodic, get_free_results, get_free_variables, &
+      & in => free_input, is_periodic_by, tilt_free
    use adfric_periodic_free_solver, only: free_hinge_t, is_inside, solve_free
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_point, only: periodic_surface_t
@@ -41,6 +42,8 @@ module adfric_periodic_free_model
       private
       !> Heights of the input.
       type(given_heights_t) :: given
+      !> Table of the law of attraction.
+      type(given_attraction_t) :: given_attraction
       !> Pull-offs that the points of a run share; null before the run.
       type(found_once_t), pointer :: pull_offs => null()
    contains
@@ -100,13 +103,17 @@ contains
    !> See `model_t`.
    subroutine take_dataset(self, index, values, problems)
       class(free_model_t), intent(inout) :: self
-      !> Index of the heights in `variables`.
+      !> Index of the heights, or of the table of a law, in `variables`.
       integer, intent(in) :: index
-      !> Heights of the body [m], NaN where they are not known; shape `(nx, ny)`.
+      !> Heights of the body [m], NaN where they are not known; shape `(nx, ny)`. Or gaps [m] and tensions [Pa]; shape `(n, 2)`.
       real(dp), intent(in) :: values(:, :)
       type(problems_t), intent(inout) :: problems
 
-      call self%given%take(self%variables(index), values, problems)
+      if (index == in%tension_table) then
+         call self%given_attraction%take(index - (in%adhesion + n_adhesion_rows - 1), values)
+      else
+         call self%given%take(self%variables(index), values, problems)
+      end if
    end subroutine take_dataset
 
    !> See `model_t`.
@@ -125,7 +132,7 @@ contains
       call check_images(self, values, problems)
       call check_cells_of_adhesion(self, values, problems)
       call require_one(self%variables, values, [in%load, in%approach], .true., problems)
-      call check_free_law(self%variables, values, problems)
+      call check_free_law(self%variables, values, self%given_attraction, problems)
       call check_tilt(self, values, problems)
    end subroutine check_values
 
@@ -158,7 +165,7 @@ contains
       if (nint(values(in%tilt)) /= tilt_free) return
       if (is_set(values(in%approach))) call problems%add('operating', 'tilt', &
          & 'is free, but the approach is given; a body that may tilt has a load')
-      if (has_adhesion(values(in%adhesion:in%adhesion + n_adhesion_rows - 1))) call problems%add('operating', 'tilt', &
+      if (has_attraction(attraction_values(values))) call problems%add('operating', 'tilt', &
          & 'is free beside &adhesion, where the body must be fixed')
    end subroutine check_tilt
 
@@ -207,7 +214,7 @@ contains
       integer, parameter :: fewest = 16
       integer :: fewest_given
 
-      if (.not. (allocated(self%given%is_body) .and. has_adhesion(values(in%adhesion:in%adhesion + n_adhesion_rows - 1)))) return
+      if (.not. (allocated(self%given%is_body) .and. has_attraction(attraction_values(values)))) return
       fewest_given = minval(shape(self%given%is_body), mask=.not. is_periodic_by(values(in%boundaries)))
       if (fewest_given < fewest) call problems%add('surface', 'heights', 'has '//show_count(fewest_given)//' cells along a side,' &
          & //' allowed: at least '//show_count(fewest)//'; with adhesion states are lost on fewer')
@@ -258,7 +265,7 @@ contains
       if (.not. allocated(state)) allocate (free_point_state_t :: state)
       status = status_not_converged
       error_estimate = 0
-      law = free_law_of(values)
+      law = free_law_of(values, self%given_attraction)
       select type (state)
       type is (free_point_state_t)
          call self%given%get_cells(values(in%heights:in%rms_height), state%surface)
@@ -339,7 +346,7 @@ contains
          & values(in%modulus:in%modulus + n_two_bodies - 1))
       call add_derived(derived, 'root_mean_square_height', 'm', 'root of the mean square of the heights', &
          & self%given%factor_of(values(in%heights:in%rms_height))*self%given%root_mean_square)
-      law = free_law_of(values)
+      law = free_law_of(values, self%given_attraction)
       if (.not. law%stress > 0) return
       call self%given%get_cells(values(in%heights:in%rms_height), surface)
       call set_free_solid(values, surface)
@@ -366,7 +373,7 @@ contains
       type(adhesion_law_t) :: law
 
       text = self%given%doubt(is_periodic_by(values(in%boundaries)))
-      law = free_law_of(values)
+      law = free_law_of(values, self%given_attraction)
       if (.not. law%stress > 0) return
       call self%given%get_cells(values(in%heights:in%rms_height), surface)
       call set_free_solid(values, surface)

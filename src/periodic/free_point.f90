@@ -153,7 +153,7 @@ contains
       real(dp), intent(inout) :: results(:)
 
       associate (adhesion => state%adhesion, unit => state%surface%period(1), modulus => state%surface%solid%modulus)
-         results(out%adhesion_area) = adhesion%area*product(state%surface%period)
+         if (.not. allocated(law%attraction)) results(out%adhesion_area) = adhesion%area*product(state%surface%period)
          results(out%adhesion_energy) = adhesion%energy*modulus*unit*unit*unit
          results(out%cells_per_zone) = cells_per_zone(law, state%surface)
          if (adhesion%pull_off < huge(1.0_dp)) results(out%pull_off_load) = adhesion%pull_off*modulus*unit*unit

@@ -3,7 +3,10 @@
 module adfric_periodic_free_rows
    use adfric_base_counting, only: counting
    use adfric_base_kinds, only: dp
+   use adfric_base_unset, only: unset
    use adfric_interface_adhesion_rows, only: n_adhesion_rows, set_adhesion_rows
+   use adfric_interface_attraction, only: law_words
+   use adfric_interface_attraction_rows, only: law_row, n_attraction_rows, table_row
    use adfric_describe_rows, only: any_number, choice, number, positive, result_row, switch
    use adfric_describe_table, only: result_t, variable_t
    use adfric_periodic_given_heights, only: n_heights_rows, set_heights_rows
@@ -11,7 +14,7 @@ module adfric_periodic_free_rows
    use adfric_solid_contact_modulus, only: n_two_bodies, set_modulus_rows
    implicit none (type, external)
    private
-   public :: get_free_variables, get_free_results, is_periodic_by
+   public :: attraction_values, get_free_variables, get_free_results, is_periodic_by
 
    !> Words of `boundaries`, and the number of the first one: what is periodic in both directions has another solver.
    character(*), parameter :: known_boundaries = 'periodic free periodic_x periodic_y'
@@ -20,12 +23,12 @@ module adfric_periodic_free_rows
    integer, parameter, public :: tilt_free = 2
 
    !> Variables in the order of their rows; a component is the index of its row, those of the modulus begin at `modulus`,
-   !> those of adhesion at `adhesion`.
+   !> those of adhesion at `adhesion`, with the law behind them.
    type :: free_input_t
       !> Indices of the rows.
       integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0, tolerance = 0, modulus = 0, &
-         & others(n_two_bodies - 1) = 0, boundaries = 0, adhesion = 0, of_adhesion(n_adhesion_rows - 1) = 0, load = 0, &
-         & approach = 0, tilt = 0, load_x = 0, load_y = 0, pull_off = 0, profiles = 0
+         & others(n_two_bodies - 1) = 0, boundaries = 0, adhesion = 0, of_adhesion(n_adhesion_rows - 1) = 0, law = 0, &
+         & tension_table = 0, load = 0, approach = 0, tilt = 0, load_x = 0, load_y = 0, pull_off = 0, profiles = 0
    end type free_input_t
    type(free_input_t), parameter, public :: free_input = transfer(counting, free_input_t())
    integer, parameter, public :: n_free_variables = storage_size(free_input)/storage_size(1)
@@ -62,6 +65,8 @@ contains
       v(free_input%adhesion + n_adhesion_rows - 1) = any_number(group='adhesion', name='turning_load', unit='N', &
          & meaning='load up to which the body has approached before it parts again, of the adhered branch; full contact if not ' &
          & //'given', lower=0.0_dp)
+      v(free_input%law) = law_row(law_words)
+      v(free_input%tension_table) = table_row()
       v(free_input%load) = number(group='operating', name='load', unit='N', &
          & meaning='load, or that of one period; below 0 with adhesion alone')
       v(free_input%approach) = number(group='operating', name='approach', unit='m', &
@@ -76,6 +81,16 @@ contains
       v(free_input%profiles) = switch(group='output', name='profiles', &
          & meaning='write maps of pressure and gap for every point', default=.false.)
    end function get_free_variables
+
+   !> Values of the rows of adhesion and of its law, as those of all rows of attraction.
+   pure function attraction_values(values) result(attraction)
+      !> Values of all variables.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: attraction(n_adhesion_rows + n_attraction_rows)
+
+      attraction = unset
+      attraction(:n_adhesion_rows + 2) = values(free_input%adhesion:free_input%tension_table)
+   end function attraction_values
 
    !> Does the surface go on periodically along x, along y?
    pure function is_periodic_by(boundaries) result(is_periodic)
@@ -115,7 +130,7 @@ contains
       r(free_output%violation) = result_row(name='contact_violation', unit='-', &
          & long_name='largest violation of g >= 0, p >= 0, g p = 0; with adhesion p + p0 t for p, t its share of a cell')
       r(free_output%adhesion_area) = result_row(name='adhesion_area', unit='m^2', &
-         & long_name='area in adhesion without contact')
+         & long_name='area within the range of Dugdale''s law and not in contact')
       r(free_output%adhesion_area)%is_counted = .true.
       r(free_output%adhesion_energy) = result_row(name='adhesion_energy', unit='J', &
          & long_name='energy of adhesion, 0 far apart')

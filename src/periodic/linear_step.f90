@@ -13,6 +13,8 @@
 !> The mean of the gap may be fixed instead of the mean pressure. Then f changes by one number in all cells, which is found as well, and
 !> conjugate gradients see where A + diag(c) is not positive definite among gaps without a mean.
 !>
+!> Where a constant has a stiffness, as at a given penetration of a layer, there may be no contact at all.
+!>
 !> A law of attraction that pushes by itself has no wall: all cells are open, gaps have any sign, and slopes c may be above 0. Cells
 !> whose slope is large take part in the sum over grids by little.
 !>
@@ -56,6 +58,8 @@ module adfric_periodic_linear_step
       real(dp) :: sum_of_constant = 1
       !> Is there a hard wall at the gap 0?
       logical :: has_wall = .true.
+      !> Has a constant a stiffness?
+      logical :: resists_mean = .false.
       !> Pressure of a gap of 1 in a single cell [E* over the unit of the gap].
       real(dp) :: cell_stiffness = 1
       !> Where a region without contact is closed: the cell that touches first.
@@ -83,6 +87,7 @@ contains
 
       call new_levels(self%levels, operator)
       self%has_wall = has_wall
+      self%resists_mean = operator%resists()
       allocate (self%correction, self%direction, self%stiff, mold=shape)
       self%cell_stiffness = operator%mean_stiffness(operator%n_cells)
       self%first_cell = minloc(shape)
@@ -166,7 +171,7 @@ contains
    end subroutine solve
 
    !> See to it that there is contact under a fixed mean pressure, and that there is a gap where its mean is fixed. Without a wall all
-   !> cells are open.
+   !> cells are open, and where a constant has a stiffness any region will do.
    pure subroutine keep_region_sound(self, is_open, has_fixed_mean)
       type(linear_step_t), intent(in) :: self
       !> Open region, which may lose or gain a cell.
@@ -178,7 +183,7 @@ contains
          is_open(:, :) = .true.
       else if (has_fixed_mean) then
          if (.not. any(is_open)) is_open(self%last_cell(1), self%last_cell(2)) = .true.
-      else if (all(is_open)) then
+      else if (all(is_open) .and. .not. self%resists_mean) then
          is_open(self%first_cell(1), self%first_cell(2)) = .false.
       end if
    end subroutine keep_region_sound
@@ -288,7 +293,7 @@ contains
       logical :: has_direction
 
       is_dominant = .not. any(is_open)
-      if (is_dominant .or. (self%has_wall .and. all(is_open))) return
+      if (is_dominant .or. (self%has_wall .and. all(is_open) .and. .not. self%resists_mean)) return
       allocate (w, source=0*slope)
       allocate (rest, source=w)
       rest(:, :) = -1

@@ -51,6 +51,7 @@ module adfric_periodic_operator
       procedure :: mean_stiffness
       procedure :: smallest_ratio
       procedure :: resist_mean
+      procedure :: resists
       procedure :: apply_stiffness
       procedure :: apply_compliance
       procedure :: get_influence
@@ -140,6 +141,13 @@ contains
       self%stiffness(1, 1) = 0
       if (resists) self%stiffness(1, 1) = 1/(self%mean_compliance*self%filter%gain)
    end subroutine resist_mean
+
+   !> Has a constant a stiffness?
+   pure logical function resists(self)
+      class(periodic_operator_t), intent(in) :: self
+
+      resists = abs(self%stiffness(1, 1)) > 0
+   end function resists
 
    !> Mean stiffness of the waves that a coarser grid of cells has, but for the factors of its own.
    pure real(dp) function mean_stiffness(self, n_cells) result(mean)

@@ -13,7 +13,7 @@ module adfric_periodic_point
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
    use adfric_periodic_attracted_penetration, only: solve_attracted_penetration
    use adfric_periodic_attracted_pull_off, only: find_attracted_pull_off
-   use adfric_periodic_attracted_surface, only: periodic_attraction_t, solve_attracted_load
+   use adfric_periodic_attracted_surface, only: periodic_attraction_t, solve_attracted_layer, solve_attracted_load
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
@@ -243,6 +243,14 @@ contains
       associate (solver => memory%solver, shape_in_periods => surface%shape/surface%period(1))
          if (goal%is_pressure) then
             call solve_attracted_load(solver, shape_in_periods, goal%value, attraction, goal%tolerance, solution, error)
+            if (allocated(error)) return
+            ! a bound that finds no state is a proof where states have an order
+            if (solution%status == contact_out_of_range .and. .not. solver%kernel%orders_states() &
+               & .and. goal%value >= -largest_tension_of(attraction%law%stress, attraction%part)) &
+               & solution%status = contact_not_converged
+         else if (solver%grids(size(solver%grids))%operator%mean_compliance > 0) then
+            call solve_attracted_layer(solver, shape_in_periods, goal%value/surface%period(1), attraction, goal%tolerance, &
+               & solution, error)
          else
             call solve_attracted_penetration(solver, shape_in_periods, goal%value/surface%period(1), attraction, goal%tolerance, &
                & solution, error)
@@ -321,7 +329,7 @@ contains
          if (allocated(error)) return
          ! rounds that find no state are a proof where states have an order
          if (solution%status == contact_out_of_range .and. .not. solver%kernel%orders_states() &
-            & .and. value >= -largest_tension_of(adhesion)) solution%status = contact_not_converged
+            & .and. value >= -largest_tension_of(adhesion%stress, adhesion%part)) solution%status = contact_not_converged
       else if (solver%grids(size(solver%grids))%operator%mean_compliance > 0) then
          call solve_adhesive_layer(solver, shape, value, adhesion, goal%tolerance, solution, error)
       else
@@ -330,11 +338,13 @@ contains
    end subroutine solve_branch
 
    !> Mean tension that no state exceeds, whatever the solid [E*]: all cells within the range, and none pressed.
-   pure real(dp) function largest_tension_of(adhesion) result(tension)
-      type(periodic_adhesion_t), intent(in) :: adhesion
+   pure real(dp) function largest_tension_of(stress, part) result(tension)
+      !> Largest tension of the law [E*], and what of it each cell has; not allocated: all.
+      real(dp), intent(in) :: stress
+      real(dp), allocatable, intent(in) :: part(:, :)
 
-      tension = adhesion%stress
-      if (allocated(adhesion%part)) tension = tension*(sum(adhesion%part)/size(adhesion%part))
+      tension = stress
+      if (allocated(part)) tension = tension*(sum(part)/size(part))
    end function largest_tension_of
 
    !> Does the other branch have another state? It has the same where no cell's share differs; one of `branches_...`.

@@ -767,7 +767,7 @@ class Scenes(Runs):
                 (scene_of("wave_1d", 17).replace("&solid ", "&solid base_young_modulus = 1e9, "), "&solid base_young_modulus: belongs to a coating; give extent = 'coating'"),
                 (scene_of("wave_1d", 17).replace("'bonded'", "'elastic'"), "&solid base: "),
                 (scene_of("wave_1d", 17).replace("&solid ", "&solid second_young_modulus = 1e9, second_poisson_ratio = 0.3, "), "&solid second_young_modulus: has no meaning beside a layer"),
-                (scene_of("wave_1d", 18).replace("&adhesion ", "&adhesion law = 'exponential', "), "&adhesion law: stands beside a layer, which has that of dugdale alone"),
+                (scene_of("wave_1d", 18).replace("&adhesion ", "&adhesion law = 'lennard_jones', "), "&adhesion law: is 'lennard_jones' beside a layer, where a law without a wall has no bounds; other laws have"),
                 (scene_of("wave_1d", 19).replace("base_young_modulus = 1e9, ", ""), "&solid base_young_modulus: is missing [Pa]; a coating needs it and base_poisson_ratio"),
                 (scene_of("wave_1d", 19).replace(" poisson_ratio = 0.5,", "").replace("&solid young", "&solid contact"), "&solid poisson_ratio: is missing [-]; a coating needs it"),
                 (scene_of("wave_1d", 18) + "&output pull_off = .true. /\n", "&output pull_off: is not found on layers and coatings"),
