@@ -14,8 +14,7 @@
 !> most adhered state lies above the constant gap at which it pushes the full contact apart, and the least adhered one below the
 !> contact without tension, as its push only parts cells further.
 !>
-!> At the penetration of a layer A has a stiffness of a constant too, and q is the penetration over the compliance of the layer. All that
-!> follows is the same, but that a state need not have contact: bodies that are apart are one.
+!> At the penetration of a layer a constant has a stiffness too, and q is the penetration over the compliance. Bodies apart are a state then.
 !>
 !> **Bounds.** A gap b on the adhered side of the least gaps, g = 0 at first, goes up by linear problems (`adfric_periodic_linear_step`)
 !> whose slopes are no smaller than any chord of the law from b into the interval where the state lies. With such slopes the linear

@@ -816,7 +816,7 @@ class Scenes(Runs):
                 (free + ADHESION + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with adhesion and"),
                 (free + "&output pull_off = .true. /\n", "&output pull_off: "),
                 (free.replace("/map", "/few") + LIGHT, "&surface heights: has 15 cells along a side, allowed: at least 16; with adhesion"),
-                (free + ADHESION.replace("&adhesion", "&adhesion law = 'exponential',"), "&adhesion law: "),
+                (free + ADHESION.replace("&adhesion", "&adhesion law = 'lennard_jones',"), "&adhesion law: is 'lennard_jones', which has no wall"),
                 (free + "&friction coulomb_coefficient = 0.3 /\n", "&friction: nothing solves heights on an elastic half-space with free boundaries with a coefficient"),
                 (free + "&friction shear_strength = 1e5 /\n", "nothing solves heights on an elastic half-space with free boundaries with a shear strength, pressed"),
                 (scene_of("heights", 7).replace("&solid ", "&solid boundaries = 'periodic_x', "), "&solid: nothing solves heights on a viscoelastic half-space with free boundaries"),
