@@ -5,7 +5,8 @@
 !> tensions from the stress sigma0, which no state carries more than, are halved until there is a state. From there the mean gap is opened
 !> step by step, with Newton's method: at a given mean gap the load is what is found, and a fold of the load is only its lowest
 !> point. The lowest point of a parabola through three states leads there. That it is the pull-off, and not only a jump to another
-!> state, is seen at a load a little below, where the branch has no state then; where it has one, the search goes on from that.
+!> state, is seen at a load a little below, where the branch has no state then; where it has one, the search goes on from that. Where no
+!> such path is found, loads between the last one with a state and the first one without are halved.
 module adfric_periodic_adhesive_pull_off
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -68,7 +69,7 @@ contains
       type(contact_state_t) :: state
       type(contact_state_t), allocatable :: turned(:), last
       real(dp) :: load, without, reach
-      logical :: is_near
+      logical :: is_near, is_lost
       integer :: k
 
       branch = adhesion
@@ -77,6 +78,7 @@ contains
       load = -adhesion%stress*(1 - wanted_error)
       pull_off%mean_pressure = 0
       reach = beyond
+      is_lost = .false.
       do k = 1, most_loads
          if (solver%grids(size(solver%grids))%operator%is_stopped()) return
          if (allocated(last)) then
@@ -95,12 +97,14 @@ contains
             pull_off%mean_pressure = load
             pull_off%penetration = sum(shape - state%gap)/size(shape)
             if (any(state%is_open)) call go_down(solver, state, tolerance, pull_off)
+            is_lost = .not. pull_off%mean_pressure < load
          else if (pull_off%is_found) then
             ! rounds nearer to a fold than `beyond` do not end: it stays found
             return
          else if (pull_off%mean_pressure < 0 .and. reach < farthest) then
             ! next to a fold rounds take long
             reach = 2*reach
+            is_lost = .false.
          else if (pull_off%mean_pressure < 0 .or. k == most_loads) then
             return
          end if
@@ -110,7 +114,10 @@ contains
             if (reach > beyond .or. reach <= nearest .or. abs(without) <= least_part*adhesion%stress) return
             reach = nearest
          end if
-         if (pull_off%mean_pressure < 0) then
+         if (is_lost) then
+            ! where no path leads down the interval is halved
+            load = (pull_off%mean_pressure + without)/2
+         else if (pull_off%mean_pressure < 0) then
             load = max((1 + reach)*pull_off%mean_pressure, (pull_off%mean_pressure + without)/2)
          else if (solution%status == contact_out_of_range) then
             load = without/2
