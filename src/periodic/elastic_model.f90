@@ -59,6 +59,7 @@ module adfric_periodic_elastic_model
       procedure(height_of_i), deferred :: height_of
       procedure :: set_elastic_tables
       procedure :: check_solid
+      procedure, non_overridable :: check_elastic_solid => check_solid
       procedure :: set_solid
       procedure :: derive_solid
       procedure :: set_interface
