@@ -12,7 +12,7 @@ module adfric_rough_variables
    use adfric_solid_spectrum_rows, only: n_spectrum_rows, set_spectrum_rows
    implicit none (type, external)
    private
-   public :: get_rough_variables, get_rough_results, constant_row
+   public :: get_rough_variables, get_rough_results, constant_row, theory_of_result
    public :: suffixes, n_shares, n_theories, share_plain, share_yang_persson, share_wang_mueser
 
    !> Forms of Persson's theory.
@@ -50,9 +50,6 @@ module adfric_rough_variables
    integer, parameter, public :: n_rough_results = storage_size(rough_output)/storage_size(1)
    !> Number of the first ones, which a surface under a pressure has.
    integer, parameter, public :: n_pressed_results = rough_output%mean_square_pressure
-   !> Which theory each of them is of.
-   integer, parameter, public :: theory_of_result(n_pressed_results) = [([(k_theory, k_theory=1, n_theories)], k_row=1, 4), &
-      & [(k_theory, k_theory=1, n_shares)], share_plain]
 
 contains
 
@@ -133,6 +130,18 @@ contains
          r(out%pull_off_pressure(share_yang_persson))%is_main = .true.
       end associate
    end function get_rough_results
+
+   !> Number of the theory that a result of a surface under a pressure is of.
+   elemental integer function theory_of_result(row) result(theory)
+      !> Index of the result, from 1 to `n_pressed_results`.
+      integer, intent(in) :: row
+
+      associate (out => rough_output)
+         theory = max(findloc(out%contact_fraction, row, 1), findloc(out%mean_gap, row, 1), &
+            & findloc(out%normal_stiffness, row, 1), findloc(out%conductance_factor, row, 1), findloc(out%elastic_energy, row, 1))
+         if (row == out%mean_square_pressure) theory = share_plain
+      end associate
+   end function theory_of_result
 
    !> A row of a result by a theory.
    function of_theory(name, unit, long_name, k) result(row)
