@@ -8,7 +8,7 @@
 !> - the name in the language of scenes, or `-` where it has no meaning;
 !> - the facts of a scene that the rule needs (`adfric_describe_scene_facts`), `!` before one that must be absent.
 !>
-!> The first rule that holds counts. What no rule names is called the same in both languages.
+!> The first rule that holds counts. What no rule names is called the same in both languages. The file is long by its rules.
 module adfric_describe_scene_rules
    implicit none (type, external)
    private

@@ -103,7 +103,7 @@ contains
          & meaning='cells along each period; the shortest wave needs more than 2, and better 8', default=512, &
          & lower=multiple_of_cells, upper=most_cells, multiple_of=multiple_of_cells)
       v(in%theories) = several_words(group='estimates', name='theories', &
-         & meaning='statistical theories whose answers stand beside those of the cells, at the same mean pressure', &
+         & meaning='one or more statistical theories, whose answers stand beside those of the cells at the same mean pressure', &
          & choices=list_of_theories())
       v(in%yang_persson_constant) = constant_row()
       call self%set_elastic_tables(name='spectrum_elastic', surface=v, &
