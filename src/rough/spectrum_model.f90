@@ -28,8 +28,8 @@ module adfric_rough_spectrum_model
    use adfric_rough_ensemble, only: find_ensemble, n_ensemble_rows, set_ensemble_rows
    use adfric_rough_pressed_theories, only: answer_pressed, least_mean_pressure, new_pressed_theories, pressed_surface_t, &
       & pressed_theories_t, set_areas, set_nodes, set_shares
-   use adfric_rough_variables, only: constant_row, get_rough_results, n_pressed_results, n_theories, of_theory => rough_output, &
-      & suffixes, theory_of_result
+   use adfric_rough_variables, only: constant_row, get_rough_results, n_pressed_results, n_theories, suffixes, &
+      & theory_of_result
    use adfric_shape_drawn_heights, only: can_hold, draw_heights, has_longest, waves_along
    use adfric_shape_height_spectrum, only: height_spectrum_t
    use adfric_shape_power_spectrum, only: check_density, derive_moments, given_density_t, make_spectrum, n_density_rows, &
@@ -137,7 +137,8 @@ contains
       allocate (of_theories, source=get_rough_results())
       do k = 1, n_pressed_results
          rows(before_theories + k) = of_theories(k)
-         rows(before_theories + k)%is_main = any(k == of_theory%contact_fraction)
+         ! a theory has no value where it is not asked, or has no state
+         rows(before_theories + k)%is_main = .false.
       end do
       call move_alloc(rows, self%results)
    end subroutine add_results
