@@ -19,7 +19,7 @@ module adfric
    use adfric_describe_model, only: model_t
    use adfric_periodic_free_model, only: free_model_t, new_free_model
    use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
-   use adfric_periodic_spectrum_model, only: new_spectrum_model, spectrum_model_t
+   use adfric_rough_spectrum_model, only: new_spectrum_model, spectrum_model_t
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
    use adfric_periodic_surface_time, only: surface_time_t, new_surface_time
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_1d_cells, new_wave_2d_model

@@ -10,7 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 # What stands in a line uses what stands in the lines above it, and itself. "" is src/ itself: which models there are.
-LEVELS = (("base",), ("numerics", "system"), ("describe", "hdf5"), ("solid", "shape"), ("interface",), ("round", "plane", "foundation", "periodic", "rough"),
+LEVELS = (("base",), ("numerics", "system"), ("describe", "hdf5"), ("solid", "shape"), ("interface",), ("round", "plane", "foundation", "periodic"), ("rough",),
           ("contact", "fit"), ("",), ("run",), ("input", "output"), ("api", "command"), ("c",), ("drivers",))
 LEVEL_OF = {folder: level for level, folders in enumerate(LEVELS) for folder in folders}
 # The library adfric::physics, as CMakeLists.txt names its folders: it knows neither files nor processes.

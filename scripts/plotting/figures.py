@@ -6,7 +6,7 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 
 import numpy as np
 
-from . import adhesion, fit, halfspace, history, rubber, samples, sliding, sphere, split
+from . import adhesion, fit, halfspace, history, rough, rubber, samples, sliding, sphere, split
 from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
@@ -63,6 +63,8 @@ def choose_figure(results):
         return lambda found: samples.draw_samples(found, choose_results(found)[0])
     if split.has_parts(results):
         return split.draw_split
+    if rough.has_theories(results):
+        return rough.draw_theories
     return FIGURES.get((results.model, along), draw_sweep)
 
 

@@ -107,7 +107,15 @@ class Results:
             elif scales[: len(names)] == names:
                 self.profiles[name] = _field(file, name)
                 self.profile_axes = [_field(file, axis) for axis in scales[len(names):]]
+        self._note_spreads()
         self._take_old_names()
+
+    def _note_spreads(self):
+        """Take note of the spreads between the surfaces of an ensemble, and of the errors of its means."""
+        for name in self.fields:
+            if name.endswith("_spread") and name.removesuffix("_spread") in self.fields:
+                self.errors.setdefault(name.removesuffix("_spread"), name)
+                self.beside |= {name, name.removesuffix("_spread") + "_error_of_mean"}
 
     def _note_beside(self, name, meaning):
         """Take note of a result that is said beside another one, by what it means."""

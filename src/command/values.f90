@@ -6,6 +6,7 @@ module adfric_command_values
    use adfric_base_words, only: get_word
    use adfric_base_text, only: show_number
    use adfric_describe_table, only: variable_t, kind_logical, kind_choice
+   use adfric_describe_word_sets, only: show_words
    implicit none (type, external)
    private
    public :: show_input_value
@@ -24,6 +25,8 @@ contains
          text = 'not given'
       else if (variable%kind == kind_logical) then
          text = trim(merge('.true. ', '.false.', value > 0.5_dp))
+      else if (variable%kind == kind_choice .and. variable%takes_several) then
+         text = show_words(variable%choices, value, '''', ', ')
       else if (variable%kind == kind_choice) then
          text = ''''//get_word(variable%choices, nint(value))//''''
       else

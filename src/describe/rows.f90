@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Rows of the tables of models. They are written by keyword, so that a table says what each of its numbers is.
 module adfric_describe_rows
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: count_words, find_word, get_word
    use adfric_describe_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t, kind_real, kind_integer, &
@@ -8,7 +9,7 @@ module adfric_describe_rows
    implicit none (type, external)
    private
    public :: positive, above_zero, number, any_number, whole_number, poisson_ratio, choice, switch, dataset, list_row
-   public :: columns_row, set_output_axis, set_coordinate, result_row, count_row, contact_profiles
+   public :: several_words, columns_row, set_output_axis, set_coordinate, result_row, count_row, contact_profiles
 
    !> Sizes beyond these are those of a slip in the units.
    real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
@@ -119,6 +120,19 @@ contains
          if (get_word(choices, k) == default) variable%default = k
       end do
    end function choice
+
+   !> A variable that is one word of a list or several, without default.
+   function several_words(group, name, meaning, choices) result(variable)
+      !> Group of the variable, without `&`, its name, and what it is, for `adfric help`.
+      character(*), intent(in) :: group, name, meaning
+      !> Allowed words, separated by a blank; 7 at most, so that the results file keeps them in a small integer.
+      character(*), intent(in) :: choices
+      type(variable_t) :: variable
+
+      if (has_asserts) call assert(count_words(choices) <= 7, 'several_words: 7 words at most')
+      variable = choice(group, name, meaning, choices)
+      variable%takes_several = .true.
+   end function several_words
 
    !> A variable that is true or false.
    function switch(group, name, meaning, default) result(variable)

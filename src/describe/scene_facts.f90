@@ -22,6 +22,10 @@ module adfric_describe_scene_facts
       character(:), allocatable :: state, theory
       !> Word of `&solid curve_modulus`; empty or not allocated if there is none.
       character(:), allocatable :: curve
+      !> Words of `&estimates theories`, separated by a blank; empty or not allocated if there are none.
+      character(:), allocatable :: theories
+      !> Is the number of seeds 1, so that a point is one surface?
+      logical :: is_single = .false.
       !> Does the scene say that shear stress does not move the contact?
       logical :: is_uncoupled = .false.
       !> One of: `half_space`, `relaxing`, `layer`, `coating`, `foundation`; with `free_` before it where boundaries are not
@@ -69,6 +73,8 @@ module adfric_describe_scene_facts
       & 'spring operating%lateral_stiffness', &
       & 'machine operating%base_approach operating%machine_stiffness', &
       & 'moves operating%velocity', &
+      & 'ensemble surface%seeds', &
+      & 'pressure_given operating%mean_pressure', &
       & 'position position%position_x position%position_y position%position_z']
 
    !> Words of a scene, and what is said of it.
@@ -97,12 +103,18 @@ contains
          do k = 2, count_words(signs(i))
             if (.not. is_named(self%names, get_word(signs(i), k))) cycle
             if (self%is_uncoupled .and. get_word(signs(i), 1) == 'coupled') cycle
+            if (self%is_single .and. get_word(signs(i), 1) == 'ensemble') cycle
             self%facts = self%facts//' '//get_word(signs(i), 1)
             exit
          end do
       end do
       if (allocated(self%theory)) then
          if (len(self%theory) > 0 .and. self%theory /= 'auto') self%facts = self%facts//' range'
+      end if
+      if (allocated(self%theories)) then
+         do k = 1, count_words(self%theories)
+            self%facts = self%facts//' by_'//get_word(self%theories, k)
+         end do
       end if
       if (is_named(self%names, 'solid%master_curve')) self%facts = self%facts//trim(fact_of_curve(self))
 

@@ -8,7 +8,7 @@
 !> - the name in the language of scenes, or `-` where it has no meaning;
 !> - the facts of a scene that the rule needs (`adfric_describe_scene_facts`), `!` before one that must be absent.
 !>
-!> The first rule that holds counts. What no rule names is called the same in both languages.
+!> The first rule that holds counts. What no rule names is called the same in both languages. The file is long by its rules.
 module adfric_describe_scene_rules
    implicit none (type, external)
    private
@@ -31,6 +31,7 @@ module adfric_describe_scene_rules
    character(*), parameter :: variable_rules(*) = [character(160) :: &
       & 'rough_theories operating%velocity,operating%temperature - !relaxing', &
       & 'rough_theories adhesion% - relaxing', &
+      & 'spectrum_elastic estimates%yang_persson_constant - !by_yang_persson', &
       & on_cells//' layer%base - !layer', &
       & on_cells//' layer%base_young_modulus,layer%base_poisson_ratio - !coating', &
       & on_cells//' layer%thickness - !layer !coating', &
@@ -137,6 +138,49 @@ module adfric_describe_scene_rules
       & 'rough_theories pastewka_robbins_ratio,full_contact_work_ratio - !adhesion', &
       & 'rough_theories friction_coefficient_persson,friction_coefficient_yang_persson - !relaxing', &
       & 'rough_theories friction_coefficient_wang_mueser,full_contact_friction_coefficient - !relaxing', &
+      & 'spectrum_elastic mean_pressure_spread,mean_pressure_error_of_mean,penetration_spread - !ensemble', &
+      & 'spectrum_elastic penetration_error_of_mean,contact_fraction_spread,contact_fraction_error_of_mean - !ensemble', &
+      & 'spectrum_elastic peak_pressure_spread,peak_pressure_error_of_mean,mean_gap_spread - !ensemble', &
+      & 'spectrum_elastic mean_gap_error_of_mean,elastic_energy_spread,elastic_energy_error_of_mean - !ensemble', &
+      & 'spectrum_elastic pull_off_pressure_spread,pull_off_pressure_error_of_mean,friction_stress_spread - !ensemble', &
+      & 'spectrum_elastic friction_stress_error_of_mean,friction_coefficient_spread - !ensemble', &
+      & 'spectrum_elastic friction_coefficient_error_of_mean,stick_fraction_spread - !ensemble', &
+      & 'spectrum_elastic stick_fraction_error_of_mean,tangential_displacement_spread - !ensemble', &
+      & 'spectrum_elastic tangential_displacement_error_of_mean,tangential_stiffness_spread - !ensemble', &
+      & 'spectrum_elastic tangential_stiffness_error_of_mean - !ensemble', &
+      & 'spectrum_elastic regime - ensemble', &
+      & 'spectrum_elastic mean_pressure_spread,mean_pressure_error_of_mean - pressure_given', &
+      & 'spectrum_elastic penetration_spread,penetration_error_of_mean - !pressure_given', &
+      & 'spectrum_elastic penetration_spread approach_spread layer', &
+      & 'spectrum_elastic penetration_error_of_mean approach_error_of_mean layer', &
+      & 'spectrum_elastic pull_off_pressure_spread,pull_off_pressure_error_of_mean - !pull_off', &
+      & 'spectrum_elastic friction_stress_spread,friction_stress_error_of_mean,friction_coefficient_spread - !interface', &
+      & 'spectrum_elastic friction_coefficient_error_of_mean - !interface', &
+      & 'spectrum_elastic stick_fraction_spread,stick_fraction_error_of_mean,tangential_displacement_spread - !tangential', &
+      & 'spectrum_elastic tangential_displacement_error_of_mean,tangential_stiffness_spread - !tangential', &
+      & 'spectrum_elastic tangential_stiffness_error_of_mean - !tangential', &
+      & 'spectrum_elastic stick_fraction_spread,stick_fraction_error_of_mean,tangential_displacement_spread - slides', &
+      & 'spectrum_elastic tangential_displacement_error_of_mean,tangential_stiffness_spread - slides', &
+      & 'spectrum_elastic tangential_stiffness_error_of_mean - slides', &
+      & 'spectrum_elastic contact_fraction_persson,mean_gap_persson,normal_stiffness_persson - !by_persson', &
+      & 'spectrum_elastic conductance_factor_persson,elastic_energy_persson,mean_square_pressure_persson - !by_persson', &
+      & 'spectrum_elastic contact_fraction_yang_persson,mean_gap_yang_persson - !by_yang_persson', &
+      & 'spectrum_elastic normal_stiffness_yang_persson,conductance_factor_yang_persson - !by_yang_persson', &
+      & 'spectrum_elastic elastic_energy_yang_persson - !by_yang_persson', &
+      & 'spectrum_elastic contact_fraction_wang_mueser,mean_gap_wang_mueser - !by_wang_mueser', &
+      & 'spectrum_elastic normal_stiffness_wang_mueser,conductance_factor_wang_mueser - !by_wang_mueser', &
+      & 'spectrum_elastic elastic_energy_wang_mueser - !by_wang_mueser', &
+      & 'spectrum_elastic contact_fraction_greenwood_williamson,mean_gap_greenwood_williamson - !by_greenwood_williamson', &
+      & 'spectrum_elastic normal_stiffness_greenwood_williamson - !by_greenwood_williamson', &
+      & 'spectrum_elastic conductance_factor_greenwood_williamson - !by_greenwood_williamson', &
+      & 'spectrum_elastic contact_fraction_bush_gibson_thomas,mean_gap_bush_gibson_thomas - !by_bush_gibson_thomas', &
+      & 'spectrum_elastic normal_stiffness_bush_gibson_thomas - !by_bush_gibson_thomas', &
+      & 'spectrum_elastic conductance_factor_bush_gibson_thomas - !by_bush_gibson_thomas', &
+      & 'spectrum_elastic contact_fraction_greenwood_elliptic,mean_gap_greenwood_elliptic - !by_greenwood_elliptic', &
+      & 'spectrum_elastic normal_stiffness_greenwood_elliptic - !by_greenwood_elliptic', &
+      & 'spectrum_elastic conductance_factor_greenwood_elliptic - !by_greenwood_elliptic', &
+      & 'spectrum_elastic contact_fraction_nayak_sphere,mean_gap_nayak_sphere - !by_nayak_sphere', &
+      & 'spectrum_elastic normal_stiffness_nayak_sphere,conductance_factor_nayak_sphere - !by_nayak_sphere', &
       & 'wavy_sliding friction_force friction_stress', &
       & 'wavy_sliding load mean_pressure', &
       & 'wavy_sliding contact_area contact_fraction', &

@@ -30,6 +30,8 @@ module adfric_describe_table
       character(:), allocatable :: meaning
       !> Allowed words, separated by a blank; empty unless it is a choice.
       character(:), allocatable :: choices
+      !> May a choice be several of its words at once? Its value has a bit for each then (`adfric_describe_word_sets`).
+      logical :: takes_several = .false.
       !> Value where the user gives none; `unset` if there is no default.
       real(dp) :: default = unset
       !> Least and largest value that is allowed, of a dataset that of each of its values.

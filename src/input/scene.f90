@@ -190,6 +190,8 @@ contains
       n_before = r%problems%count()
       call list_given(r, scene%names)
       scene%is_uncoupled = is_off(r, 'friction', 'coupling')
+      scene%is_single = is_one(r, 'surface', 'seeds')
+      call list_theories(r, scene%theories)
       scene%extent = 'half_space'
       call read_choice(r, 'solid', 'extent', known_extents, scene%extent)
       call check_extent(scene, r%problems)
@@ -338,6 +340,34 @@ contains
          is_off = index(word, '.f') == 1 .or. index(word, 'f') == 1
       end do
    end function is_off
+
+   !> Is 1 the value of a variable? What is no number is said by those who read it.
+   pure logical function is_one(r, group, name)
+      type(reading_t), intent(in) :: r
+      character(*), intent(in) :: group, name
+      integer :: i
+
+      is_one = .false.
+      do i = 1, size(r%file%assignments)
+         if (r%file%groups(r%file%assignments(i)%group)%name /= group .or. r%file%assignments(i)%name /= name) cycle
+         is_one = trim(adjustl(r%file%value_of(i))) == '1'
+      end do
+   end function is_one
+
+   !> The words of the theories that are asked. What is wrong with them is said by those who read the variable.
+   subroutine list_theories(r, words)
+      type(reading_t), intent(in) :: r
+      !> Receives the words, separated by a blank; empty if there are none.
+      character(:), allocatable, intent(out) :: words
+      type(problems_t), target :: unused
+      type(reading_t) :: aside
+
+      words = ''
+      if (r%file%find_group('estimates') == 0) return
+      aside = r
+      aside%problems => unused
+      call take_words(aside, r%file%find_group('estimates'), 'theories', '', words)
+   end subroutine list_theories
 
    !> Read a word of a list; what is wrong, or not given, leaves it as it is.
    subroutine read_choice(r, group, name, known, word)

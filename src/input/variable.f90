@@ -6,10 +6,11 @@ module adfric_input_variable
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words, get_word
    use adfric_base_text, only: join_words, show_count, show_number, show_text
-   use adfric_input_item, only: take_only_word
+   use adfric_input_item, only: item_t, next_item, take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_suggestion, only: did_you_mean
    use adfric_describe_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_dataset, kind_text
+   use adfric_describe_word_sets, only: has_number, with_number
    implicit none (type, external)
    private
    public :: read_variable, check_value, find_outlier, is_in_range, describe_allowed, show_value
@@ -37,8 +38,12 @@ contains
 
       value = variable%default
       question = ''
-      call take_only_word(text, word, flaw, index)
-      if (len(flaw) == 0) then
+      if (variable%takes_several) then
+         call convert_words(text, variable%choices, value, flaw, question, index)
+      else
+         call take_only_word(text, word, flaw, index)
+      end if
+      if (len(flaw) == 0 .and. .not. variable%takes_several) then
          select case (variable%kind)
          case (kind_real)
             call convert(word, value, flaw)
@@ -87,6 +92,68 @@ contains
       flaw = 'unknown choice, given '''//show_text(choice)//''''
       question = did_you_mean(choice, choices)
    end subroutine convert_choice
+
+   !> One word or several, each in quotes of its own, or several in the same quotes with a blank or a comma between them.
+   pure subroutine convert_words(text, choices, value, flaw, question, index)
+      !> Text of the value, as it stands in the input.
+      character(*), intent(in) :: text
+      !> Words that are allowed, separated by a blank.
+      character(*), intent(in) :: choices
+      !> The words as a number with a bit for each; `unset` if something is wrong.
+      real(dp), intent(out) :: value
+      character(:), allocatable, intent(out) :: flaw
+      !> A question that names the word which may be meant; empty if there is none.
+      character(:), allocatable, intent(out) :: question
+      !> Position in the text of what is wrong, from 1.
+      integer, intent(out) :: index
+      character(:), allocatable :: list
+      type(item_t) :: item
+      real(dp) :: words
+      integer :: position, k
+
+      words = 0
+      value = unset
+      question = ''
+      index = 1
+      position = 1
+      do
+         call next_item(text, position, item, flaw)
+         if (item%first == 0) exit
+         index = item%first
+         if (len(flaw) == 0 .and. item%repeat > 1) flaw = 'given twice, '//show_text(text)
+         if (len(flaw) == 0) call convert(text(item%first:item%last), list, flaw)
+         if (len(flaw) > 0) return
+         do k = 1, len(list)
+            if (list(k:k) == ',') list(k:k) = ' '
+         end do
+         if (count_words(list) == 0) flaw = 'no word given'
+         do k = 1, count_words(list)
+            call add_word(get_word(list, k), choices, words, flaw, question)
+            if (len(flaw) > 0) return
+         end do
+         if (len(flaw) > 0) return
+      end do
+      if (len(flaw) == 0 .and. words < 1) flaw = 'no value given'
+      if (len(flaw) == 0) value = words
+   end subroutine convert_words
+
+   !> Add a word to those that are given.
+   pure subroutine add_word(word, choices, words, flaw, question)
+      character(*), intent(in) :: word, choices
+      !> The words so far, as a number with a bit for each.
+      real(dp), intent(inout) :: words
+      character(:), allocatable, intent(inout) :: flaw, question
+      integer :: k
+
+      do k = 1, count_words(choices)
+         if (get_word(choices, k) /= word) cycle
+         if (has_number(words, k)) flaw = 'given twice, '''//show_text(word)//''''
+         words = with_number(words, k)
+         return
+      end do
+      flaw = 'unknown choice, given '''//show_text(word)//''''
+      question = did_you_mean(word, choices)
+   end subroutine add_word
 
    !> Hold a number against what its variable allows.
    pure subroutine check_value(value, variable, flaw)
@@ -192,6 +259,7 @@ contains
          text = describe_count(variable)
       case default
          text = list_choices(variable%choices)
+         if (variable%takes_several) text = 'one or more of '//text
          return
       end select
       has_lower = abs(variable%lower) < unset

@@ -6,6 +6,7 @@ module adfric_output_constants
    use adfric_base_words, only: has_word
    use adfric_describe_model, only: derived_t
    use adfric_describe_table, only: kind_choice, kind_dataset, kind_logical
+   use adfric_describe_word_sets, only: show_words
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
@@ -75,6 +76,11 @@ contains
          if (variable%kind == kind_choice) then
             constant%flag_meanings = variable%choices
             constant%first_flag = 1
+            if (variable%takes_several) then
+               ! of all sums of words the file knows that of the run
+               constant%flag_meanings = show_words(variable%choices, constant%value, '', '+')
+               constant%first_flag = nint(constant%value)
+            end if
          end if
       end associate
    end subroutine set_constant

@@ -59,6 +59,7 @@ module adfric_periodic_elastic_model
       procedure(height_of_i), deferred :: height_of
       procedure :: set_elastic_tables
       procedure :: check_solid
+      procedure, non_overridable :: check_elastic_solid => check_solid
       procedure :: set_solid
       procedure :: derive_solid
       procedure :: set_interface
@@ -94,6 +95,7 @@ contains
       character(*), intent(in) :: name
       !> What the model is, in one line for `adfric help`.
       character(*), intent(in) :: summary
+      !> Variables of the surface.
       type(variable_t), intent(in) :: surface(:)
       type(variable_t) :: solid(n_elastic_solid)
 
@@ -366,6 +368,7 @@ contains
    !> Adhesion of a point, whose values have been checked.
    type(adhesion_law_t) function adhesion_of(self, values) result(law)
       class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       call resolve_attraction(adhesion_values(self, values), self%given_attraction, law)
@@ -524,6 +527,7 @@ contains
    !> nothing to say.
    function doubt_interface(self, values) result(text)
       class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
       type(periodic_surface_t) :: surface

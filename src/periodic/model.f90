@@ -35,7 +35,9 @@ module adfric_periodic_model
       type(found_once_t), pointer :: pull_offs => null()
    contains
       procedure :: prepare
+      procedure, non_overridable :: prepare_contacts => prepare
       procedure :: release
+      procedure, non_overridable :: release_contacts => release
       procedure :: set_tables
       procedure :: check_values
       procedure :: wants_profiles
@@ -45,6 +47,7 @@ module adfric_periodic_model
       procedure :: fill_profiles
       procedure, non_overridable :: fill_contact_maps => fill_profiles
       procedure :: derive_quantities
+      procedure, non_overridable :: derive_surface => derive_quantities
       procedure :: describe_case
       procedure :: describe_surface
       procedure :: solve_in_closed_form

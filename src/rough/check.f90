@@ -8,6 +8,7 @@ module adfric_rough_check
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
    use adfric_interface_adhesion_rows, only: check_stress, has_adhesion, n_stress_rows
+   use adfric_rough_pressed_theories, only: least_mean_pressure
    use adfric_rough_variables, only: in => rough_input
    use adfric_shape_power_spectrum, only: check_density, given_density_t, n_density_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus
@@ -92,7 +93,7 @@ contains
       call c%need([in%mean_pressure])
       if (.not. c%has(in%mean_pressure)) return
       call c%add(in%mean_pressure, 'is below 1e-30, given '//show_number(values(in%mean_pressure))// &
-         & ' [Pa]; the theories need a load', values(in%mean_pressure) < 1.0e-30_dp)
+         & ' [Pa]; the theories need a load', values(in%mean_pressure) < least_mean_pressure)
    end subroutine check_pressure
 
 end module adfric_rough_check

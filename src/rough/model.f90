@@ -16,15 +16,13 @@ module adfric_rough_model
    use adfric_interface_adhesion_rows, only: range_of
    use adfric_rough_atlas, only: describe_bands
    use adfric_rough_check, only: adheres, check_rough, relaxes
-   use adfric_rough_persson, only: get_persson_states, most_pressure, persson_fraction, persson_mean_square, persson_state_t
+   use adfric_rough_pressed_theories, only: answer_pressed, new_pressed_theories, pressed_surface_t, pressed_theories_t, &
+      & set_areas, set_nodes, set_shares
    use adfric_rough_pull_off, only: find_pull_off, pastewka_robbins, bearing_pull_off_t
    use adfric_rough_rubber_friction, only: get_rubber_friction, rubber_friction_t
-   use adfric_rough_separation_functions, only: area_function_t, energy_share_t, new_area_function, new_separation_functions, &
-      & plain_share, separation_functions_t, wang_mueser_share, yang_persson_share
-   use adfric_rough_summits, only: n_summit_theories, new_summits, summit_state_t, summits_t
-   use adfric_rough_variables, only: get_rough_results, get_rough_variables, in => rough_input, &
-      & n_shares, out => rough_output, share_plain, share_wang_mueser, share_yang_persson
-   use adfric_rough_wave_nodes, only: least_for_gap, least_for_squares, new_wave_nodes, wave_nodes_t
+   use adfric_rough_variables, only: get_rough_results, get_rough_variables, in => rough_input, n_pressed_results, n_shares, &
+      & n_theories, out => rough_output, share_plain
+   use adfric_rough_wave_nodes, only: least_for_squares, new_wave_nodes
    use adfric_shape_height_spectrum, only: height_spectrum_t
    use adfric_shape_power_spectrum, only: derive_moments, given_density_t, make_spectrum, n_density_rows
    use adfric_solid_contact_modulus, only: contact_modulus_of, derive_contact_modulus
@@ -36,20 +34,12 @@ module adfric_rough_model
    private
    public :: rough_theories_t, new_rough_theories
 
-   !> Widest panels in ln t of the integrals of pressed and of sliding surfaces.
-   real(dp), parameter :: widest_pressed = 0.8_dp, widest_sliding = 0.35_dp
+   !> Widest panels in ln t of the integrals of sliding surfaces.
+   real(dp), parameter :: widest_sliding = 0.35_dp
    !> Relative error of all results, of series and quadratures.
    real(dp), parameter :: error_of_results = 1.0e-9_dp
    !> What `adfric check` says of a body that slides.
    character(*), parameter :: uncompared = 'theories of sliding were not compared with a numerical answer: no ratios are known'
-
-   !> What all points of a run share.
-   type :: shared_t
-      !> Functions of Persson's theory.
-      type(separation_functions_t) :: functions
-      !> Theories of summits.
-      type(summits_t) :: summits
-   end type shared_t
 
    !> The model.
    type, extends(model_t) :: rough_theories_t
@@ -58,7 +48,7 @@ module adfric_rough_model
       !> Table of the power spectrum.
       type(given_density_t) :: density
       !> What all points share, while a run lasts; else not allocated.
-      type(shared_t), allocatable :: shared
+      type(pressed_theories_t), allocatable :: shared
    contains
       procedure :: check_values
       procedure :: wants_profiles
@@ -76,19 +66,11 @@ module adfric_rough_model
    end type rough_theories_t
 
    !> What a point leaves for the next one.
-   type :: surface_state_t
+   type, extends(pressed_surface_t) :: surface_state_t
       !> Values of the spectrum and of Yang and Persson's constant; not allocated before the first point.
       real(dp), allocatable :: values(:)
-      !> The spectrum.
-      type(height_spectrum_t) :: spectrum
-      !> Nodes of its integrals.
-      type(wave_nodes_t) :: nodes
       !> Logarithm of the least slope of the nodes of sliding over the last one; 0: there are none.
       real(dp) :: least = 0
-      !> Areas of the corrected forms.
-      type(area_function_t) :: areas(2:n_shares)
-      !> Energies of the forms.
-      type(energy_share_t) :: shares(n_shares)
       !> Do the values make a spectrum?
       logical :: is_possible = .false.
    end type surface_state_t
@@ -160,7 +142,7 @@ contains
 
       if (allocated(self%shared)) return
       allocate (self%shared)
-      call new_shared(self%shared)
+      call new_pressed_theories(self%shared)
    end subroutine prepare
 
    !> See `model_t`.
@@ -169,14 +151,6 @@ contains
 
       if (allocated(self%shared)) deallocate (self%shared)
    end subroutine release
-
-   !> Find what points share.
-   pure subroutine new_shared(shared)
-      type(shared_t), intent(out) :: shared
-
-      call new_separation_functions(shared%functions)
-      call new_summits(shared%summits)
-   end subroutine new_shared
 
    !> See `model_t`.
    subroutine take_dataset(self, index, values, problems)
@@ -293,14 +267,14 @@ contains
       real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
       real(dp), intent(out) :: counts(:)
-      type(shared_t), allocatable :: own
+      type(pressed_theories_t), allocatable :: own
 
       counts = 0
       if (allocated(self%shared)) then
          call solve_points(self, self%shared, values, results, error_estimate, status)
       else
          allocate (own)
-         call new_shared(own)
+         call new_pressed_theories(own)
          call solve_points(self, own, values, results, error_estimate, status)
       end if
    end subroutine solve_block
@@ -308,10 +282,11 @@ contains
    !> Solve the points of a block.
    subroutine solve_points(self, shared, values, results, error_estimate, status)
       class(rough_theories_t), intent(in) :: self
-      type(shared_t), intent(in) :: shared
+      type(pressed_theories_t), intent(in) :: shared
       real(dp), intent(in) :: values(:, :)
       real(dp), intent(out) :: results(:, :), error_estimate(:)
       integer, intent(out) :: status(:)
+      logical, parameter :: all_theories(n_theories) = .true.
       type(surface_state_t) :: surface
       integer :: i
       logical :: is_converged
@@ -327,7 +302,8 @@ contains
          else if (adheres(values(:, i))) then
             call solve_pull_off(shared, surface, values(:, i), results(:, i), is_converged)
          else
-            call solve_pressed(shared, surface, values(:, i), results(:, i), is_converged)
+            call answer_pressed(shared, surface, elastic_modulus(values(:, i)), values(in%mean_pressure, i), all_theories, &
+               & results(:n_pressed_results, i), is_converged)
          end if
          if (.not. is_converged) then
             results(:, i) = not_a_number()
@@ -344,7 +320,6 @@ contains
       real(dp), intent(in) :: values(:)
       type(surface_state_t), intent(inout) :: surface
       real(dp) :: of_spectrum(in%convention + 2)
-      integer :: k
 
       of_spectrum(:in%convention) = values(:in%convention)
       of_spectrum(in%convention + 1) = values(in%yang_persson_constant)
@@ -355,70 +330,16 @@ contains
       surface%values = of_spectrum
       call make_spectrum(values(:n_density_rows), self%density, surface%spectrum, surface%is_possible)
       if (.not. surface%is_possible) return
-      surface%shares(share_plain) = plain_share()
-      surface%shares(share_yang_persson) = yang_persson_share(values(in%yang_persson_constant))
-      surface%shares(share_wang_mueser) = wang_mueser_share()
+      call set_shares(surface, values(in%yang_persson_constant))
       surface%least = 0
       if (relaxes(values)) return
-      call new_wave_nodes(surface%nodes, surface%spectrum, widest_pressed, least_for_gap)
-      if (adheres(values)) return
-      do k = 2, n_shares
-         call new_area_function(surface%areas(k), surface%shares(k))
-      end do
+      call set_nodes(surface)
+      if (.not. adheres(values)) call set_areas(surface)
    end subroutine set_surface
-
-   !> A surface under a pressure.
-   subroutine solve_pressed(shared, surface, values, results, is_converged)
-      type(shared_t), intent(in) :: shared
-      type(surface_state_t), intent(in) :: surface
-      real(dp), intent(in) :: values(:)
-      !> In: all NaN. Out: results of the point, NaN where a theory has no state.
-      real(dp), intent(inout) :: results(:)
-      logical, intent(out) :: is_converged
-      type(persson_state_t) :: states(n_shares)
-      type(summit_state_t) :: state
-      real(dp) :: modulus, pressure, h, guess
-      logical :: is_there, is_found
-      integer :: k
-
-      modulus = elastic_modulus(values)
-      pressure = values(in%mean_pressure)/modulus/surface%nodes%slope
-      results(out%contact_fraction(share_plain)) = persson_fraction(pressure)
-      results(out%mean_square_pressure) = (modulus*surface%nodes%slope)**2*persson_mean_square(pressure)
-      is_converged = .true.
-      do k = 2, n_shares
-         call surface%areas(k)%contact_fraction(pressure, results(out%contact_fraction(k)), is_found)
-         is_converged = is_converged .and. is_found
-      end do
-      ! beyond, contact is full to all digits, and gap and stiffness have no value
-      states%energy = surface%spectrum%moment(1)/4
-      if (pressure < most_pressure) then
-         call get_persson_states(surface%nodes, shared%functions, pressure, surface%shares, states)
-         is_converged = is_converged .and. all(ieee_is_finite([states%gap, states%stiffness, states%energy]))
-         if (.not. is_converged) return
-         results(out%mean_gap(:n_shares)) = states%gap
-         results(out%normal_stiffness(:n_shares)) = modulus*states%stiffness
-         results(out%conductance_factor(:n_shares)) = states%stiffness
-      end if
-      results(out%elastic_energy) = modulus*states%energy
-      h = surface%spectrum%root_mean_square_height()
-      guess = 1
-      do k = 1, n_summit_theories
-         call shared%summits%under_pressure(k, surface%spectrum%nayak_parameter(), pressure, guess, state, is_there, is_found)
-         is_converged = is_converged .and. is_found
-         if (.not. is_there) cycle
-         ! the next theory is not far from this one
-         guess = state%separation
-         results(out%contact_fraction(n_shares + k)) = state%area
-         results(out%mean_gap(n_shares + k)) = h*state%separation
-         results(out%conductance_factor(n_shares + k)) = surface%nodes%slope/h*state%stiffness
-         results(out%normal_stiffness(n_shares + k)) = modulus*results(out%conductance_factor(n_shares + k))
-      end do
-   end subroutine solve_pressed
 
    !> The pull-off of a surface.
    subroutine solve_pull_off(shared, surface, values, results, is_converged)
-      type(shared_t), intent(in) :: shared
+      type(pressed_theories_t), intent(in) :: shared
       type(surface_state_t), intent(in) :: surface
       real(dp), intent(in) :: values(:)
       !> In: all NaN. Out: results of the point.

@@ -12,8 +12,8 @@ module adfric_rough_variables
    use adfric_solid_spectrum_rows, only: n_spectrum_rows, set_spectrum_rows
    implicit none (type, external)
    private
-   public :: get_rough_variables, get_rough_results
-   public :: suffixes, n_shares, share_plain, share_yang_persson, share_wang_mueser
+   public :: get_rough_variables, get_rough_results, constant_row, theory_of_result
+   public :: suffixes, n_shares, n_theories, share_plain, share_yang_persson, share_wang_mueser
 
    !> Forms of Persson's theory.
    integer, parameter :: share_plain = 1, share_yang_persson = 2, share_wang_mueser = 3, n_shares = 3
@@ -48,6 +48,8 @@ module adfric_rough_variables
    end type rough_output_t
    type(rough_output_t), parameter, public :: rough_output = transfer(counting, rough_output_t())
    integer, parameter, public :: n_rough_results = storage_size(rough_output)/storage_size(1)
+   !> Number of the first ones, which a surface under a pressure has.
+   integer, parameter, public :: n_pressed_results = rough_output%mean_square_pressure
 
 contains
 
@@ -67,11 +69,18 @@ contains
          v(in%mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', &
             & meaning='load over the nominal area, > 0', lower=0.0_dp)
          call set_stress_rows(v(in%adhesion(1):in%adhesion(n_stress_rows)))
-         v(in%yang_persson_constant) = any_number(group='estimates', name='yang_persson_constant', unit='-', &
-            & meaning='gamma of the energy gamma A + (1 - gamma) A^3 of waves in a part A of the area', default=0.45_dp, &
-            & lower=0.1_dp, upper=1.0_dp)
+         v(in%yang_persson_constant) = constant_row()
       end associate
    end function get_rough_variables
+
+   !> The row of Yang and Persson's constant.
+   function constant_row() result(row)
+      type(variable_t) :: row
+
+      row = any_number(group='estimates', name='yang_persson_constant', unit='-', &
+         & meaning='gamma of the energy gamma A + (1 - gamma) A^3 of waves in a part A of the area', default=0.45_dp, &
+         & lower=0.1_dp, upper=1.0_dp)
+   end function constant_row
 
    !> Has the group `solid` a variable of the same name?
    elemental logical function is_of_solid(variable)
@@ -121,6 +130,18 @@ contains
          r(out%pull_off_pressure(share_yang_persson))%is_main = .true.
       end associate
    end function get_rough_results
+
+   !> Number of the theory that a result of a surface under a pressure is of.
+   elemental integer function theory_of_result(row) result(theory)
+      !> Index of the result, from 1 to `n_pressed_results`.
+      integer, intent(in) :: row
+
+      associate (out => rough_output)
+         theory = max(findloc(out%contact_fraction, row, 1), findloc(out%mean_gap, row, 1), &
+            & findloc(out%normal_stiffness, row, 1), findloc(out%conductance_factor, row, 1), findloc(out%elastic_energy, row, 1))
+         if (row == out%mean_square_pressure) theory = share_plain
+      end associate
+   end function theory_of_result
 
    !> A row of a result by a theory.
    function of_theory(name, unit, long_name, k) result(row)

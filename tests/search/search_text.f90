@@ -6,6 +6,7 @@ module search_text
    use adfric_base_words, only: get_word
    use adfric_describe_model, only: model_t
    use adfric_describe_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   use adfric_describe_word_sets, only: show_words
    use search_data, only: data_text
    use search_draw, only: drawn_case_t
    implicit none (type, external)
@@ -57,7 +58,11 @@ contains
 
       select case (v%kind)
       case (kind_choice)
-         text = ''''//get_word(v%choices, nint(value))//''''
+         if (v%takes_several) then
+            text = show_words(v%choices, value, '''', ', ')
+         else
+            text = ''''//get_word(v%choices, nint(value))//''''
+         end if
       case (kind_dataset)
          ! its values stand in comments
          text = '''drawn.h5:/'//v%name//''''
