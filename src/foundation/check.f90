@@ -38,6 +38,7 @@ contains
       call c%need([in%kind, in%period, in%height])
       call check_foundation()
       call check_stress(variables(in%stress:in%range), values(in%stress:in%range), problems)
+      call c%refuse([in%tension_table], 'has no meaning without law = ''table''')
       call c%need([in%velocity])
       call check_load_values(c)
       call c%refuse(of_stepping, &

@@ -285,7 +285,10 @@ contains
 
       call solve_contacts(self, values, results, error_estimate, status, counts)
       if (size(status) == 0) return
-      if (.not. has_interface(interface_of(values(:, 1)))) return
+      if (.not. has_interface(interface_of(values(:, 1)))) then
+         call hide_zones(values, results)
+         return
+      end if
       others = not_a_number()
       do k = 1, size(near_ratios)
          ! what is stepped takes long, and two velocities will do
@@ -303,7 +306,21 @@ contains
          results(:, i) = not_a_number()
          error_estimate(i) = not_a_number()
       end do
+      call hide_zones(values, results)
    end subroutine solve_block
+
+   !> Zones of another law than Dugdale's have no end, and so no area and no number.
+   pure subroutine hide_zones(values, results)
+      !> Values of the points; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Results of the points; shape `(n_results, n_points)`.
+      real(dp), intent(inout) :: results(:, :)
+      integer :: i
+
+      do i = 1, size(values, 2)
+         if (has_other_law(values(:, i))) results([out%adhesion_area, out%adhesion_count], i) = not_a_number()
+      end do
+   end subroutine hide_zones
 
    !> Solve neighbouring points as if the faces were frictionless.
    subroutine solve_contacts(self, values, results, error_estimate, status, counts)
