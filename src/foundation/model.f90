@@ -17,7 +17,7 @@ module adfric_foundation_model
    use adfric_foundation_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_foundation_check, only: check_wavy_values
    use adfric_foundation_given_surface, only: given_surface_t, take_given
-   use adfric_foundation_stepped_case, only: has_heights, is_stepped, size_of_period
+   use adfric_foundation_stepped_case, only: has_heights, has_other_law, is_stepped, size_of_period
    use adfric_foundation_stepped_check, only: check_stepped_values
    use adfric_foundation_stepped_description, only: describe_stepped, doubt_stepped, derive_stepped
    use adfric_foundation_stepped_points, only: solve_stepped_block, solve_stepped_profiles, row_indices, column_indices

@@ -21,7 +21,8 @@ module adfric_foundation_stepped_case
    use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
-   public :: stepped_case_t, is_stepped, has_other_law, get_attraction, has_heights, resolve_stepped, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
+   public :: stepped_case_t, is_stepped, has_other_law, get_attraction, has_heights, &
+      & resolve_stepped, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
       & size_of_period, samples_of, period_of, shape_positions, foundation_positions
 
    !> Position of the word in the choice of the interpolation.

@@ -430,7 +430,8 @@ contains
       associate (p => self%point)
          do i = 1, size(self%surface%rows)
             call get_stepping_profiles(self%surface%rows(i), self%surface%law, self%equilibrium%depth, &
-               & self%equilibrium%rows(i)%state, self%equilibrium%rows(i)%period, self%relief%starts(i), x/p%period, profiles(:, i, :))
+               & self%equilibrium%rows(i)%state, &
+               & self%equilibrium%rows(i)%period, self%relief%starts(i), x/p%period, profiles(:, i, :))
          end do
          profiles(:, :, 1) = profiles(:, :, 1)*p%pressure_unit
          profiles(:, :, 2) = profiles(:, :, 2)*p%pressure_unit*p%height/p%period

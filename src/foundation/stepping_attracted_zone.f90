@@ -13,6 +13,7 @@
 module adfric_foundation_stepping_attracted_zone
    use adfric_base_kinds, only: dp
    use adfric_numerics_phi_functions, only: get_exponential_moments, get_phi_functions
+   use adfric_foundation_stepping_zone_curve, only: highest_power
    use adfric_foundation_stepping_attraction, only: column_attraction_t
    use adfric_foundation_stepping_path, only: column_path_t, expm1_of
    use adfric_foundation_stepping_zone_end, only: position_t, period_over, zone_closes, zone_lets_go
@@ -72,7 +73,7 @@ module adfric_foundation_stepping_attracted_zone
       !> Length in pieces, gaps, tensions, slopes, reaches and heights at the points.
       real(dp) :: length = 0, gaps(0:3) = 0, tensions(0:3) = 0, slopes(0:3) = 0, reaches(0:3) = 0, heights(0:3) = 0
       !> Powers of the heights over the step, and of the pressure.
-      real(dp) :: rise(0:3) = 0, pressure(0:3) = 0
+      real(dp) :: rise(0:highest_power) = 0, pressure(0:3) = 0
       !> Was a solution found?
       logical :: is_solved = .false.
    end type attracted_step_t
@@ -287,7 +288,10 @@ contains
          scale = scale*step%length
          step%rise(m) = step%rise(m)*scale
       end do
-      step%heights = step%rise(0) + points*(step%rise(1) + points*(step%rise(2) + points*step%rise(3)))
+      step%heights = 0
+      do m = path%degree, 0, -1
+         step%heights = step%rise(m) + points*step%heights
+      end do
    end subroutine set_heights
 
    !> Solve three equations.
@@ -328,7 +332,7 @@ contains
       real(dp), intent(inout) :: length
       !> Receives `retry`, `accept`, `zone_closes` or `zone_lets_go`.
       integer, intent(out) :: verdict
-      real(dp) :: error, factor, cubic(0:3), first, last
+      real(dp) :: error, factor, cubic(0:3), first, last, low, high
 
       verdict = retry
       associate (s => attraction%spans(span), reaches => step%reaches)
@@ -343,13 +347,16 @@ contains
             length = step%length*max(0.2_dp, factor)
             return
          end if
-         if (reaches(3) < s%low_reach - within) then
+         ! a zone may begin beyond an end by what its beginning is not known by
+         low = min(s%low_reach, reaches(0)) - within
+         high = max(s%high_reach, reaches(0)) + within
+         if (reaches(3) < low) then
             first = max(reaches(0) - s%low_reach, 0.0_dp)
             last = reaches(3) - s%low_reach
             length = step%length*min(0.999_dp, max(0.1_dp, first/(first - last)))
             return
          end if
-         if (reaches(3) > s%high_reach + within) then
+         if (reaches(3) > high) then
             first = max(s%high_reach - reaches(0), 0.0_dp)
             last = s%high_reach - reaches(3)
             length = step%length*min(0.999_dp, max(0.1_dp, first/(first - last)))
@@ -358,7 +365,7 @@ contains
          ! the reach lies within the Bernstein form of its cubic
          cubic = cubic_of(reaches)
          cubic = [cubic(0), cubic(0) + cubic(1)/3, cubic(0) + 2*cubic(1)/3 + cubic(2)/3, reaches(3)]
-         if (minval(cubic) < s%low_reach - within .or. maxval(cubic) > s%high_reach + within) then
+         if (minval(cubic) < low .or. maxval(cubic) > high) then
             length = step%length/2
             return
          end if
@@ -420,11 +427,15 @@ contains
       real(dp), intent(in) :: depth
       type(attracted_step_t), intent(in) :: step
       type(attracted_sums_t), intent(inout) :: sums
-      real(dp) :: time, work, stretch(0:3), compliance, ratio
+      real(dp) :: time, work, stretch(0:3), slopes(0:3), compliance, ratio
       integer :: j, k
 
       time = step%length*path%step
-      work = -sum(lobatto*step%tensions*(step%rise(1) + points*(2*step%rise(2) + points*3*step%rise(3))))
+      slopes = 0
+      do k = path%degree, 1, -1
+         slopes = k*step%rise(k) + points*slopes
+      end do
+      work = -sum(lobatto*step%tensions*slopes)
       sums%duration = sums%duration + time
       sums%load = sums%load - time*sum(lobatto*step%tensions)
       sums%work = sums%work + work

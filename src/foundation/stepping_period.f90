@@ -298,7 +298,8 @@ contains
 
       period%start(:, period%n_zones) = current
       zone%finish = position_t(zone%start%piece, zone%start%theta)
-      call pass_attracted_zone(path, law%attraction, zone%span, depth, zone%finish, current, grown, zone%sums, event, is_found, trace)
+      call pass_attracted_zone(path, law%attraction, zone%span, depth, zone%finish, current, grown, zone%sums, event, &
+         & is_found, trace)
       period%is_complete = period%is_complete .and. is_found
       is_over = event == period_over
       call close_period(path, zone)
