@@ -22,7 +22,7 @@ module adfric_foundation_stepping_attracted_zone
    public :: attracted_sums_t, gap_trace_t, pass_attracted_zone, traced_gap
 
    !> Verdicts on a step, beside how a zone ends.
-   integer, parameter :: retry = -1, accept = -2
+   integer, parameter :: retry = -1, accept = -2, fold_is_here = -3
 
    !> Lobatto's points and weights.
    real(dp), parameter :: shift = 0.22360679774997896964_dp, points(0:3) = [0.0_dp, 0.5_dp - shift, 0.5_dp + shift, 1.0_dp], &
@@ -37,6 +37,8 @@ module adfric_foundation_stepping_attracted_zone
    integer, parameter :: most_steps = 20000, most_iterations = 12
    !> A reach has met the end of the span within this share of lengths.
    real(dp), parameter :: round_off = 16*epsilon(1.0_dp)
+   !> Towards a fold the gap goes as a root, so that steps end so much before it.
+   real(dp), parameter :: share_of_fold = 100
    !> Arms with a longer retardation time, over the step, lose by the four points, others by their exponentials.
    real(dp), parameter :: slow_step = 0.05_dp
 
@@ -121,6 +123,8 @@ contains
          if (abs(step%length - weights%length) > 0) call set_weights(path, step%length, weights)
          call try_step(path, attraction, span, depth, position, elements, gap, weights, step)
          call judge(path, attraction, span, within, step, length, verdict)
+         if (verdict == fold_is_here) event = zone_closes
+         if (verdict == fold_is_here) return
          if (verdict == retry) then
             if (length < shortest) exit
             cycle
@@ -338,6 +342,7 @@ contains
       associate (s => attraction%spans(span), reaches => step%reaches)
          if (.not. is_single(path, attraction, span, step)) then
             length = step%length/2
+            if (is_fold(attraction, span) .and. reaches(0) - s%low_reach <= share_of_fold*within) verdict = fold_is_here
             return
          end if
          error = abs(step%pressure(3))*share_of_cubic*max(1/attraction%law%stress, &
@@ -380,6 +385,14 @@ contains
       end associate
    end subroutine judge
 
+   !> Does a span begin where the left side is flat?
+   pure logical function is_fold(attraction, span)
+      type(column_attraction_t), intent(in) :: attraction
+      integer, intent(in) :: span
+
+      is_fold = .not. attraction%spans(span)%is_straight .and. attraction%spans(span)%low_gap > 0
+   end function is_fold
+
    !> Have the equations of a step one solution, in the span?
    pure logical function is_single(path, attraction, span, step)
       type(column_path_t), intent(in) :: path
@@ -391,10 +404,8 @@ contains
 
       is_single = step%is_solved
       if (.not. is_single) return
-      associate (s => attraction%spans(span))
-         ! beyond the end of a smooth law the left side falls
-         if (.not. s%is_straight .and. s%low_gap > 0 .and. any(step%gaps < s%low_gap)) is_single = .false.
-      end associate
+      ! beyond a fold the left side falls
+      if (is_fold(attraction, span)) is_single = .not. any(step%gaps < attraction%spans(span)%low_gap)
       steepest = -minval(step%slopes)
       if (.not. is_single .or. .not. steepest > 1) return
       ratios = step%length*path%open_ratio
