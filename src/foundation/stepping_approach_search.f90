@@ -40,11 +40,10 @@ contains
 
       limit = largest_depth(surface, load)
       if (allocated(surface%law%attraction)) then
-         ! a body that is pulled does not come into contact by itself
-         status = stepping_no_equilibrium
-         if (load < 0) return
          call start_apart(surface, depth, states)
          status = merge(stepping_failed, stepping_solved, states%have_failed)
+         ! a body that is pulled does not come into contact by itself
+         if (load < 0) status = stepping_no_equilibrium
       else if (load > 0) then
          call start_before_touch(surface, depth, states)
          status = merge(stepping_failed, stepping_solved, states%have_failed)
