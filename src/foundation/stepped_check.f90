@@ -57,7 +57,8 @@ contains
       call check_law()
       call c%need([in%velocity])
       call check_load_values(c)
-      call c%refuse([in%pull_off], 'belongs to waves on a standard solid; not to heights, cosines or a spectrum')
+      call c%refuse([in%pull_off], 'belongs to waves on a standard solid with Dugdale''s law; '// &
+         & 'not to heights, cosines or a spectrum')
       call c%add(in%slope, 'is small for heights, cosines and spectra', c%is_choice(in%slope, slope_finite))
       call check_profiles()
       if (problems%count() == before) call check_numbers()
