@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A column under any law of attraction in small steps of time, of the first order. For tests only: it shares the heights and the law with
+!> A column under any law of attraction in small steps of time, of the first order. For tests only: it shares heights and law with
 !> the solver, and nothing else. The gap goes from where it was to the first one that has its tension, in steps that are a small part of
 !> the range.
 module brute_law
@@ -31,7 +31,8 @@ contains
       type(brute_law_t), intent(out) :: found
       integer, parameter :: most_periods = 400
       real(dp), parameter :: same = 1.0e-8_dp
-      real(dp) :: length(size(trial%times)), last(size(trial%times)), share(size(trial%times)), heights(0:n_steps), gap, pressure, glassy
+      real(dp) :: length(size(trial%times)), last(size(trial%times)), share(size(trial%times)), &
+         & heights(0:n_steps), gap, pressure, glassy
       integer :: i, k
 
       do k = 0, n_steps
