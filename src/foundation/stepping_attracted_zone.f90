@@ -8,8 +8,8 @@
 !>
 !> **No step passes a fold.** Where the slope of the law, -s', is above the relaxed stiffness 1, a gap that is too small grows too small
 !> ever faster. With \( r = -s'/(1 + s'/k_g) \) a step is only as long as \( r \sum c_j/(1 + \lambda_j/dt) \le 1 \) at the steepest of its
-!> gaps: the rate of growth is no more than 1/dt. Below the relaxed stiffness that holds for any step. So the equations of a step have one
-!> solution in the span. The reach of a step is a cubic too, whose Bernstein form must stay in the span, or the step is halved.
+!> gaps: the rate of growth is no more than 1/dt. Below the relaxed stiffness that holds for any step. The reach of a step is a cubic too,
+!> whose Bernstein form must stay in the span, or the step is halved.
 module adfric_foundation_stepping_attracted_zone
    use adfric_base_kinds, only: dp
    use adfric_numerics_phi_functions, only: get_exponential_moments, get_phi_functions
@@ -340,7 +340,7 @@ contains
 
       verdict = retry
       associate (s => attraction%spans(span), reaches => step%reaches)
-         if (.not. is_single(path, attraction, span, step)) then
+         if (.not. is_sound(path, attraction, span, step)) then
             length = step%length/2
             if (is_fold(attraction, span) .and. reaches(0) - s%low_reach <= share_of_fold*within) verdict = fold_is_here
             return
@@ -393,8 +393,8 @@ contains
       is_fold = .not. attraction%spans(span)%is_straight .and. attraction%spans(span)%low_gap > 0
    end function is_fold
 
-   !> Have the equations of a step one solution, in the span?
-   pure logical function is_single(path, attraction, span, step)
+   !> Is there a solution in the span, and does nothing grow by much within the step?
+   pure logical function is_sound(path, attraction, span, step)
       type(column_path_t), intent(in) :: path
       type(column_attraction_t), intent(in) :: attraction
       integer, intent(in) :: span
@@ -402,15 +402,15 @@ contains
       real(dp), parameter :: least_part = 1.0e-8_dp
       real(dp) :: steepest, ratios(path%solid%n)
 
-      is_single = step%is_solved
-      if (.not. is_single) return
+      is_sound = step%is_solved
+      if (.not. is_sound) return
       ! beyond a fold the left side falls
-      if (is_fold(attraction, span)) is_single = .not. any(step%gaps < attraction%spans(span)%low_gap)
+      if (is_fold(attraction, span)) is_sound = .not. any(step%gaps < attraction%spans(span)%low_gap)
       steepest = -minval(step%slopes)
-      if (.not. is_single .or. .not. steepest > 1) return
+      if (.not. is_sound .or. .not. steepest > 1) return
       ratios = step%length*path%open_ratio
-      is_single = steepest/max(1 - steepest/attraction%glassy, least_part)*sum(path%solid%compliance*ratios/(1 + ratios)) <= 1
-   end function is_single
+      is_sound = steepest/max(1 - steepest/attraction%glassy, least_part)*sum(path%solid%compliance*ratios/(1 + ratios)) <= 1
+   end function is_sound
 
    !> Change of the elements in a step.
    pure subroutine change_of(path, weights, elements, step, change)
