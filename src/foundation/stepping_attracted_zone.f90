@@ -29,7 +29,7 @@ module adfric_foundation_stepping_attracted_zone
       & lobatto(0:3) = [1.0_dp, 5.0_dp, 5.0_dp, 1.0_dp]/12
    !> The third power in p is so small a part of the largest tension, and what it does to the reach of the range. The error of a step is
    !> far less: a quadratic would have this one.
-   real(dp), parameter :: tolerance = 2.0e-7_dp
+   real(dp), parameter :: tolerance = 2.0e-6_dp
    !> Mean of what the third power adds to a quadratic through three of the points.
    real(dp), parameter :: share_of_cubic = 0.05_dp
    !> Least part of a piece that a step is, and most steps of a zone for each piece.
