@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011).
+!> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011). The file is long by
+!> the many questions that a model answers.
 module adfric_foundation_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number

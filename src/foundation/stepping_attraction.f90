@@ -26,8 +26,9 @@ module adfric_foundation_stepping_attraction
       real(dp) :: low_gap = 0, high_gap = huge(1.0_dp), low_reach = 0, high_reach = huge(1.0_dp)
       !> Number of its branch; contact is in the branch 0.
       integer :: branch = 0
-      !> Is the law straight here? Then its tension where the span begins, and its slope.
+      !> Is the law straight here?
       logical :: is_straight = .false.
+      !> Tension where the span begins, and slope, where the law is straight.
       real(dp) :: tension = 0, slope = 0
    end type attraction_span_t
 

@@ -4,6 +4,8 @@
 !> The state of a column where the period begins is the lengths of its dashpots, less the shift while it is attached, and whether it
 !> is attached. The period returns what the lengths grow by, as a sum over zones that keeps the digits of slow arms, and the zones, from
 !> which everything else follows.
+!>
+!> The file is long by two kinds of open zones: those of Dugdale's law in closed form, and those of other laws in steps.
 module adfric_foundation_stepping_period
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_attracted_zone, only: attracted_sums_t, gap_trace_t, pass_attracted_zone
@@ -47,8 +49,9 @@ module adfric_foundation_stepping_period
       integer :: ending = period_over
       !> Did the surface snap into this contact?
       logical :: is_snap = .false.
-      !> Number of the span of gaps, and integrals, of a zone under another law than Dugdale's.
+      !> Number of the span of gaps of a zone under another law than Dugdale's.
       integer :: span = 0
+      !> Integrals over such a zone.
       type(attracted_sums_t) :: sums
    end type zone_t
 
@@ -66,8 +69,9 @@ module adfric_foundation_stepping_period
       real(dp), allocatable :: last_stretch(:)
       !> Is the column attached where the period ends?
       logical :: is_attached = .true.
-      !> Branch where it ends, energy that jumps take, and number of jumps to larger gaps, of another law than Dugdale's.
+      !> Branch where it ends, and number of jumps to larger gaps, of another law than Dugdale's.
       integer :: branch = 0, n_snaps = 0
+      !> Energy that its jumps take.
       real(dp) :: jump_loss = 0
       !> Integral of the pressure over the period, and its share in contact.
       real(dp) :: load = 0
