@@ -16,6 +16,7 @@ module adfric_foundation_interface
    use adfric_solid_shift_rows, only: time_temperature_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_table, only: variable_t
+   use adfric_foundation_case, only: dugdale_of
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepped_case, only: get_attraction, is_stepped
    use adfric_foundation_variables, only: in => foundation_input, out => foundation_output
@@ -64,13 +65,15 @@ contains
       real(dp), intent(in) :: values(:)
       type(given_surface_t), intent(in) :: given
       type(attraction_t), allocatable :: attraction
+      real(dp) :: law(in%range - in%stress + 1)
 
       tension_of = 0
       call get_attraction(values, given, attraction)
       if (allocated(attraction)) then
          tension_of = attraction%stress
-      else if (is_set(values(in%stress))) then
-         tension_of = values(in%stress)
+      else
+         law = dugdale_of(values)
+         if (is_set(law(1))) tension_of = law(1)
       end if
    end function tension_of
 

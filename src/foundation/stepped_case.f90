@@ -15,7 +15,7 @@ module adfric_foundation_stepped_case
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
    use adfric_shape_periodic_heights, only: preparation_t
    use adfric_foundation_adhesion, only: edge_continuous, edge_instantaneous
-   use adfric_foundation_case, only: kind_2d, kind_3d, kind_cosines, kind_map, kind_profile
+   use adfric_foundation_case, only: dugdale_of, kind_2d, kind_3d, kind_cosines, kind_map, kind_profile
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t, new_wave_relief, new_measured_relief
    use adfric_foundation_variables, only: in => foundation_input
@@ -243,7 +243,7 @@ contains
       type(stepped_case_t), intent(out) :: self
       type(time_temperature_t) :: law
       type(attraction_t), allocatable :: attraction
-      real(dp) :: shift
+      real(dp) :: shift, dugdale(in%range - in%stress + 1)
       logical :: is_valid
 
       self%period = relief%period
@@ -268,6 +268,7 @@ contains
       self%edge = merge(edge_continuous, edge_instantaneous, size(prony%times) <= 1)
       if (is_set(values(in%edge))) self%edge = nint(values(in%edge))
       self%is_approach = nint(values(in%branch)) == 2
+      dugdale = dugdale_of(values)
       if (has_other_law(values)) then
          call get_attraction(values, given, attraction)
          if (allocated(attraction)) then
@@ -276,10 +277,10 @@ contains
             self%stress = self%attraction%stress
             self%range = self%attraction%range
          end if
-      else if (is_set(values(in%stress))) then
-         if (values(in%stress) > 0) then
-            self%stress = values(in%stress)/self%pressure_unit
-            self%range = range_of(values(in%stress:in%range))
+      else if (is_set(dugdale(1))) then
+         if (dugdale(1) > 0) then
+            self%stress = dugdale(1)/self%pressure_unit
+            self%range = range_of(dugdale)
             self%range = self%range/self%height
          end if
       end if

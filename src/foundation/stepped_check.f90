@@ -15,7 +15,7 @@ module adfric_foundation_stepped_check
    use adfric_solid_shift_rows, only: check_shift
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
-   use adfric_foundation_case, only: kind_2d, kind_3d, kind_cosines, kind_map
+   use adfric_foundation_case, only: dugdale_of, kind_2d, kind_3d, kind_cosines, kind_map
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t
    use adfric_foundation_stepped_case, only: stepped_case_t, get_relief, get_spectrum, has_heights, has_other_law, &
@@ -150,7 +150,7 @@ contains
          integer, parameter :: stresses = in%range - in%stress + 1, first = n_adhesion_rows + 1
 
          if (.not. has_other_law(values)) then
-            call check_stress(variables(in%stress:in%range), values(in%stress:in%range), problems)
+            call check_stress(variables(in%stress:in%range), dugdale_of(values), problems)
             call c%refuse([in%tension_table], 'has no meaning without law = ''table''')
             return
          end if
