@@ -121,6 +121,7 @@ AREAS = {
     "Columns: edges of adhesion and thin layers": (
         one("edge_rule_fig5"), one("edge_rule_fig6"), one("edge_rule_front"),
         one("edge_rules_continuous", "edge_rules_instantaneous", "edge_rules_front"),
+        one("columns_laws", options="--y friction_stress contact_fraction"),
         one("layer_limit_columns", "layer_limit_thin", "layer_limit_thick", options="--y friction_stress contact_fraction")),
     "Figures of Goryacheva and Makhovskaya 2011": (
         one("gm2011_fig4_reconciled"), one("gm2011_fig4_printed"), one("gm2011_fig5"), one("gm2011_fig6"), one("gm2011_fig7"),

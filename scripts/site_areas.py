@@ -33,6 +33,7 @@ AREAS = {
         "Columns: the foundation": "docs/theory/columns.md",
         "Columns: strips of a wave": "docs/theory/columns_strips.md",
         "Columns: adhesion": "docs/theory/columns_adhesion.md",
+        "Columns: laws of attraction": "docs/theory/columns_laws.md",
         "Columns: load and pull-off": "docs/theory/columns_load.md",
         "Columns: any shape": "docs/theory/columns_any_shape.md",
         "Columns: material": "docs/theory/columns_material.md",

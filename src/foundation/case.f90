@@ -3,7 +3,7 @@
 module adfric_foundation_case
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_interface_adhesion_rows, only: range_of
    use adfric_foundation_adhesion, only: adhesion_t, acting_adhesion
    use adfric_foundation_foundation, only: new_foundation
@@ -11,7 +11,7 @@ module adfric_foundation_case
    use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
-   public :: wavy_case_t, resolve_case, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map
+   public :: wavy_case_t, resolve_case, dugdale_of, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map
 
    !> Positions of the words in the choice of the surface.
    integer, parameter :: kind_2d = 1, kind_3d = 2, kind_profile = 3, kind_cosines = 4, kind_map = 5
@@ -37,13 +37,25 @@ module adfric_foundation_case
 
 contains
 
+   !> Stress, work and range of Dugdale's law, with the stress where work and range stand for it.
+   pure function dugdale_of(values) result(law)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: law(in%range - in%stress + 1)
+
+      law = values(in%stress:in%range)
+      if (is_set(law(1)) .or. .not. all(is_set(law(2:)))) return
+      law(1) = law(2)/law(3)
+      law(3) = unset
+   end function dugdale_of
+
    !> The point that the values describe; they have been checked.
    pure subroutine resolve_case(values, self)
       !> Values of all variables in SI units, in the order of `adfric_foundation_variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The point in reduced units, and what these units are in SI units.
       type(wavy_case_t), intent(out) :: self
-      real(dp) :: stiffness
+      real(dp) :: stiffness, law(in%range - in%stress + 1)
 
       self%period = values(in%period)
       self%height = values(in%height)
@@ -69,10 +81,11 @@ contains
          if (nint(values(in%slope)) == slope_finite) surface%shape%steepness = two_pi*self%height/self%period
          surface%tolerance = values(in%relative_tolerance)
          surface%n_strips = nint(values(in%strips))
-         if (is_set(values(in%stress))) then
-            if (values(in%stress) > 0) then
-               self%given%stress = values(in%stress)/self%pressure_unit
-               self%given%range = range_of(values(in%stress:in%range))/self%height
+         law = dugdale_of(values)
+         if (is_set(law(1))) then
+            if (law(1) > 0) then
+               self%given%stress = law(1)/self%pressure_unit
+               self%given%range = range_of(law)/self%height
             end if
          end if
          surface%adhesion = acting_adhesion(self%given, surface%foundation%beta)

@@ -7,7 +7,7 @@ module adfric_foundation_check
    use adfric_interface_adhesion_rows, only: check_stress
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
-   use adfric_foundation_case, only: wavy_case_t, resolve_case
+   use adfric_foundation_case, only: dugdale_of, wavy_case_t, resolve_case
    use adfric_foundation_stepped_check, only: check_load_values, require_modulus, require_single_time
    use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
@@ -37,7 +37,8 @@ contains
       call new_checks(c, variables, values, problems, is_swept)
       call c%need([in%kind, in%period, in%height])
       call check_foundation()
-      call check_stress(variables(in%stress:in%range), values(in%stress:in%range), problems)
+      call check_stress(variables(in%stress:in%range), dugdale_of(values), problems)
+      call c%refuse([in%tension_table], 'has no meaning without law = ''table''')
       call c%need([in%velocity])
       call check_load_values(c)
       call c%refuse(of_stepping, &

@@ -4,6 +4,7 @@ module adfric_foundation_given_surface
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset
+   use adfric_interface_attraction_rows, only: given_attraction_t
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_describe_table, only: variable_t
    use adfric_foundation_variables, only: in => foundation_input
@@ -19,6 +20,8 @@ module adfric_foundation_given_surface
       real(dp) :: dx = unset, dy = unset
       !> Amplitudes [m] and phases [rad] of a sum of waves; shape `(n)`.
       real(dp), allocatable :: amplitudes(:), phases(:)
+      !> Table of the law of attraction.
+      type(given_attraction_t) :: attraction
    end type given_surface_t
 
 contains
@@ -38,6 +41,8 @@ contains
       case (in%heights)
          self%heights = values
          if (.not. maxval(values) > minval(values)) call add('are all the same')
+      case (in%tension_table)
+         self%attraction%table = values
       case (in%amplitudes)
          self%amplitudes = values(:, 1)
          if (.not. maxval(abs(values)) > 0) call add('are all 0')

@@ -7,6 +7,7 @@ module adfric_foundation_interface
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
+   use adfric_interface_attraction, only: attraction_t
    use adfric_interface_friction_law, only: friction_law_t
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, get_friction_law, i_pressure_volume, &
@@ -15,8 +16,9 @@ module adfric_foundation_interface
    use adfric_solid_shift_rows, only: time_temperature_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
    use adfric_describe_table, only: variable_t
+   use adfric_foundation_case, only: dugdale_of
    use adfric_foundation_given_surface, only: given_surface_t
-   use adfric_foundation_stepped_case, only: is_stepped
+   use adfric_foundation_stepped_case, only: get_attraction, is_stepped
    use adfric_foundation_variables, only: in => foundation_input, out => foundation_output
    implicit none (type, external)
    private
@@ -58,12 +60,21 @@ contains
       if (shift%law == shift_none .and. needs_temperature(interface_of(values))) of_solid(in%temperature) = unset
    end function without_temperature
 
-   !> The largest tension of adhesion [Pa].
-   pure real(dp) function tension_of(values)
+   !> The largest tension of adhesion [Pa]; times the area of adhesion it is the pull outside of contacts.
+   pure real(dp) function tension_of(values, given)
       real(dp), intent(in) :: values(:)
+      type(given_surface_t), intent(in) :: given
+      type(attraction_t), allocatable :: attraction
+      real(dp) :: law(in%range - in%stress + 1)
 
       tension_of = 0
-      if (is_set(values(in%stress))) tension_of = values(in%stress)
+      call get_attraction(values, given, attraction)
+      if (allocated(attraction)) then
+         tension_of = attraction%stress
+      else
+         law = dugdale_of(values)
+         if (is_set(law(1))) tension_of = law(1)
+      end if
    end function tension_of
 
    !> Add to `problems` what is wrong with the friction of the interface.
@@ -77,7 +88,7 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call check_interface(variables, values, in%friction, [in%temperature, in%velocity], given_law, &
-         & shift_of_columns(values, given), tension_of(values), problems)
+         & shift_of_columns(values, given), tension_of(values, given), problems)
       if (is_set(values(in%friction(i_pressure_volume)))) call problems%add('friction', &
          & variables(in%friction(i_pressure_volume))%name, 'is for half-spaces; on a foundation the law has no pressure')
       if (nint(values(in%slope)) == slope_finite) call problems%add(variables(in%slope)%group, variables(in%slope)%name, &
@@ -127,7 +138,7 @@ contains
          logical, intent(out) :: is_valid
 
          call get_shear_of_area(law, values(in%velocity), values(in%temperature), contact(out%contact_area), &
-            & contact(out%load) + tension_of(values)*contact(out%adhesion_area), shear, slope, is_valid)
+            & contact(out%load) + tension_of(values, given)*contact(out%adhesion_area), shear, slope, is_valid)
       end subroutine get_shear
 
    end subroutine add_column_interface

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011).
+!> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011). The file is long by
+!> the many questions that a model answers.
 module adfric_foundation_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
@@ -17,7 +18,7 @@ module adfric_foundation_model
    use adfric_foundation_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_foundation_check, only: check_wavy_values
    use adfric_foundation_given_surface, only: given_surface_t, take_given
-   use adfric_foundation_stepped_case, only: has_heights, is_stepped, size_of_period
+   use adfric_foundation_stepped_case, only: has_heights, has_other_law, is_stepped, size_of_period
    use adfric_foundation_stepped_check, only: check_stepped_values
    use adfric_foundation_stepped_description, only: describe_stepped, doubt_stepped, derive_stepped
    use adfric_foundation_stepped_points, only: solve_stepped_block, solve_stepped_profiles, row_indices, column_indices
@@ -285,7 +286,10 @@ contains
 
       call solve_contacts(self, values, results, error_estimate, status, counts)
       if (size(status) == 0) return
-      if (.not. has_interface(interface_of(values(:, 1)))) return
+      if (.not. has_interface(interface_of(values(:, 1)))) then
+         call hide_zones(values, results)
+         return
+      end if
       others = not_a_number()
       do k = 1, size(near_ratios)
          ! what is stepped takes long, and two velocities will do
@@ -303,7 +307,21 @@ contains
          results(:, i) = not_a_number()
          error_estimate(i) = not_a_number()
       end do
+      call hide_zones(values, results)
    end subroutine solve_block
+
+   !> Zones of another law than Dugdale's have no end, and so no area and no number.
+   pure subroutine hide_zones(values, results)
+      !> Values of the points; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Results of the points; shape `(n_results, n_points)`.
+      real(dp), intent(inout) :: results(:, :)
+      integer :: i
+
+      do i = 1, size(values, 2)
+         if (has_other_law(values(:, i))) results([out%adhesion_area, out%adhesion_count], i) = not_a_number()
+      end do
+   end subroutine hide_zones
 
    !> Solve neighbouring points as if the faces were frictionless.
    subroutine solve_contacts(self, values, results, error_estimate, status, counts)

@@ -5,6 +5,7 @@ module adfric_foundation_stepped_case
    use adfric_base_error, only: error_t
    use adfric_base_unset, only: is_set
    use adfric_interface_adhesion_rows, only: range_of
+   use adfric_interface_attraction, only: attraction_t, attraction_of_table, attraction_of_two, law_dugdale, law_table
    use adfric_solid_given_spectrum, only: fit_given_curve
    use adfric_solid_master_curve, only: master_curve_fit_t
    use adfric_solid_prony, only: prony_t, new_prony
@@ -14,13 +15,14 @@ module adfric_foundation_stepped_case
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
    use adfric_shape_periodic_heights, only: preparation_t
    use adfric_foundation_adhesion, only: edge_continuous, edge_instantaneous
-   use adfric_foundation_case, only: kind_2d, kind_3d, kind_cosines, kind_map, kind_profile
+   use adfric_foundation_case, only: dugdale_of, kind_2d, kind_3d, kind_cosines, kind_map, kind_profile
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t, new_wave_relief, new_measured_relief
    use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
-   public :: stepped_case_t, is_stepped, has_heights, resolve_stepped, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
+   public :: stepped_case_t, is_stepped, has_other_law, get_attraction, has_heights, &
+      & resolve_stepped, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
       & size_of_period, samples_of, period_of, shape_positions, foundation_positions
 
    !> Position of the word in the choice of the interpolation.
@@ -39,6 +41,8 @@ module adfric_foundation_stepped_case
       real(dp) :: pace = 0
       !> Adhesion stress [k0 h] and range [h]; edge rule and branch.
       real(dp) :: stress = 0, range = 0
+      !> Another law than Dugdale's, in the same units; not allocated without one.
+      type(attraction_t), allocatable :: attraction
       !> Edge rule, one of `edge_...`.
       integer :: edge = edge_continuous
       !> Is the branch the one that loading meets?
@@ -61,8 +65,35 @@ contains
       real(dp), intent(in) :: values(:)
 
       is_stepped = is_set(values(in%relaxation_times)) .or. is_set(values(in%master_curve))
+      if (has_other_law(values)) is_stepped = .true.
       if (is_set(values(in%kind))) is_stepped = is_stepped .or. nint(values(in%kind)) >= kind_profile
    end function is_stepped
+
+   !> Is there another law of attraction than Dugdale's?
+   pure logical function has_other_law(values)
+      real(dp), intent(in) :: values(:)
+
+      has_other_law = .false.
+      if (is_set(values(in%law))) has_other_law = nint(values(in%law)) /= law_dugdale
+   end function has_other_law
+
+   !> Another law of attraction than Dugdale's, in SI units; not allocated where numbers of it are missing.
+   pure subroutine get_attraction(values, given, attraction)
+      real(dp), intent(in) :: values(:)
+      type(given_surface_t), intent(in) :: given
+      type(attraction_t), allocatable, intent(out) :: attraction
+
+      if (.not. has_other_law(values)) return
+      if (nint(values(in%law)) == law_table) then
+         if (allocated(given%attraction%table)) then
+            allocate (attraction)
+            attraction = attraction_of_table(given%attraction%table(:, 1), given%attraction%table(:, 2))
+         end if
+      else if (count(is_set(values(in%stress:in%range))) >= 2) then
+         allocate (attraction)
+         attraction = attraction_of_two(nint(values(in%law)), values(in%stress), values(in%surface_energy), values(in%range))
+      end if
+   end subroutine get_attraction
 
    !> Is the surface one of measured heights?
    pure logical function has_heights(values)
@@ -211,7 +242,8 @@ contains
       type(prony_t), intent(in) :: prony
       type(stepped_case_t), intent(out) :: self
       type(time_temperature_t) :: law
-      real(dp) :: shift
+      type(attraction_t), allocatable :: attraction
+      real(dp) :: shift, dugdale(in%range - in%stress + 1)
       logical :: is_valid
 
       self%period = relief%period
@@ -236,10 +268,19 @@ contains
       self%edge = merge(edge_continuous, edge_instantaneous, size(prony%times) <= 1)
       if (is_set(values(in%edge))) self%edge = nint(values(in%edge))
       self%is_approach = nint(values(in%branch)) == 2
-      if (is_set(values(in%stress))) then
-         if (values(in%stress) > 0) then
-            self%stress = values(in%stress)/self%pressure_unit
-            self%range = range_of(values(in%stress:in%range))
+      dugdale = dugdale_of(values)
+      if (has_other_law(values)) then
+         call get_attraction(values, given, attraction)
+         if (allocated(attraction)) then
+            allocate (self%attraction)
+            self%attraction = attraction%in_units(self%pressure_unit, self%height)
+            self%stress = self%attraction%stress
+            self%range = self%attraction%range
+         end if
+      else if (is_set(dugdale(1))) then
+         if (dugdale(1) > 0) then
+            self%stress = dugdale(1)/self%pressure_unit
+            self%range = range_of(dugdale)
             self%range = self%range/self%height
          end if
       end if

@@ -5,18 +5,21 @@ module adfric_foundation_stepped_check
    use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
-   use adfric_base_unset, only: is_set
-   use adfric_interface_adhesion_rows, only: check_stress
+   use adfric_base_unset, only: is_set, unset
+   use adfric_interface_adhesion_rows, only: check_stress, n_adhesion_rows
+   use adfric_interface_attraction, only: law_lennard_jones, law_table
+   use adfric_interface_attraction_rows, only: check_attraction, n_attraction_rows
    use adfric_solid_given_spectrum, only: check_curve, check_fit, check_numbers_of_arms
    use adfric_solid_master_curve, only: master_curve_fit_t
    use adfric_solid_prony, only: prony_t
    use adfric_solid_shift_rows, only: check_shift
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
-   use adfric_foundation_case, only: kind_2d, kind_3d, kind_cosines, kind_map
+   use adfric_foundation_case, only: dugdale_of, kind_2d, kind_3d, kind_cosines, kind_map
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t
-   use adfric_foundation_stepped_case, only: stepped_case_t, get_relief, get_spectrum, has_heights, resolve_stepped, samples_of, &
+   use adfric_foundation_stepped_case, only: stepped_case_t, get_relief, get_spectrum, has_heights, has_other_law, &
+      & resolve_stepped, samples_of, &
       & spacing_of, strip_spacing_of
    use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
@@ -51,10 +54,11 @@ contains
       call check_surface()
       call check_foundation()
       call check_shift(variables, values, is_swept, in%shift, in%temperature, given%master_temperature, problems)
-      call check_stress(variables(in%stress:in%range), values(in%stress:in%range), problems)
+      call check_law()
       call c%need([in%velocity])
       call check_load_values(c)
-      call c%refuse([in%pull_off], 'belongs to waves on a standard solid; not to heights, cosines or a spectrum')
+      call c%refuse([in%pull_off], 'belongs to waves on a standard solid with Dugdale''s law; '// &
+         & 'not to heights, cosines or a spectrum')
       call c%add(in%slope, 'is small for heights, cosines and spectra', c%is_choice(in%slope, slope_finite))
       call check_profiles()
       if (problems%count() == before) call check_numbers()
@@ -72,7 +76,11 @@ contains
             call c%need([in%period, in%height])
             call c%refuse([of_heights, in%strip_spacing, in%amplitudes, in%phases, in%reverse], 'has no meaning for kind wave_2d')
          case (kind_3d)
-            call c%add(in%kind, 'is wave_3d, which has one relaxation time; make a map of it for a spectrum')
+            if (has_other_law(values)) then
+               call c%add(in%kind, 'is wave_3d, whose strips have Dugdale''s law; make a map of it for another one')
+            else
+               call c%add(in%kind, 'is wave_3d, which has one relaxation time; make a map of it for a spectrum')
+            end if
          case (kind_cosines)
             call c%need([in%period, in%amplitudes, in%phases])
             call c%refuse([of_heights, in%strip_spacing, in%height], 'has no meaning for kind cosines')
@@ -134,6 +142,35 @@ contains
          call c%need([merge(in%moduli, in%young_moduli, c%has(in%stiffness))])
          call check_numbers_of_arms(variables(in%moduli), variables(in%young_moduli), given, problems)
       end subroutine check_foundation
+
+      !> Adhesion: Dugdale's, or another law, which has no edge rule.
+      subroutine check_law()
+         type(variable_t) :: rows(n_adhesion_rows + n_attraction_rows)
+         real(dp) :: law(n_adhesion_rows + n_attraction_rows)
+         integer, parameter :: stresses = in%range - in%stress + 1, first = n_adhesion_rows + 1
+
+         if (.not. has_other_law(values)) then
+            call check_stress(variables(in%stress:in%range), dugdale_of(values), problems)
+            call c%refuse([in%tension_table], 'has no meaning without law = ''table''')
+            return
+         end if
+         if (nint(values(in%law)) == law_lennard_jones) then
+            call c%add(in%law, 'is ''lennard_jones'', which has no wall; columns are solved with laws that only pull')
+            return
+         end if
+         call c%refuse([in%edge], 'is a rule for Dugdale''s law; others follow the column')
+         rows = variables(in%law)
+         rows(:stresses) = variables(in%stress:in%range)
+         rows(first + 1) = variables(in%tension_table)
+         law = unset
+         law(:stresses) = values(in%stress:in%range)
+         law(first:first + 1) = values([in%law, in%tension_table])
+         if (nint(values(in%law)) /= law_table .and. count(is_set(law(:stresses))) == 1) then
+            call c%add(in%law, 'needs two of '//rows(2)%name//', '//rows(1)%name//' and '//rows(3)%name)
+            return
+         end if
+         call check_attraction(rows, law, given%attraction, problems)
+      end subroutine check_law
 
       !> Axes of profiles are the same for all points.
       subroutine check_profiles()

@@ -21,7 +21,7 @@ module adfric_foundation_stepped_points
       & find_at_load, &
       & stepping_solved, stepping_no_equilibrium
    use adfric_foundation_stepping_forces, only: stepping_forces_t
-   use adfric_foundation_stepping_law, only: new_stepping_law
+   use adfric_foundation_stepping_law, only: new_stepping_law, new_attracting_law
    use adfric_foundation_stepping_profiles, only: get_stepping_profiles
    use adfric_foundation_stepping_relief, only: relief_t
    use adfric_foundation_stepping_solid, only: solid_t, new_solid
@@ -255,7 +255,11 @@ contains
       type(stepping_surface_t), intent(inout) :: surface
       type(stepped_case_t), intent(in) :: point
 
-      call new_stepping_law(surface%law, point%stress, point%range, point%edge, surface%rows(1)%solid%glassy)
+      if (allocated(point%attraction)) then
+         call new_attracting_law(surface%law, point%attraction, surface%rows(1)%solid%glassy)
+      else
+         call new_stepping_law(surface%law, point%stress, point%range, point%edge, surface%rows(1)%solid%glassy)
+      end if
       surface%is_approach = point%is_approach
    end subroutine set_law
 
@@ -382,11 +386,11 @@ contains
          ! where nothing touches all forces are 0
          if (any(f%n_contacts + f%n_adhesions > 0)) then
             associate (glassy => self%surface%rows(1)%solid%glassy, step => maxval(rows%largest_step))
-               errors(1) = mean(abs(f%load_mismatch)) + round_off*(mean(f%load_scale) + glassy*lengths) + step
+               errors(1) = mean(abs(f%load_mismatch)) + round_off*(mean(f%load_scale) + glassy*lengths) + step + law%resolution
                ! a pressure that is off by a constant makes no friction but where contact begins lower than it ends
                of_indices = share_of_indices*round_off*lengths + step
                errors(2) = mean(abs(f%energy_mismatch)) + round_off*mean(f%friction_scale) &
-                  & + of_indices*(glassy*mean(f%contact_rise) + law%stress)
+                  & + of_indices*(glassy*mean(f%contact_rise) + law%stress) + law%resolution
             end associate
          end if
          change = 0
@@ -426,6 +430,7 @@ contains
       associate (p => self%point)
          do i = 1, size(self%surface%rows)
             call get_stepping_profiles(self%surface%rows(i), self%surface%law, self%equilibrium%depth, &
+               & self%equilibrium%rows(i)%state, &
                & self%equilibrium%rows(i)%period, self%relief%starts(i), x/p%period, profiles(:, i, :))
          end do
          profiles(:, :, 1) = profiles(:, :, 1)*p%pressure_unit

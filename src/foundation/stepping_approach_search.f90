@@ -39,7 +39,12 @@ contains
       logical :: is_proved
 
       limit = largest_depth(surface, load)
-      if (load > 0) then
+      if (allocated(surface%law%attraction)) then
+         call start_apart(surface, depth, states)
+         status = merge(stepping_failed, stepping_solved, states%have_failed)
+         ! a body that is pulled does not come into contact by itself
+         if (load < 0) status = stepping_no_equilibrium
+      else if (load > 0) then
          call start_before_touch(surface, depth, states)
          status = merge(stepping_failed, stepping_solved, states%have_failed)
       else
@@ -56,11 +61,14 @@ contains
       do k = 1, most_penetrations
          if (states%have_failed .or. least%have_failed) return
          ! the penetration has met one that carries the load or more
-         if (depth >= limit .or. load - states%load <= states%least_load + round_off*abs(load)) exit
-         call find_proved(surface, load, limit, depth, states, slope, slope_limit, is_proved)
-         if (is_proved) exit
+         if (depth >= limit .or. load - states%load <= states%least_load + round_off*abs(load) + surface%law%resolution) exit
+         slope_limit = depth
+         if (.not. allocated(surface%law%attraction)) then
+            call find_proved(surface, load, limit, depth, states, slope, slope_limit, is_proved)
+            if (is_proved) exit
+         end if
          step = load - states%load
-         if (step <= round_off*(1 + abs(depth))) exit
+         if (step <= round_off*(1 + abs(depth)) + surface%law%resolution) exit
          if (.not. slope_limit > depth) call find_slope(surface, load, limit, least, depth, states, slope, slope_limit)
          if (slope*(slope_limit - depth) > step) then
             step = step/slope
@@ -74,6 +82,29 @@ contains
       end do
       if (k <= most_penetrations) status = stepping_solved
    end subroutine search_upwards
+
+   !> Under a law without an end: a penetration at which no column is in contact, so that the load is below 0.
+   subroutine start_apart(surface, depth, states)
+      type(stepping_surface_t), intent(in) :: surface
+      !> Receives the penetration.
+      real(dp), intent(out) :: depth
+      type(stepping_states_t), intent(inout) :: states
+      real(dp), parameter :: share = 1.0e-3_dp
+      integer, parameter :: most_doublings = 60
+      integer :: k
+
+      associate (law => surface%law%attraction%law)
+         ! a column moves towards the surface by no more than its rest under the largest tension
+         depth = -(law%reach(share) + law%stress)
+      end associate
+      do k = 1, most_doublings
+         call start(surface, depth, .true., states)
+         call find_extreme(surface, depth, .false., states)
+         if (states%have_failed .or. .not. states%load > 0) return
+         depth = 2*depth
+      end do
+      states%have_failed = .true.
+   end subroutine start_apart
 
    !> The surface just before adhesion takes hold of its highest position: free, and nothing is carried.
    subroutine start_before_touch(surface, depth, states)

@@ -51,7 +51,7 @@ contains
          ! 1, 2, 4, ...
          if (iand(k, k - 1) == 0) then
             call raise_bound(self, below%period, path, law, depth, steps)
-            call jump_to_proved(self, below%period, path, law, depth, steps)
+            if (.not. allocated(law%attraction)) call jump_to_proved(self, below%period, path, law, depth, steps)
             if (self%is_steady) exit
          end if
          if (.not. changes_flag(self, law)) then
@@ -139,6 +139,7 @@ contains
       if (.not. sum(own(:, 1)) < worth_it*best) return
       share = 1
       obstacle%state%is_attached = self%state%is_attached
+      obstacle%state%branch = self%state%branch
       do k = 1, most_shares
          obstacle%state%length = self%state%length + share*own(:, 1)
          call stepping(obstacle, path, law, depth)
@@ -179,6 +180,7 @@ contains
       if (.not. is_solved) return
       below%state%length = self%state%length + product_of(own(:, :path%solid%n), self%period%growth)
       below%state%is_attached = self%state%is_attached
+      below%state%branch = self%state%branch
       if (.not. all(abs(below%state%length) <= huge(1.0_dp))) return
       call stepping(below, path, law, depth)
       if (below%has_failed .or. changes_flag(below, law) .or. .not. all(below%period%growth >= 0)) return

@@ -117,7 +117,7 @@ contains
          call sum_up(depth, states)
          if (states%have_failed) return
          change = load - states%load
-         if (states%are_steady .and. abs(change) <= states%least_load + round_off*abs(load)) then
+         if (states%are_steady .and. abs(change) <= states%least_load + round_off*abs(load) + surface%law%resolution) then
             status = stepping_solved
             return
          end if
@@ -131,7 +131,7 @@ contains
          else
             change = 0
          end if
-         if (states%are_steady .and. abs(change) <= round_off*(1 + abs(depth))) then
+         if (states%are_steady .and. abs(change) <= round_off*(1 + abs(depth)) + surface%law%resolution) then
             status = stepping_solved
             return
          end if

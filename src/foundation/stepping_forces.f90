@@ -8,7 +8,8 @@ module adfric_foundation_stepping_forces
    use adfric_base_kinds, only: dp
    use adfric_numerics_phi_functions, only: get_exponential_moments
    use adfric_foundation_stepping_law, only: stepping_law_t
-   use adfric_foundation_stepping_period, only: stepped_period_t, zone_t, in_contact, in_adhesion, in_free
+   use adfric_foundation_stepping_period, only: stepped_period_t, zone_t, in_contact, in_adhesion, in_free, &
+      & in_attraction
    use adfric_foundation_stepping_solid, only: product_of
    use adfric_foundation_stepping_path, only: column_path_t, decay_of, expm1_of, get_double_moment, stretches_at, work_of_heights
    use adfric_foundation_stepping_zone_end, only: position_t
@@ -51,19 +52,35 @@ contains
 
       call count_zones(law, period, forces)
       ! what nothing touches is at rest; its state is 0 but for round-off
-      if (forces%n_contacts + forces%n_adhesions == 0) return
+      if (forces%n_contacts + forces%n_adhesions == 0 .and. .not. allocated(law%attraction)) return
       displacement = 0
       do i = 1, period%n_zones
          if (period%zones(i)%kind == in_contact) then
             call add_contact(path, depth, period%zones(i), period%start(:, i), forces, displacement)
+         else if (period%zones(i)%kind == in_attraction) then
+            associate (sums => period%zones(i)%sums)
+               forces%friction = forces%friction + sums%work
+               forces%friction_scale = forces%friction_scale + sums%size_of_work
+               forces%dissipation = forces%dissipation + sums%dissipation
+               ! the area that the largest tension would have
+               forces%adhesion = forces%adhesion - sums%load/law%stress
+               displacement = displacement + sums%displacement
+            end associate
          else
             call add_open_zone(path, law, period%zones(i), period%start(:, i), forces, displacement)
          end if
          forces%load_scale = forces%load_scale + abs(period%zones(i)%load)
       end do
+      ! the law pulls everywhere, so that its zones have no number but where there is no contact
+      if (allocated(law%attraction) .and. forces%n_contacts == 0 .and. forces%load_scale > 0) forces%n_adhesions = 1
       call find_single_contact(path, period, forces)
       forces%load = period%load
-      forces%edge_loss = get_edge_loss(path, law, period)
+      if (allocated(law%attraction)) then
+         forces%edge_loss = period%jump_loss
+         forces%n_snaps = period%n_snaps
+      else
+         forces%edge_loss = get_edge_loss(path, law, period)
+      end if
       forces%load_mismatch = displacement - forces%load
       forces%energy_mismatch = forces%friction - forces%dissipation - forces%edge_loss
    end subroutine get_stepping_forces

@@ -8,9 +8,14 @@
 module adfric_foundation_stepping_law
    use adfric_base_kinds, only: dp
    use adfric_foundation_adhesion, only: edge_continuous, edge_front
+   use adfric_foundation_stepping_attraction, only: column_attraction_t, new_column_attraction
+   use adfric_interface_attraction, only: attraction_t
    implicit none (type, external)
    private
-   public :: stepping_law_t, new_stepping_law
+   public :: stepping_law_t, new_stepping_law, new_attracting_law
+
+   !> What steps in time do not tell, in units of the time stepping.
+   real(dp), parameter :: resolved = 1.0e-11_dp
 
    !> Adhesion as a time stepping needs it.
    type :: stepping_law_t
@@ -32,6 +37,10 @@ module adfric_foundation_stepping_law
       logical :: has_zones = .false.
       !> Does the surface snap into contact where adhesion takes hold?
       logical :: snaps = .false.
+      !> Another law than Dugdale's; not allocated without one. Then stress, strength and range alone count of the others.
+      type(column_attraction_t), allocatable :: attraction
+      !> Lengths and loads, in the units of the time stepping, that steps in time do not tell; 0 where all is exact.
+      real(dp) :: resolution = 0
    end type stepping_law_t
 
 contains
@@ -79,5 +88,21 @@ contains
       self%release_reach = self%release_gap + self%jump
       self%snaps = .not. self%has_zones .or. self%jump >= self%attach_gap
    end subroutine new_stepping_law
+
+   !> Another law than Dugdale's for a column.
+   pure subroutine new_attracting_law(self, law, glassy)
+      type(stepping_law_t), intent(out) :: self
+      !> The law, which has a wall, in units of the time stepping.
+      type(attraction_t), intent(in) :: law
+      !> Instantaneous over relaxed stiffness of the column, >= 1.
+      real(dp), intent(in) :: glassy
+
+      self%stress = law%stress
+      self%range = law%range
+      self%strength = law%stress
+      self%resolution = resolved*(1 + law%stress)
+      allocate (self%attraction)
+      call new_column_attraction(self%attraction, law, glassy)
+   end subroutine new_attracting_law
 
 end module adfric_foundation_stepping_law

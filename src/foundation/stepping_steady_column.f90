@@ -72,6 +72,7 @@ contains
       self%state%length = depth + path%coefficients(0, 1) - path%head(:, 1) - law%shift
       where (path%is_slow) self%state%length = depth + path%first_length - law%shift
       self%state%is_attached = .true.
+      self%state%branch = 0
       if (law%stress > 0) self%state%length = max(self%state%length, -law%stress - law%shift - beyond)
    end subroutine start_from_below
 
@@ -83,6 +84,7 @@ contains
 
       self%state%length = spread(max(depth, 0.0_dp) + beyond, 1, path%solid%n)
       self%state%is_attached = .false.
+      self%state%branch = huge(1)
    end subroutine start_from_free
 
    !> The least steady state, from the state that stands in `self`, which lies below it; without adhesion the only one, from any state.
@@ -169,7 +171,11 @@ contains
       type(steady_column_t), intent(in) :: self
       type(stepping_law_t), intent(in) :: law
 
-      changes_flag = law%stress > 0 .and. (self%period%is_attached .neqv. self%state%is_attached)
+      if (allocated(law%attraction)) then
+         changes_flag = self%period%branch /= self%state%branch
+      else
+         changes_flag = law%stress > 0 .and. (self%period%is_attached .neqv. self%state%is_attached)
+      end if
    end function changes_flag
 
    !> Is the state steady to round-off?
@@ -183,7 +189,7 @@ contains
       lengths = 1 + abs(depth) + law%stress + law%shift
       self%largest_step = maxval([0.0_dp, abs(self%step)])
       ! steps that are small and do not become smaller are the round-off of a response that is large
-      if (self%largest_step > small_step*lengths) then
+      if (self%largest_step > max(small_step*lengths, law%resolution)) then
          self%n_stuck = 0
       else if (self%largest_step >= previous) then
          self%n_stuck = self%n_stuck + 1
@@ -198,6 +204,7 @@ contains
 
       self%state%length = self%state%length + self%step
       self%state%is_attached = self%period%is_attached
+      self%state%branch = self%period%branch
    end subroutine move
 
    !> Steps (I - J0)^-1 of growths, and of what a unit of penetration adds in contact.

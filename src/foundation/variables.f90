@@ -4,6 +4,8 @@ module adfric_foundation_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_interface_adhesion_rows, only: set_stress_rows, branch_row
+   use adfric_interface_attraction, only: law_words
+   use adfric_interface_attraction_rows, only: law_row, table_row
    use adfric_interface_friction_law_rows, only: n_interface_rows, set_law_rows
    use adfric_interface_shear_strength_rows, only: n_shear_rows, set_shear_rows
    use adfric_interface_total_friction, only: total_friction_results
@@ -28,7 +30,7 @@ module adfric_foundation_variables
          & terms_per_decade = 0, time_factor = 0, shift = 0, reference_temperature = 0, wlf_c1 = 0, wlf_c2 = 0, &
          & activation_energy = 0, stress = 0, surface_energy = 0, range = 0, edge = 0, branch = 0, velocity = 0, &
          & temperature = 0, load = 0, mean_pressure = 0, penetration = 0, relative_tolerance = 0, strips = 0, pull_off = 0, &
-         & profiles = 0, n_x = 0, n_y = 0, friction(n_interface_rows) = 0
+         & profiles = 0, n_x = 0, n_y = 0, friction(n_interface_rows) = 0, law = 0, tension_table = 0
    end type foundation_input_t
    type(foundation_input_t), parameter, public :: foundation_input = transfer(counting, foundation_input_t())
    integer, parameter :: n_variables = storage_size(foundation_input)/storage_size(1)
@@ -108,6 +110,8 @@ contains
 
       call set_shear_rows(v(foundation_input%friction(1):foundation_input%friction(n_shear_rows)))
       call set_law_rows(v(foundation_input%friction(n_shear_rows + 1):foundation_input%friction(n_interface_rows)))
+      v(foundation_input%law) = law_row(law_words)
+      v(foundation_input%tension_table) = table_row()
    end function get_wavy_variables
 
    !> The rows of the surface.
