@@ -137,6 +137,23 @@ module adfric_describe_scene_rules
       & 'rough_theories pastewka_robbins_ratio,full_contact_work_ratio - !adhesion', &
       & 'rough_theories friction_coefficient_persson,friction_coefficient_yang_persson - !relaxing', &
       & 'rough_theories friction_coefficient_wang_mueser,full_contact_friction_coefficient - !relaxing', &
+      & 'rough_theories electrical_conductance_persson,electrical_conductance_yang_persson - !electrical', &
+      & 'rough_theories electrical_conductance_wang_mueser,electrical_conductance_greenwood_williamson - !electrical', &
+      & 'rough_theories electrical_conductance_bush_gibson_thomas,electrical_conductance_greenwood_elliptic - !electrical', &
+      & 'rough_theories electrical_conductance_nayak_sphere - !electrical', &
+      & 'rough_theories thermal_conductance_persson,thermal_conductance_yang_persson - !thermal', &
+      & 'rough_theories thermal_conductance_wang_mueser,thermal_conductance_greenwood_williamson - !thermal', &
+      & 'rough_theories thermal_conductance_bush_gibson_thomas,thermal_conductance_greenwood_elliptic - !thermal', &
+      & 'rough_theories thermal_conductance_nayak_sphere - !thermal', &
+      & '* electrical_conductance - !electrical', &
+      & '* thermal_conductance - !thermal', &
+      & on_cells//',free_surface contact_stiffness - !stiffness_wanted', &
+      & on_cells//',free_surface stiffness_error - !stiffness_wanted !electrical !thermal', &
+      & 'sphere contact_stiffness - shear', &
+      & 'hertz contact_stiffness - cylinder', &
+      & 'wave_1d contact_stiffness - adhesion', &
+      & 'wave_1d contact_stiffness - relaxing', &
+      & 'wave_1d contact_stiffness - coupled', &
       & 'wavy_sliding friction_force friction_stress', &
       & 'wavy_sliding load mean_pressure', &
       & 'wavy_sliding contact_area contact_fraction', &

@@ -14,6 +14,7 @@ module adfric_rough_model
    use adfric_describe_status, only: status_not_converged, status_solved
    use adfric_describe_table, only: profile_axis_t
    use adfric_interface_adhesion_rows, only: range_of
+   use adfric_interface_conduction_rows, only: conductances, has_conduction, n_conduction_results
    use adfric_rough_atlas, only: describe_bands
    use adfric_rough_check, only: adheres, check_rough, relaxes
    use adfric_rough_persson, only: get_persson_states, most_pressure, persson_fraction, persson_mean_square, persson_state_t
@@ -414,7 +415,23 @@ contains
          results(out%conductance_factor(n_shares + k)) = surface%nodes%slope/h*state%stiffness
          results(out%normal_stiffness(n_shares + k)) = modulus*results(out%conductance_factor(n_shares + k))
       end do
+      if (has_conduction(values(in%conduction))) call store_conductances(values, results)
    end subroutine solve_pressed
+
+   !> Store the conductances of all theories, from their stiffness.
+   pure subroutine store_conductances(values, results)
+      real(dp), intent(in) :: values(:)
+      !> In: with `conductance_factor`. Out: with the conductances that are wanted.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: found(n_conduction_results)
+      integer :: k
+
+      do k = 1, n_theories
+         found = not_a_number()
+         call conductances(values(in%conduction), results(out%conductance_factor(k)), found)
+         results([out%electrical_conductance(k), out%thermal_conductance(k)]) = found
+      end do
+   end subroutine store_conductances
 
    !> The pull-off of a surface.
    subroutine solve_pull_off(shared, surface, values, results, is_converged)
