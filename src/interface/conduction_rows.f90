@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Electrical and thermal conductance of a contact, from the bodies' resistivities and conductivities: rows of the group `solid`, and the
-!> results.
+!> Electrical and thermal conductance of a contact, from the bodies' resistivities and conductivities: rows of the group `solid`,
+!> and the results.
 !>
-!> A current that enters a half-space of the resistivity rho at a point makes the potential rho I/(2 pi r) on its surface, a force the
-!> displacement P/(pi E* r) of both surfaces together. So the potentials of both bodies, between which the current flows, and the approach
-!> obey one equation on the spots that touch, and (J. R. Barber, Proc. R. Soc. Lond. A 459, 2003, 53)
+!> A current that enters a half-space of the resistivity rho at a point makes the potential rho I/(2 pi r) on its surface. A force
+!> makes the displacement P/(pi E* r) of both surfaces together. So the voltage between the bodies and the approach obey one
+!> equation on the spots that touch, and (J. R. Barber, Proc. R. Soc. Lond. A 459, 2003, 53)
 !>
 !>     1/R = 2/((rho1 + rho2) E*) dF/d delta
 !>

@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Stiffness of a contact: the slope of the mean pressure over the approach, with the cells in contact as they are.
 !>
-!> Without adhesion pressure and gap are 0 at an edge. So what an edge's motion adds to the load is of the second order, and the slope is that
-!> of a rigid flat punch with the shape of the spots. Of cells it jumps a little where one comes into contact. On the mean it is right to the
-!> order of the approach, since it is the slope of that. So its error is that of the area, times the slope of the stiffness over the area. That
-!> is found from the same contact without the cells along its edges.
+!> Without adhesion pressure and gap are 0 at an edge. So what an edge's motion adds to the load is of the second order, and the
+!> slope is that of a rigid flat punch with the shape of the spots. Of cells it jumps a little where one comes into contact. On the
+!> mean it is right to the order of the approach, since it is the slope of that. So its error is that of the area, times the slope
+!> of the stiffness over the area. That is found from the same contact without the cells along its edges.
 module adfric_periodic_contact_punch
    use adfric_base_kinds, only: dp
    use adfric_periodic_area, only: area_t
@@ -20,8 +20,8 @@ module adfric_periodic_contact_punch
 
    !> A punch with the shape of the spots that touch.
    type :: contact_punch_t
-      !> Slope of the approach over the mean pressure [unit of the gap over E*]: 0 in full contact with a half-space, below 0 without
-      !> contact.
+      !> Slope of the approach over the mean pressure [unit of the gap over E*]: 0 in full contact with a half-space, below 0
+      !> without contact.
       real(dp) :: compliance = -1
       !> Bound of the relative error of its inverse, the stiffness [-].
       real(dp) :: error = 0

@@ -21,8 +21,8 @@ module adfric_periodic_free_model
    use adfric_periodic_adhesion_cells, only: derive_zone, doubt_zone, sees_pull_off
    use adfric_periodic_free_adhesion, only: solve_free_adhesion
    use adfric_periodic_free_law, only: check_free_law, free_law_in_units, free_law_of, set_free_solid
-   use adfric_periodic_free_point, only: add_punch, error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, store, &
-      & store_adhesion
+   use adfric_periodic_free_point, only: add_punch, error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, &
+      & store, store_adhesion
    use adfric_periodic_free_rows, only: boundaries_periodic, get_free_results, get_free_variables, in => free_input, &
       & is_periodic_by, tilt_free
    use adfric_periodic_free_solver, only: free_hinge_t, is_inside, solve_free

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Stiffness of the spots on which a body that ends touches: the load of a rigid flat punch of their shape over its approach. Its error is
-!> that of the area, see `adfric_periodic_contact_punch`.
+!> Stiffness of the spots on which a body that ends touches: the load of a rigid flat punch of their shape over its approach. Its
+!> error is that of the area, see `adfric_periodic_contact_punch`.
 module adfric_periodic_free_punch
    use adfric_base_kinds, only: dp
    use adfric_periodic_area, only: area_t

@@ -68,8 +68,8 @@ contains
       associate (rows => variables(in%conduction(1):in%conduction(n_conduction_rows)), &
             & of_rows => values(in%conduction(1):in%conduction(n_conduction_rows)))
          if (nint(values(in%kind)) == kind_line) then
-            call refuse_conduction(rows, of_rows, 'has no meaning for this kind; the conductance of a line contact depends on the ' &
-               & //'size of the bodies', problems)
+            call refuse_conduction(rows, of_rows, 'has no meaning for this kind; the conductance of a line contact depends ' &
+               & //'on the size of the bodies', problems)
          else
             call check_conduction(rows, of_rows, problems)
          end if

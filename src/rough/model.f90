@@ -23,7 +23,7 @@ module adfric_rough_model
    use adfric_rough_separation_functions, only: area_function_t, energy_share_t, new_area_function, new_separation_functions, &
       & plain_share, separation_functions_t, wang_mueser_share, yang_persson_share
    use adfric_rough_summits, only: n_summit_theories, new_summits, summit_state_t, summits_t
-   use adfric_rough_variables, only: get_rough_results, get_rough_variables, in => rough_input, &
+   use adfric_rough_variables, only: get_rough_results, get_rough_variables, n_theories, in => rough_input, &
       & n_shares, out => rough_output, share_plain, share_wang_mueser, share_yang_persson
    use adfric_rough_wave_nodes, only: least_for_gap, least_for_squares, new_wave_nodes, wave_nodes_t
    use adfric_shape_height_spectrum, only: height_spectrum_t

@@ -18,7 +18,7 @@ module adfric_rough_variables
 
    !> Forms of Persson's theory.
    integer, parameter :: share_plain = 1, share_yang_persson = 2, share_wang_mueser = 3, n_shares = 3
-   integer, parameter :: n_theories = n_shares + n_summit_theories
+   integer, parameter, public :: n_theories = n_shares + n_summit_theories
    !> Names of the theories in results, and what they are.
    character(*), parameter :: suffixes(n_theories) = [character(20) :: 'persson', 'yang_persson', 'wang_mueser', &
       & 'greenwood_williamson', 'bush_gibson_thomas', 'greenwood_elliptic', 'nayak_sphere']
