@@ -37,8 +37,8 @@ module adfric_periodic_free_rows
       !> Indices of the rows.
       integer :: load = 0, approach = 0, contact_area = 0, contact_area_error = 0, smooth_area = 0, mean_contact_pressure = 0, &
          & peak_pressure = 0, elastic_energy = 0, moment_x = 0, moment_y = 0, violation = 0, adhesion_area = 0, &
-         & adhesion_energy = 0, pull_off_load = 0, cells_per_zone = 0, tilt_x = 0, tilt_y = 0, contact_stiffness = 0, stiffness_error = 0, &
-         & conductances(n_conduction_results) = 0
+         & adhesion_energy = 0, pull_off_load = 0, cells_per_zone = 0, tilt_x = 0, tilt_y = 0, contact_stiffness = 0, &
+         & stiffness_error = 0, conductances(n_conduction_results) = 0
    end type free_output_t
    type(free_output_t), parameter, public :: free_output = transfer(counting, free_output_t())
    integer, parameter, public :: n_free_results = storage_size(free_output)/storage_size(1)
@@ -136,6 +136,7 @@ contains
          & long_name='slope of the load over the approach, with &output stiffness')
       r(free_output%stiffness_error) = stiffness_error_row()
       r(free_output%conductances(1):) = conduction_results(.false.)
+      r(free_output%contact_stiffness:)%is_counted = .true.
    end function get_free_results
 
 end module adfric_periodic_free_rows

@@ -99,7 +99,6 @@ contains
 
       r = result_row(name='stiffness_error', unit='-', &
          & long_name='bound of the relative error of contact stiffness and conductances')
-      r%is_counted = .true.
    end function stiffness_error_row
 
    !> The pull-off among the results.
@@ -162,6 +161,7 @@ contains
          & long_name='slope of the mean pressure over the approach, with &output stiffness; none in full contact with a half-space')
       r(periodic_output%stiffness_error) = stiffness_error_row()
       r(periodic_output%conductances(1):) = conduction_results(.true.)
+      r(periodic_output%contact_stiffness:)%is_counted = .true.
    end function get_elastic_results
 
    !> The last one of some results: of friction as a sum the slope over the velocity, of a coupling what is left out.
