@@ -18,7 +18,7 @@ module adfric_round_sphere_model
    use adfric_round_interaction_events, only: results_of_events
    use adfric_round_sphere_case, only: sphere_case_t, resolve_case
    use adfric_round_sphere_check, only: check_sphere_values
-   use adfric_round_sphere_contact, only: theory_maugis_dugdale, theory_dmt
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_maugis_dugdale, theory_dmt
    use adfric_round_sphere_point, only: sphere_point_t, sphere_memory_t, solve_point
    use adfric_round_sphere_profiles, only: contact_profile_t, new_profile
    use adfric_round_slip_annulus, only: shear_traction
