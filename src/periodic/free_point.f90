@@ -178,7 +178,7 @@ contains
          is_contact(:, :) = state%solution%pressure > 0
       end if
       associate (operator => state%solver%operators(size(state%solver%operators)), unit => state%surface%period(1))
-         call find_free_punch(operator, is_contact, state%solution%area, values(in%tolerance), punch)
+         call find_free_punch(operator, is_contact, is_body, state%solution%area, values(in%tolerance), punch)
          is_found = punch%is_found
          if (.not. is_found) return
          if (is_wanted(values(in%stiffness))) results(out%contact_stiffness) = state%surface%solid%modulus*unit*punch%stiffness
