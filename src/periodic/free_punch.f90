@@ -75,8 +75,10 @@ contains
 
       nx = size(is_contact, 1)
       ny = size(is_contact, 2)
-      n_sides = count(is_contact(2:, :) .and. .not. is_body(:nx - 1, :)) + count(is_contact(:nx - 1, :) .and. .not. is_body(2:, :)) &
-         & + count(is_contact(:, 2:) .and. .not. is_body(:, :ny - 1)) + count(is_contact(:, :ny - 1) .and. .not. is_body(:, 2:))
+      n_sides = count(is_contact(2:, :) .and. .not. is_body(:nx - 1, :)) &
+         & + count(is_contact(:nx - 1, :) .and. .not. is_body(2:, :)) &
+         & + count(is_contact(:, 2:) .and. .not. is_body(:, :ny - 1)) &
+         & + count(is_contact(:, :ny - 1) .and. .not. is_body(:, 2:))
       if (.not. goes_on(1)) n_sides = n_sides + count(is_contact([1, nx], :))
       if (.not. goes_on(2)) n_sides = n_sides + count(is_contact(:, [1, ny]))
    end function sides_at_border
