@@ -89,6 +89,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> Why it has no meaning, behind the name of the variable.
       character(*), intent(in) :: reason
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 

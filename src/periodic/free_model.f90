@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `free_surface`: a rigid body, given by its heights on a map, on an elastic half-space that goes on beyond the map
-!> without it.
+!> without it. The file is long by what an input may not say.
 module adfric_periodic_free_model
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, file_failure
