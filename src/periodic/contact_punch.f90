@@ -57,7 +57,9 @@ contains
       is_found = .true.
       if (any(is_inside)) then
          call find_punch_compliance(operator, gap_solver, .not. is_inside, tolerance_inside, inside, is_found)
-         stiffness_inside = 1/(inside + operator%mean_compliance)
+         inside = inside + operator%mean_compliance
+         is_found = is_found .and. inside > 0
+         if (is_found) stiffness_inside = 1/inside
       end if
       punch%is_found = is_found
       punch%error = error_by_area(stiffness, stiffness_inside, count(.not. is_open), count(is_inside), area)
