@@ -285,8 +285,6 @@ contains
       contact%adhesion_radius = point%adhesion_radius + point%adhesion_radius_slope*step
       contact%load = point%load + point%load_slope*step
       contact%approach = point%approach + point%approach_slope*step
-      contact%load_slope = point%load_slope
-      contact%approach_slope = point%approach_slope
       contact%is_stable = merge(point%approach_slope, point%load_slope, quantity == approach_along) < 0
    end subroutine read_point
 

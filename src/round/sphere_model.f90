@@ -211,8 +211,7 @@ contains
          if (is_set(values(in%contact_radius))) results(out%contact_radius) = values(in%contact_radius)
          if (point%theory /= theory_dmt) results(out%adhesion_radius) = contact%adhesion_radius*case%length_unit
          results(out%stable) = merge(1, 0, contact%is_stable)
-         ! an attraction without touch has another slope
-         if (.not. case%has_friction .and. (contact%radius > 0 .or. .not. abs(contact%load) > 0)) results(out%contact_stiffness) = &
+         if (has_stiffness(case, point)) results(out%contact_stiffness) = &
             & stiffness_of(contact)*(case%force_unit/case%approach_unit)
          call conductances(values(in%conduction(1):in%conduction(n_conduction_rows)), 2*results(out%contact_radius), &
             & results(out%conductances(1):out%conductances(n_conduction_results)))
@@ -231,6 +230,16 @@ contains
       if (is_set(values(in%tangential_force))) results(out%friction_force) = values(in%tangential_force)
       if (is_set(values(in%tangential_displacement))) results(out%tangential_displacement) = values(in%tangential_displacement)
    end subroutine store
+
+   !> Is the change of load with approach known? Friction changes adhesion with it, and an attraction without touch has another
+   !> slope.
+   pure logical function has_stiffness(case, point)
+      type(sphere_case_t), intent(in) :: case
+      type(sphere_point_t), intent(in) :: point
+
+      has_stiffness = .not. case%has_friction .and. point%theory /= theory_maugis_dugdale
+      if (has_stiffness) has_stiffness = point%contact%radius > 0 .or. .not. abs(point%contact%load) > 0
+   end function has_stiffness
 
    !> Change of load with approach, reduced: 0 of bodies that are apart, and none where the approach turns.
    pure real(dp) function stiffness_of(contact) result(stiffness)

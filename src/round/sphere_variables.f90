@@ -155,7 +155,7 @@ contains
       r(sphere_output%snap_off_force)%long_name = 'tangential force at which the contact snaps off'
       r(sphere_output%jump_base_displacement)%long_name = 'displacement of the base from rest where the contact jumps'
       r(sphere_output%contact_stiffness) = result_row(name='contact_stiffness', unit='N/m', &
-         & long_name='change of load with approach, along the states of contact without friction')
+         & long_name='change of load with approach, along the states of contact; none with friction and in maugis_dugdale')
       r(sphere_output%conductances(1):) = conduction_results(.false.)
       if (.not. is_reduced) return
       do k = 1, size(r)
