@@ -50,6 +50,7 @@ contains
    !> The table of variables.
    function get_sphere_variables() result(v)
       type(variable_t), allocatable :: v(:)
+      integer :: k
 
       allocate (v(n_sphere_variables))
       v(sphere_input%units) = choice(group='sphere', name='units', &
@@ -116,6 +117,10 @@ contains
          & upper=10000000)
       v(sphere_input%r_max) = above_zero(group='output', name='r_max', unit='m', meaning='radius up to which profiles are written')
       call set_conduction_rows(v(sphere_input%conduction(1):))
+      ! inputs that name the model have the solids in its group
+      do k = 1, n_conduction_rows
+         v(sphere_input%conduction(k))%group = 'sphere'
+      end do
    end function get_sphere_variables
 
    !> The table of results.
