@@ -58,6 +58,7 @@ AREAS = {
         "A wave that adheres": "docs/theory/adhesive_wave.md",
         "Lines that slide over rubber": "docs/theory/line_sliding.md",
         "Friction of the interface": "docs/theory/interface.md",
+        "Stiffness and conductance": "docs/theory/conductance.md",
         "Heat of sliding": "docs/theory/heat.md",
         "Sliding with adhesion": "docs/theory/adhesive_sliding.md",
         "Contact of periodic surfaces": "docs/theory/periodic_contact.md",

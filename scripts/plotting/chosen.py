@@ -50,6 +50,7 @@ def draw_chosen(runs, x_name, y_names, table):
         return draw_along(runs[0], x_name, y_names), runs[0].title
     for results in runs:
         _add_share(results)
+        _add_conductances(results)
         add_pull_off(results)
     x_name = x_name or _last_swept(runs[0])
     y_names = y_names or _default_results(runs, x_name, choose_results)
@@ -83,6 +84,13 @@ def _add_share(results):
         share = contact_share(results)
         if share is not None:
             results.fields[share.name] = share
+
+
+def _add_conductances(results):
+    """Give theories of rough surfaces the conductances of Wang and Mueser under the names that they have on cells."""
+    for name in ("electrical_conductance", "thermal_conductance"):
+        if name not in results.fields and (field := results.fields.get(f"{name}_wang_mueser")):
+            results.fields[name] = Field(name, field.unit, field.values)
 
 
 def _looks_of(runs, names, x_name):

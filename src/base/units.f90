@@ -10,8 +10,8 @@ module adfric_base_units
    private
    public :: unit_t, read_unit, is_same_quantity, to_si, quotient_unit
 
-   !> Powers of m, kg, s and K.
-   integer, parameter :: n_dimensions = 4
+   !> Powers of m, kg, s, K and ohm.
+   integer, parameter :: n_dimensions = 5
    !> Powers of ten up to this one are kept without error.
    integer, parameter :: largest_exact = 22
    character(*), parameter :: digits = '0123456789'
@@ -20,7 +20,7 @@ module adfric_base_units
    type :: unit_t
       !> Decimal exponent of its size in SI units.
       integer :: exponent = 0
-      !> Powers of m, kg, s and K in it.
+      !> Powers of m, kg, s, K and ohm in it.
       integer :: powers(n_dimensions) = 0
    end type unit_t
 
@@ -36,19 +36,21 @@ module adfric_base_units
 
    !> The table of units.
    type(row_t), parameter :: table(*) = [ &
-      row_t('m metre metres meter meters', unit_t(0, [1, 0, 0, 0]), .true.), &
-      row_t('micron microns', unit_t(-6, [1, 0, 0, 0]), .false.), &
-      row_t('angstrom angstroms Angstrom Angstroms', unit_t(-10, [1, 0, 0, 0]), .false.), &
-      row_t('g gram grams', unit_t(-3, [0, 1, 0, 0]), .true.), &
-      row_t('s second seconds', unit_t(0, [0, 0, 1, 0]), .true.), &
-      row_t('K kelvin kelvins', unit_t(0, [0, 0, 0, 1]), .true.), &
-      row_t('Hz hertz', unit_t(0, [0, 0, -1, 0]), .true.), &
-      row_t('N newton newtons', unit_t(0, [1, 1, -2, 0]), .true.), &
-      row_t('Pa pascal pascals', unit_t(0, [-1, 1, -2, 0]), .true.), &
-      row_t('bar bars', unit_t(5, [-1, 1, -2, 0]), .true.), &
-      row_t('J joule joules', unit_t(0, [2, 1, -2, 0]), .true.), &
-      row_t('W watt watts', unit_t(0, [2, 1, -3, 0]), .true.), &
-      row_t('rad radian radians', unit_t(0, [0, 0, 0, 0]), .false.)]
+      row_t('m metre metres meter meters', unit_t(0, [1, 0, 0, 0, 0]), .true.), &
+      row_t('micron microns', unit_t(-6, [1, 0, 0, 0, 0]), .false.), &
+      row_t('angstrom angstroms Angstrom Angstroms', unit_t(-10, [1, 0, 0, 0, 0]), .false.), &
+      row_t('g gram grams', unit_t(-3, [0, 1, 0, 0, 0]), .true.), &
+      row_t('s second seconds', unit_t(0, [0, 0, 1, 0, 0]), .true.), &
+      row_t('K kelvin kelvins', unit_t(0, [0, 0, 0, 1, 0]), .true.), &
+      row_t('Hz hertz', unit_t(0, [0, 0, -1, 0, 0]), .true.), &
+      row_t('N newton newtons', unit_t(0, [1, 1, -2, 0, 0]), .true.), &
+      row_t('Pa pascal pascals', unit_t(0, [-1, 1, -2, 0, 0]), .true.), &
+      row_t('bar bars', unit_t(5, [-1, 1, -2, 0, 0]), .true.), &
+      row_t('J joule joules', unit_t(0, [2, 1, -2, 0, 0]), .true.), &
+      row_t('W watt watts', unit_t(0, [2, 1, -3, 0, 0]), .true.), &
+      row_t('ohm ohms Ohm Ohms', unit_t(0, [0, 0, 0, 0, 1]), .true.), &
+      row_t('S siemens', unit_t(0, [0, 0, 0, 0, -1]), .true.), &
+      row_t('rad radian radians', unit_t(0, [0, 0, 0, 0, 0]), .false.)]
 
    !> Prefixes before symbols and before names, with their exponents.
    character(*), parameter :: prefixes = 'Y Z E P T G M k h da d c m u n p f a z y ' &
@@ -59,9 +61,10 @@ module adfric_base_units
    !> Signs beyond the English alphabet, each with what it stands for; the last two are of an older spelling.
    character(3), parameter :: signs(*) = [character(3) :: char(194)//char(181), char(206)//char(188), char(195)//char(133), &
       char(226)//char(132)//char(171), 'A'//char(204)//char(138), char(194)//char(183), char(226)//char(139)//char(133), &
-      char(194)//char(178), char(194)//char(179), char(194)//char(185), char(226)//char(129)//char(187), char(181), char(197)]
+      char(194)//char(178), char(194)//char(179), char(194)//char(185), char(226)//char(129)//char(187), char(206)//char(169), &
+      char(226)//char(132)//char(166), char(181), char(197)]
    character(8), parameter :: meanings(*) = [character(8) :: 'u', 'u', 'angstrom', 'angstrom', 'angstrom', '*', '*', '2', '3', &
-      '1', '-', 'u', 'angstrom']
+      '1', '-', 'ohm', 'ohm', 'u', 'angstrom']
 
 contains
 

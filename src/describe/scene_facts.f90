@@ -66,6 +66,9 @@ module adfric_describe_scene_facts
       & 'events output%events', &
       & 'driven operating%base_displacement friction%law', &
       & 'pull_off output%pull_off', &
+      & 'stiffness_wanted output%stiffness', &
+      & 'electrical solid%resistivity solid%second_resistivity', &
+      & 'thermal solid%thermal_conductivity solid%second_thermal_conductivity', &
       & 'compared output%compare_branches', &
       & 'tilts operating%tilt', &
       & 'peels friction%interaction friction%law', &

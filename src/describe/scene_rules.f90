@@ -181,6 +181,23 @@ module adfric_describe_scene_rules
       & 'spectrum_elastic conductance_factor_greenwood_elliptic - !by_greenwood_elliptic', &
       & 'spectrum_elastic contact_fraction_nayak_sphere,mean_gap_nayak_sphere - !by_nayak_sphere', &
       & 'spectrum_elastic normal_stiffness_nayak_sphere,conductance_factor_nayak_sphere - !by_nayak_sphere', &
+      & 'rough_theories electrical_conductance_persson,electrical_conductance_yang_persson - !electrical', &
+      & 'rough_theories electrical_conductance_wang_mueser,electrical_conductance_greenwood_williamson - !electrical', &
+      & 'rough_theories electrical_conductance_bush_gibson_thomas,electrical_conductance_greenwood_elliptic - !electrical', &
+      & 'rough_theories electrical_conductance_nayak_sphere - !electrical', &
+      & 'rough_theories thermal_conductance_persson,thermal_conductance_yang_persson - !thermal', &
+      & 'rough_theories thermal_conductance_wang_mueser,thermal_conductance_greenwood_williamson - !thermal', &
+      & 'rough_theories thermal_conductance_bush_gibson_thomas,thermal_conductance_greenwood_elliptic - !thermal', &
+      & 'rough_theories thermal_conductance_nayak_sphere - !thermal', &
+      & '* electrical_conductance - !electrical', &
+      & '* thermal_conductance - !thermal', &
+      & on_cells//',free_surface contact_stiffness - !stiffness_wanted', &
+      & on_cells//',free_surface stiffness_error - !stiffness_wanted !electrical !thermal', &
+      & 'sphere contact_stiffness - shear', &
+      & 'hertz contact_stiffness - cylinder', &
+      & 'wave_1d contact_stiffness - adhesion', &
+      & 'wave_1d contact_stiffness - relaxing', &
+      & 'wave_1d contact_stiffness - coupled', &
       & 'wavy_sliding friction_force friction_stress', &
       & 'wavy_sliding load mean_pressure', &
       & 'wavy_sliding contact_area contact_fraction', &

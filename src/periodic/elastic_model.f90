@@ -12,6 +12,8 @@ module adfric_periodic_elastic_model
       & largest_tension, n_attraction_rows, resolve_attraction, set_attraction_rows
    use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
       & has_poisson_ratio, n_one_body, n_two_bodies, set_modulus_rows
+   use adfric_interface_conduction_rows, only: check_conduction, conductances, has_conduction, n_conduction_results, &
+      & n_conduction_rows, refuse_conduction, set_conduction_rows
    use adfric_interface_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
       & resolve_coulomb, set_coulomb_rows
    use adfric_interface_friction_law_rows, only: given_law_t, take_law_attribute, take_law_table
@@ -37,14 +39,16 @@ module adfric_periodic_elastic_model
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_chords, only: chord_fraction, level_fraction
-   use adfric_periodic_variables, only: get_elastic_results, is_wanted, n_elastic_solid, pull_off_row, in => periodic_input, &
-      & out => periodic_output
+   use adfric_periodic_variables, only: get_elastic_results, is_wanted, n_elastic_solid, pull_off_row, &
+      & stiffness_row, in => periodic_input, out => periodic_output
    implicit none (type, external)
    private
    public :: elastic_model_t
 
    !> Rows of adhesion, with those of its law.
    integer, parameter :: n_law_of_adhesion = n_adhesion_rows + n_attraction_rows
+   !> Rows of conduction, and behind them the switch of the stiffness.
+   integer, parameter :: n_punch_rows = n_conduction_rows + 1
 
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
@@ -102,7 +106,11 @@ contains
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), solid(:n_two_bodies))
       call set_adhesion_rows(solid(n_two_bodies + 1:n_two_bodies + n_adhesion_rows))
       call set_attraction_rows(solid(n_two_bodies + n_adhesion_rows + 1:n_two_bodies + n_law_of_adhesion))
-      call set_coulomb_rows(solid(n_two_bodies + n_law_of_adhesion + 1:n_two_bodies + n_law_of_adhesion + n_coulomb_rows))
+      associate (before => n_two_bodies + n_law_of_adhesion)
+         call set_conduction_rows(solid(before + 1:before + n_conduction_rows))
+         solid(before + n_punch_rows) = stiffness_row()
+         call set_coulomb_rows(solid(before + n_punch_rows + 1:before + n_punch_rows + n_coulomb_rows))
+      end associate
       call set_layer_rows(solid(n_elastic_solid - n_layer_rows + 1:))
       associate (pull_off => n_elastic_solid - n_layer_rows - n_motion_rows)
          call set_shear_rows(solid(pull_off - n_shear_rows:pull_off - 1))
@@ -140,6 +148,17 @@ contains
 
       layer = values(self%last_of_solid - n_layer_rows + 1:self%last_of_solid)
    end function layer_values
+
+   !> Values of the rows of conduction, and that of the switch of the stiffness.
+   pure function punch_values(self, values) result(punch)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp) :: punch(n_punch_rows)
+
+      associate (before => self%first_of_solid + n_two_bodies + n_law_of_adhesion - 1)
+         punch = values(before + 1:before + n_punch_rows)
+      end associate
+   end function punch_values
 
    !> Values of the rows of the modulus.
    pure function moduli_values(self, values) result(moduli)
@@ -218,6 +237,7 @@ contains
       end associate
       call check_law(self, values, problems)
       call check_layer(self, values, problems)
+      call check_punch(self, values, problems)
       if (problems%count() > 0) return
       if (lacks_poisson_ratio(self, values)) call problems%add('solid', 'poisson_ratio', &
          & 'is missing [-]; the tangential displacement needs it')
@@ -268,6 +288,26 @@ contains
       if (is_wanted(values(pull_off_index(self)))) call problems%add('output', 'pull_off', &
          & 'is not found on layers and coatings; rounds that find no state there do not prove that there is none')
    end subroutine check_layer
+
+   !> Add to `problems` what is wrong with conduction and stiffness, and what they cannot stand beside.
+   subroutine check_punch(self, values, problems)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      associate (first => self%first_of_solid + n_two_bodies + n_law_of_adhesion, punch => punch_values(self, values))
+         associate (rows => self%variables(first:first + n_conduction_rows - 1))
+            call check_conduction(rows, punch, problems)
+            if (problems%count() > 0) return
+            if (has_layer(layer_values(self, values))) call refuse_conduction(rows, punch, 'stands beside a layer, in which a ' &
+               & //'current does not spread as an indentation does', problems)
+            if (.not. has_wall_at_contact(adhesion_values(self, values))) call refuse_conduction(rows, punch, &
+               & 'stands beside the law ''lennard_jones'', by which contact has no edge', problems)
+         end associate
+         if (is_wanted(punch(n_punch_rows)) .and. has_attraction(adhesion_values(self, values))) call problems%add('output', &
+            & 'stiffness', 'stands beside &adhesion, whose edge moves with the approach; differences of two loads have its slope')
+      end associate
+   end subroutine check_punch
 
    !> Add to `problems` what is wrong with the friction, of either kind.
    subroutine check_friction(self, values, problems)
@@ -387,6 +427,9 @@ contains
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
       if (allocated(goal%attraction)) deallocate (goal%attraction)
       if (allocated(goal%friction)) deallocate (goal%friction)
+      associate (punch => punch_values(self, values))
+         goal%wants_punch = has_conduction(punch(:n_conduction_rows)) .or. is_wanted(punch(n_punch_rows))
+      end associate
       if (has_coulomb(coulomb_values(self, values))) then
          goal%friction = friction_of(self, values)
          goal%friction%stress = goal%friction%stress/surface%solid%modulus
@@ -455,6 +498,7 @@ contains
             & call store_left_out(friction_values(self, values), self%given_law, poisson_ratio_of(self, values), surface, &
             & solution, results)
          if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)
+         call store_punch(punch_values(self, values), modulus, solution, results)
          if (.not. law%stress > 0) return
          results(out%cells_per_zone) = cells_per_zone(law, surface)
          if (law%opening > 1) results(out%opening_loss) = modulus*solution%opening_loss
@@ -463,6 +507,30 @@ contains
             & error_estimate = max(error_estimate, error_of_edge(results(out%cells_per_zone)))
       end associate
    end subroutine finish_point
+
+   !> Store stiffness and conductances, where they are wanted and finite.
+   subroutine store_punch(values, modulus, solution, results)
+      !> Values of the rows of conduction, and that of the switch of the stiffness.
+      real(dp), intent(in) :: values(:)
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Solution of the point; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: without them. Out: with them; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: stiffness
+
+      if (.not. allocated(solution%punch)) return
+      associate (compliance => solution%punch%compliance)
+         ! in full contact with a half-space both are infinite
+         if (.not. abs(compliance) > 0) return
+         stiffness = 0
+         if (compliance > 0) stiffness = 1/compliance
+      end associate
+      if (is_wanted(values(n_punch_rows))) results(out%contact_stiffness) = modulus*stiffness
+      results(out%stiffness_error) = solution%punch%error
+      call conductances(values(:n_conduction_rows), stiffness, results(out%conductances(1):out%conductances(n_conduction_results)))
+   end subroutine store_punch
 
    !> See `periodic_model_t`.
    subroutine store_slip(self, values, surface, slip, results)

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `free_surface`: a rigid body, given by its heights on a map, on an elastic half-space that goes on beyond the map
-!> without it.
+!> without it. The file is long by what an input may not say.
 module adfric_periodic_free_model
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, file_failure
@@ -17,12 +17,13 @@ module adfric_periodic_free_model
    use adfric_describe_table, only: profile_axis_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t, n_adhesion_rows
    use adfric_interface_attraction_rows, only: given_attraction_t, has_attraction
+   use adfric_interface_conduction_rows, only: check_conduction, has_conduction, n_conduction_rows, refuse_conduction
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesion_cells, only: derive_zone, doubt_zone, sees_pull_off
    use adfric_periodic_free_adhesion, only: solve_free_adhesion
    use adfric_periodic_free_law, only: check_free_law, free_law_in_units, free_law_of, set_free_solid
-   use adfric_periodic_free_point, only: error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, store, &
-      & store_adhesion
+   use adfric_periodic_free_point, only: add_punch, error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, &
+      & store, store_adhesion
    use adfric_periodic_free_rows, only: attraction_values, boundaries_periodic, get_free_results, get_free_variables, &
       & in => free_input, is_periodic_by, tilt_free
    use adfric_periodic_free_solver, only: free_hinge_t, is_inside, solve_free
@@ -134,6 +135,7 @@ contains
       call require_one(self%variables, values, [in%load, in%approach], .true., problems)
       call check_free_law(self%variables, values, self%given_attraction, problems)
       call check_tilt(self, values, problems)
+      call check_punch(self, values, problems)
    end subroutine check_values
 
    !> Add to `problems` what is wrong with a tilt.
@@ -168,6 +170,26 @@ contains
       if (has_attraction(attraction_values(values))) call problems%add('operating', 'tilt', &
          & 'is free beside &adhesion, where the body must be fixed')
    end subroutine check_tilt
+
+   !> Add to `problems` what is wrong with conduction and stiffness, and what they cannot stand beside.
+   subroutine check_punch(self, values, problems)
+      class(free_model_t), intent(in) :: self
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      associate (rows => self%variables(in%conduction(1):in%conduction(n_conduction_rows)), &
+            & of_rows => values(in%conduction(1):in%conduction(n_conduction_rows)))
+         call check_conduction(rows, of_rows, problems)
+         if (any(is_periodic_by(values(in%boundaries)))) call refuse_conduction(rows, of_rows, 'stands beside boundaries that ' &
+            & //'are periodic along one direction; what a row of spots conducts depends on the size of the bodies', problems)
+      end associate
+      if (.not. is_wanted(values(in%stiffness))) return
+      if (nint(values(in%tilt)) == tilt_free) call problems%add('output', 'stiffness', 'stands beside tilt = ''free''; ' &
+         & //'the stiffness is that of a body that keeps its direction')
+      if (has_attraction(attraction_values(values))) call problems%add('output', 'stiffness', &
+         & 'stands beside &adhesion, whose edge moves with the approach; differences of two loads have its slope')
+   end subroutine check_punch
 
    !> How the body of a point may move.
    pure type(free_hinge_t) function hinge_of(values, unit) result(hinge)
@@ -260,7 +282,7 @@ contains
       type(adhesion_law_t) :: law
       type(free_hinge_t) :: hinge
       real(dp) :: unit, prescribed
-      logical :: has_load
+      logical :: has_load, is_found
 
       if (.not. allocated(state)) allocate (free_point_state_t :: state)
       status = status_not_converged
@@ -307,9 +329,17 @@ contains
                error_estimate = 0
                return
             end if
-            status = status_solved
             call store(values, state, modulus, hinge, results)
             if (law%stress > 0) call store_adhesion(law, state, results)
+            status = status_solved
+            if (.not. (is_wanted(values(in%stiffness)) .or. &
+               & has_conduction(values(in%conduction(1):in%conduction(n_conduction_rows))))) return
+            call add_punch(values, self%given%is_body, law%stress > 0, self%watch, state, results, is_found, error)
+            if (is_found) return
+            error_estimate = 0
+            results(:) = not_a_number()
+            status = status_not_converged
+            if (allocated(error)) status = status_out_of_memory
          end associate
       end select
    end subroutine solve_point

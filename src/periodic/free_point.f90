@@ -7,15 +7,18 @@ module adfric_periodic_free_point
    use adfric_base_watch, only: watch_t
    use adfric_describe_pointwise, only: point_state_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t
+   use adfric_interface_conduction_rows, only: conductances, n_conduction_results, n_conduction_rows
    use adfric_periodic_adhesion_cells, only: cells_per_zone, error_of_edge
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_free_adhesion, only: free_adhesion_solver_t, free_adhesion_t, new_free_adhesion_solver
    use adfric_periodic_free_rows, only: in => free_input, out => free_output
    use adfric_periodic_free_solver, only: free_hinge_t, free_solution_t, free_solver_t, new_free_solver
+   use adfric_periodic_free_punch, only: find_free_punch, free_punch_t
    use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_variables, only: is_wanted
    implicit none (type, external)
    private
-   public :: error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, store, store_adhesion
+   public :: add_punch, error_of_adhesion, error_of_contact, free_point_state_t, prepare_solver, store, store_adhesion
 
    !> What a point leaves for the next one, and for its maps.
    type, extends(point_state_t) :: free_point_state_t
@@ -144,6 +147,46 @@ contains
          if (hinge%may_tilt(2)) results(out%tilt_y) = s%tilt(2)
       end associate
    end subroutine store
+
+   !> Find stiffness and conductances of the spots that touch.
+   subroutine add_punch(values, is_body, adheres, watch, state, results, is_found, error)
+      real(dp), intent(in) :: values(:)
+      !> Is the cell one of the body?
+      logical, intent(in) :: is_body(:, :)
+      !> Does the body adhere?
+      logical, intent(in) :: adheres
+      !> Whom iterations ask whether they shall end; null: nobody.
+      class(watch_t), pointer, intent(in) :: watch
+      !> The solved point; receives a solver without adhesion.
+      type(free_point_state_t), intent(inout) :: state
+      !> In: with the other results. Out: with these; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Was the stiffness found?
+      logical, intent(out) :: is_found
+      !> Allocated if there is no memory.
+      type(error_t), allocatable, intent(out) :: error
+      logical, allocatable :: is_contact(:, :)
+      type(free_punch_t) :: punch
+
+      is_found = .false.
+      call prepare_solver(state, watch, state%is_periodic, .false., error)
+      if (allocated(error)) return
+      allocate (is_contact(state%n_cells(1), state%n_cells(2)), source=.false.)
+      if (adheres) then
+         is_contact(:, :) = is_body .and. .not. state%solution%gap > 0
+      else
+         is_contact(:, :) = state%solution%pressure > 0
+      end if
+      associate (operator => state%solver%operators(size(state%solver%operators)), unit => state%surface%period(1))
+         call find_free_punch(operator, is_contact, is_body, state%solution%area, values(in%tolerance), punch)
+         is_found = punch%is_found
+         if (.not. is_found) return
+         if (is_wanted(values(in%stiffness))) results(out%contact_stiffness) = state%surface%solid%modulus*unit*punch%stiffness
+         results(out%stiffness_error) = punch%error
+         call conductances(values(in%conduction(1):in%conduction(n_conduction_rows)), unit*punch%stiffness, &
+            & results(out%conductances(1):out%conductances(n_conduction_results)))
+      end associate
+   end subroutine add_punch
 
    !> Set the results that adhesion adds.
    subroutine store_adhesion(law, state, results)

@@ -7,10 +7,11 @@ module adfric_periodic_free_rows
    use adfric_interface_adhesion_rows, only: n_adhesion_rows, set_adhesion_rows
    use adfric_interface_attraction, only: law_words
    use adfric_interface_attraction_rows, only: law_row, n_attraction_rows, table_row
+   use adfric_interface_conduction_rows, only: conduction_results, n_conduction_results, n_conduction_rows, set_conduction_rows
    use adfric_describe_rows, only: any_number, choice, number, positive, result_row, switch
    use adfric_describe_table, only: result_t, variable_t
    use adfric_periodic_given_heights, only: n_heights_rows, set_heights_rows
-   use adfric_periodic_variables, only: pull_off_row
+   use adfric_periodic_variables, only: pull_off_row, stiffness_error_row, stiffness_row
    use adfric_solid_contact_modulus, only: n_two_bodies, set_modulus_rows
    implicit none (type, external)
    private
@@ -28,7 +29,8 @@ module adfric_periodic_free_rows
       !> Indices of the rows.
       integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0, tolerance = 0, modulus = 0, &
          & others(n_two_bodies - 1) = 0, boundaries = 0, adhesion = 0, of_adhesion(n_adhesion_rows - 1) = 0, law = 0, &
-         & tension_table = 0, load = 0, approach = 0, tilt = 0, load_x = 0, load_y = 0, pull_off = 0, profiles = 0
+         & tension_table = 0, load = 0, approach = 0, tilt = 0, load_x = 0, load_y = 0, pull_off = 0, profiles = 0, &
+         & conduction(n_conduction_rows) = 0, stiffness = 0
    end type free_input_t
    type(free_input_t), parameter, public :: free_input = transfer(counting, free_input_t())
    integer, parameter, public :: n_free_variables = storage_size(free_input)/storage_size(1)
@@ -38,7 +40,8 @@ module adfric_periodic_free_rows
       !> Indices of the rows.
       integer :: load = 0, approach = 0, contact_area = 0, contact_area_error = 0, smooth_area = 0, mean_contact_pressure = 0, &
          & peak_pressure = 0, elastic_energy = 0, moment_x = 0, moment_y = 0, violation = 0, adhesion_area = 0, &
-         & adhesion_energy = 0, pull_off_load = 0, cells_per_zone = 0, tilt_x = 0, tilt_y = 0
+         & adhesion_energy = 0, pull_off_load = 0, cells_per_zone = 0, tilt_x = 0, tilt_y = 0, contact_stiffness = 0, &
+         & stiffness_error = 0, conductances(n_conduction_results) = 0
    end type free_output_t
    type(free_output_t), parameter, public :: free_output = transfer(counting, free_output_t())
    integer, parameter, public :: n_free_results = storage_size(free_output)/storage_size(1)
@@ -80,6 +83,8 @@ contains
       v(free_input%pull_off) = pull_off_row()
       v(free_input%profiles) = switch(group='output', name='profiles', &
          & meaning='write maps of pressure and gap for every point', default=.false.)
+      call set_conduction_rows(v(free_input%conduction(1):free_input%conduction(n_conduction_rows)))
+      v(free_input%stiffness) = stiffness_row()
    end function get_free_variables
 
    !> Values of the rows of adhesion and of its law, as those of all rows of attraction.
@@ -142,6 +147,11 @@ contains
          & long_name='slope by which the body has turned down along x, of one that may tilt')
       r(free_output%tilt_y) = result_row(name='tilt_y', unit='-', &
          & long_name='slope by which the body has turned down along y, of one that may tilt')
+      r(free_output%contact_stiffness) = result_row(name='contact_stiffness', unit='N/m', &
+         & long_name='slope of the load over the approach, with &output stiffness')
+      r(free_output%stiffness_error) = stiffness_error_row()
+      r(free_output%conductances(1):) = conduction_results(.false.)
+      r(free_output%contact_stiffness:)%is_counted = .true.
    end function get_free_results
 
 end module adfric_periodic_free_rows

@@ -16,6 +16,7 @@ module adfric_periodic_point
    use adfric_periodic_attracted_surface, only: periodic_attraction_t, solve_attracted_layer, solve_attracted_load
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
+   use adfric_periodic_contact_punch, only: find_contact_punch
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_near_contact, only: solve_near_contact
@@ -83,8 +84,8 @@ module adfric_periodic_point
       type(coulomb_t), allocatable :: friction
       !> Is the pull-off wanted? Is the state of the other branch?
       logical :: wants_pull_off = .false., wants_other_branch = .false.
-      !> Are contacts at velocities a little off wanted?
-      logical :: wants_near = .false.
+      !> Are contacts at velocities a little off wanted? Is the stiffness of the spots that touch?
+      logical :: wants_near = .false., wants_punch = .false.
       !> Pull-offs that the points of a run share; null: of this point alone.
       type(found_once_t), pointer :: pull_offs => null()
       !> Whom iterations ask whether they shall end; null: nobody.
@@ -170,12 +171,40 @@ contains
          slip%cycle_energy = slip%cycle_energy*unit
          slip%compliance = slip%compliance*unit
       end if
+      if (goal%wants_punch .and. solution%status == contact_solved) call add_punch(goal, memory%solver, unit, solution)
       solution%penetration = solution%penetration*unit
       if (allocated(solution%gap)) solution%gap = solution%gap*unit
       solution%elastic_energy = solution%elastic_energy*unit
       solution%adhesion_energy = solution%adhesion_energy*unit
       solution%opening_loss = solution%opening_loss*unit
    end subroutine solve_periodic
+
+   !> Find the stiffness of the spots that touch.
+   subroutine add_punch(goal, solver, unit, solution)
+      type(periodic_goal_t), intent(in) :: goal
+      type(periodic_solver_t), intent(inout) :: solver
+      !> Unit of length of the solver [m].
+      real(dp), intent(in) :: unit
+      !> In: solved, in units of the solver. Out: with the punch, whose compliance is in m over E*; not converged if it is not found.
+      type(periodic_solution_t), intent(inout) :: solution
+      logical, allocatable :: is_open(:, :)
+      integer :: n_before
+
+      allocate (is_open(size(solution%gap, 1), size(solution%gap, 2)), source=.false.)
+      if (allocated(goal%adhesion) .or. allocated(goal%attraction)) then
+         is_open(:, :) = solution%gap > 0
+      else
+         is_open(:, :) = .not. solution%pressure > 0
+      end if
+      allocate (solution%punch)
+      associate (grid => solver%grids(size(solver%grids)))
+         n_before = grid%operator%n_applied
+         call find_contact_punch(grid%operator, grid%gap_solver, is_open, solution%area, goal%tolerance, solution%punch)
+         solution%n_pairs = solution%n_pairs + (grid%operator%n_applied - n_before)
+      end associate
+      if (solution%punch%compliance > 0) solution%punch%compliance = solution%punch%compliance*unit
+      if (.not. solution%punch%is_found) solution%status = contact_not_converged
+   end subroutine add_punch
 
    !> Find the contacts of a solution at velocities a little off, as far as they are found.
    subroutine find_near_contacts(surface, goal, memory, solution)

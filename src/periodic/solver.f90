@@ -13,6 +13,7 @@ module adfric_periodic_solver
    use adfric_periodic_friction, only: friction_t, get_friction, get_losses
    use adfric_periodic_cohesion, only: cohesion_t
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact, residual_of
+   use adfric_periodic_contact_punch, only: contact_punch_t
    use adfric_periodic_gap_solver, only: gap_solver_t, new_gap_solver
    use adfric_periodic_grids, only: coarsen, refine, n_grids_of
    use adfric_periodic_kernel, only: kernel_t
@@ -76,6 +77,8 @@ module adfric_periodic_solver
       real(dp) :: coarse_losses(2, 2) = 0
       !> How many of these two grids there were.
       integer :: n_coarse_losses = 0
+      !> Punch with the shape of the spots that touch; not allocated where it is not wanted.
+      type(contact_punch_t), allocatable :: punch
       !> Has the other branch of adhesion another state? One of `branches_...`.
       integer :: branches = branches_unknown
       !> Friction of the same load without adhesion, from the loss, along x and along y [E*]; not allocated where it is not wanted.

@@ -8,6 +8,7 @@ module adfric_periodic_variables
    use adfric_interface_adhesion_rows, only: n_adhesion_rows
    use adfric_interface_attraction_rows, only: n_attraction_rows
    use adfric_solid_contact_modulus, only: n_two_bodies
+   use adfric_interface_conduction_rows, only: conduction_results, n_conduction_results, n_conduction_rows
    use adfric_interface_coulomb_rows, only: n_coulomb_rows, slip_results
    use adfric_interface_friction_law_rows, only: n_law_rows
    use adfric_interface_shear_coupling, only: coupling_results
@@ -19,7 +20,7 @@ module adfric_periodic_variables
    implicit none (type, external)
    private
    public :: tolerance_row, set_prescribed_rows, pull_off_row, pull_off_pressure_row, is_wanted, get_periodic_results
-   public :: get_elastic_results, smooth_fraction_row
+   public :: get_elastic_results, smooth_fraction_row, stiffness_row, stiffness_error_row
 
    !> Variables in the order of their rows; a component is the index of its row.
    type :: periodic_input_t
@@ -30,7 +31,7 @@ module adfric_periodic_variables
    integer, parameter, public :: n_prescribed = storage_size(periodic_input)/storage_size(1)
    !> Number of the rows that the models on an elastic half-space share.
    integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_attraction_rows &
-      & + n_coulomb_rows + n_shear_rows + 1 + n_law_rows + 2 + n_layer_rows
+      & + n_conduction_rows + 1 + n_coulomb_rows + n_shear_rows + 1 + n_law_rows + 2 + n_layer_rows
    integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_prescribed
 
    !> Results in the order of their rows; a component is the index of its row.
@@ -41,7 +42,8 @@ module adfric_periodic_variables
          & elastic_energy = 0, adhesion_energy = 0, pull_off_pressure = 0, cells_per_zone = 0, friction_stress = 0, &
          & friction_coefficient = 0, friction_force = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0, &
-         & velocity_slope = 0, coupling_left_out = 0, opening_loss = 0
+         & velocity_slope = 0, coupling_left_out = 0, opening_loss = 0, contact_stiffness = 0, stiffness_error = 0, &
+         & conductances(n_conduction_results) = 0
    end type periodic_output_t
    type(periodic_output_t), parameter, public :: periodic_output = transfer(counting, periodic_output_t())
    integer, parameter, public :: n_periodic_results = periodic_output%contact_violation
@@ -84,6 +86,20 @@ contains
 
       v = switch(group='output', name='pull_off', meaning='find the pull-off of the adhered branch', default=.false.)
    end function pull_off_row
+
+   !> The switch of the contact stiffness.
+   type(variable_t) function stiffness_row() result(v)
+
+      v = switch(group='output', name='stiffness', meaning='find the contact stiffness: slope of the load over the approach', &
+         & default=.false.)
+   end function stiffness_row
+
+   !> The error of stiffness and conductances among the results.
+   type(result_t) function stiffness_error_row() result(r)
+
+      r = result_row(name='stiffness_error', unit='-', &
+         & long_name='bound of the relative error of contact stiffness and conductances')
+   end function stiffness_error_row
 
    !> The pull-off among the results.
    type(result_t) function pull_off_pressure_row() result(r)
@@ -141,6 +157,11 @@ contains
       r(periodic_output%coupling_left_out:periodic_output%coupling_left_out) = last_of_rows(coupling_results())
       r(periodic_output%opening_loss) = result_row(name='opening_loss', unit='J/m^2', &
          & long_name='energy that opening has taken beyond what closing gave, over nominal area')
+      r(periodic_output%contact_stiffness) = result_row(name='contact_stiffness', unit='Pa/m', &
+         & long_name='slope of the mean pressure over the approach, with &output stiffness; none in full contact with a half-space')
+      r(periodic_output%stiffness_error) = stiffness_error_row()
+      r(periodic_output%conductances(1):) = conduction_results(.true.)
+      r(periodic_output%contact_stiffness:)%is_counted = .true.
    end function get_elastic_results
 
    !> The last one of some results: of friction as a sum the slope over the velocity, of a coupling what is left out.

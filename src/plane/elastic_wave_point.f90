@@ -4,15 +4,16 @@ module adfric_plane_elastic_wave_point
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
+   use adfric_interface_conduction_rows, only: conductances, n_conduction_results, n_conduction_rows
    use adfric_plane_contact_conditions, only: largest_violation
    use adfric_plane_wave_variables, only: regime_full, regime_none, regime_partial, in => wave_input, out => wave_output
    use adfric_plane_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
-      & wave_energy, find_wave_pressure
+      & wave_energy, wave_stiffness, find_wave_pressure
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
    implicit none (type, external)
    private
-   public :: solve_elastic_wave, get_elastic_wave_profiles
+   public :: solve_elastic_wave, get_elastic_wave_profiles, store_wave_conductances
 
    !> Positions where the conditions of contact are checked, in the contact and beside it.
    integer, parameter :: n_positions = 16
@@ -67,6 +68,9 @@ contains
       results([out%mean_gap, out%largest_gap]) = d*[wave_mean_gap(q), wave_gap(q, 0.5_dp)] + lift
       results([out%adhesion_fraction, out%adhesion_energy, out%hysteresis_loss]) = 0
       results(out%elastic_energy) = p*d*wave_energy(q)
+      ! in full contact both are infinite
+      if (q < 1) results(out%contact_stiffness) = p/d*wave_stiffness(q)
+      call store_wave_conductances(values, q, results)
       results(out%regime) = regime_partial
       if (.not. q > 0) results(out%regime) = regime_none
       if (q >= 1) results(out%regime) = regime_full
@@ -75,6 +79,18 @@ contains
          results(out%violation) = largest_violation(wave_pressure(q, positions), wave_gap(q, positions), 1.0_dp, 1.0_dp)
       end associate
    end subroutine solve_elastic_wave
+
+   !> Store the conductances of a contact, which are infinite where it is full.
+   pure subroutine store_wave_conductances(values, q, results)
+      real(dp), intent(in) :: values(:)
+      !> Square of the sine of half the angle of contact, the mean pressure in p* without adhesion [-], >= 0.
+      real(dp), intent(in) :: q
+      !> Receives the conductances that are wanted; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+
+      if (q < 1) call conductances(values(in%conduction(1):in%conduction(n_conduction_rows)), &
+         & pi/values(in%period)*wave_stiffness(q), results(out%conductances(1):out%conductances(n_conduction_results)))
+   end subroutine store_wave_conductances
 
    !> Pressure and gap.
    pure subroutine get_elastic_wave_profiles(values, results, x, pressure, gap)

@@ -4,6 +4,7 @@ module adfric_plane_hertz_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
+   use adfric_interface_conduction_rows, only: check_conduction, n_conduction_rows, refuse_conduction
    use adfric_interface_friction_law_check, only: check_interface
    use adfric_interface_friction_law_rows, only: given_law_t, has_interface, needs_temperature
    use adfric_interface_shear_coupling, only: check_coupling, is_coupled
@@ -51,11 +52,29 @@ contains
       else
          call require_one(variables, values, [in%load, in%approach], .true., problems)
       end if
+      call check_current(variables, values, problems)
       call check_radii(variables, values, problems)
       if (.not. is_sliding(values) .or. problems%count() > before) return
       if (.not. is_possible_cylinder(values, given)) call problems%add('operating', 'velocity', &
          & 'is too small or too large for the radius, the load and the relaxation times')
    end subroutine check_hertz
+
+   !> Add to `problems` what is wrong with conduction, which a line contact does not have.
+   subroutine check_current(variables, values, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      associate (rows => variables(in%conduction(1):in%conduction(n_conduction_rows)), &
+            & of_rows => values(in%conduction(1):in%conduction(n_conduction_rows)))
+         if (nint(values(in%kind)) == kind_line) then
+            call refuse_conduction(rows, of_rows, 'has no meaning for this kind; the conductance of a line contact depends ' &
+               & //'on the size of the bodies', problems)
+         else
+            call check_conduction(rows, of_rows, problems)
+         end if
+      end associate
+   end subroutine check_current
 
    !> Add to `problems` what is wrong with elastic solids, over which a velocity counts for a law of the interface alone.
    subroutine check_solid(variables, values, given_law, problems)

@@ -9,6 +9,7 @@ module adfric_plane_hertz_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_interface_conduction_rows, only: conductances, n_conduction_results, n_conduction_rows
    use adfric_interface_friction_law_rows, only: has_interface
    use adfric_interface_shear_coupling, only: doubt_left_out
    use adfric_interface_shear_strength_rows, only: n_shear_rows
@@ -299,7 +300,7 @@ contains
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
-      real(dp) :: direction, misfit
+      real(dp) :: direction, misfit, punch
       logical :: is_sustained
 
       status = status_no_equilibrium
@@ -320,6 +321,11 @@ contains
          results([out%load, out%approach, out%half_width, out%minor]) = [s%load, s%approach, s%major, s%minor]
          results([out%peak_pressure, out%mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
          results([out%contact_area, out%direction, out%violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
+         punch = 0
+         if (s%minor > 0) punch = pi*s%major/s%shape%f
+         results(out%contact_stiffness) = modulus_of(values)*punch
+         call conductances(values(in%conduction(1):in%conduction(n_conduction_rows)), punch, &
+            & results(out%conductances(1):out%conductances(n_conduction_results)))
          if (.not. s%minor > 0) return
          if (is_set(values(in%poisson_ratio))) results([out%shear, out%shear_depth]) = [unit_contact%shear*s%peak_pressure, &
             & unit_contact%depth*s%major]

@@ -3,6 +3,7 @@
 module adfric_plane_hertz_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
+   use adfric_interface_conduction_rows, only: conduction_results, n_conduction_results, n_conduction_rows, set_conduction_rows
    use adfric_interface_friction_law_rows, only: n_interface_rows, set_law_rows
    use adfric_interface_shear_coupling, only: coupling_results, coupling_row
    use adfric_interface_heat_rows, only: heat_results, n_heat_results, n_heat_rows, set_heat_rows
@@ -22,7 +23,8 @@ module adfric_plane_hertz_variables
       integer :: kind = 0, radius = 0, radius_1x = 0, radius_1y = 0, radius_2x = 0, radius_2y = 0, angle = 0, &
          & contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, second_young_modulus = 0, second_poisson_ratio = 0, &
          & material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, load = 0, approach = 0, tangential_force = 0, &
-         & tangential_axis = 0, coefficient = 0, friction(n_interface_rows) = 0, coupling = 0, heat(n_heat_rows) = 0
+         & tangential_axis = 0, coefficient = 0, friction(n_interface_rows) = 0, coupling = 0, heat(n_heat_rows) = 0, &
+         & conduction(n_conduction_rows) = 0
    end type hertz_input_t
    type(hertz_input_t), parameter, public :: hertz_input = transfer(counting, hertz_input_t())
    !> Indices of the words of `kind`.
@@ -37,7 +39,7 @@ module adfric_plane_hertz_variables
          & contact_shift = 0, dissipation = 0, energy_imbalance = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, hysteretic_friction_force = 0, interfacial_friction_force = 0, &
          & interfacial_share = 0, velocity_slope = 0, largest_coupling = 0, smallest_stiffness_ratio = 0, &
-         & coupling_left_out = 0, heat(n_heat_results) = 0
+         & coupling_left_out = 0, heat(n_heat_results) = 0, contact_stiffness = 0, conductances(n_conduction_results) = 0
    end type hertz_output_t
    type(hertz_output_t), parameter, public :: hertz_output = transfer(counting, hertz_output_t())
    !> Number of results.
@@ -82,7 +84,8 @@ contains
       call set_shear_rows(v(hertz_input%friction(1):hertz_input%friction(n_shear_rows)))
       call set_law_rows(v(hertz_input%friction(n_shear_rows + 1):hertz_input%friction(n_interface_rows)))
       v(hertz_input%coupling) = coupling_row()
-      call set_heat_rows(v(hertz_input%heat(1):))
+      call set_heat_rows(v(hertz_input%heat(1):hertz_input%heat(n_heat_rows)))
+      call set_conduction_rows(v(hertz_input%conduction(1):))
    end function get_hertz_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -137,7 +140,10 @@ contains
          & long_name='energy that friction takes in a cycle between T and -T')
       r(hertz_output%hysteretic_friction_force:hertz_output%velocity_slope) = total_friction_results('force', force)
       r(hertz_output%largest_coupling:hertz_output%coupling_left_out) = coupling_results()
-      r(hertz_output%heat(1):) = heat_results('W/m')
+      r(hertz_output%heat(1):hertz_output%heat(n_heat_results)) = heat_results('W/m')
+      r(hertz_output%contact_stiffness) = result_row(name='contact_stiffness', unit='N/m', &
+         & long_name='change of load with approach; a line contact has none')
+      r(hertz_output%conductances(1):) = conduction_results(.false.)
    end function get_hertz_results
 
    !> The results of sliding.

@@ -12,6 +12,7 @@ module adfric_plane_wave_check
    use adfric_plane_wave_variables, only: in => wave_input
    use adfric_interface_adhesion_rows, only: check_adhesion, has_adhesion
    use adfric_solid_contact_modulus, only: check_contact_modulus
+   use adfric_interface_conduction_rows, only: check_conduction, n_conduction_rows, refuse_conduction
    use adfric_interface_coulomb_rows, only: check_coulomb, has_coulomb, n_coulomb_rows, needs_poisson_ratio
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_interface_shear_strength_rows, only: n_shear_rows
@@ -66,6 +67,7 @@ contains
       else
          call check_solid(variables, values, given_law, problems)
       end if
+      call check_current(variables, values, problems)
       call require_one(variables, values, [in%mean_pressure, in%penetration], .true., problems)
       if (problems%count() > before) return
       if (is_adhesive(values)) then
@@ -83,6 +85,20 @@ contains
       if (.not. is_possible_slide(values, given)) call problems%add('operating', 'velocity', &
          & 'is too small or too large for the period and the relaxation times')
    end subroutine check_wave
+
+   !> Add to `problems` what is wrong with conduction, which the wave at rest has in closed form.
+   subroutine check_current(variables, values, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      associate (rows => variables(in%conduction(1):in%conduction(n_conduction_rows)), &
+            & of_rows => values(in%conduction(1):in%conduction(n_conduction_rows)))
+         call check_conduction(rows, of_rows, problems)
+         if (is_sliding(values) .or. is_coupled(values(in%coupling))) call refuse_conduction(rows, of_rows, &
+            & 'stands beside a wave that slides; the conductance is that of one at rest', problems)
+      end associate
+   end subroutine check_current
 
    !> Add to `problems` what is wrong with an elastic solid, over which a velocity counts for a law of the interface alone.
    subroutine check_solid(variables, values, given_law, problems)

@@ -3,7 +3,7 @@
 !> viscoelastic one, with a law of the interface.
 module adfric_plane_wave_model
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: two_pi
+   use adfric_base_constants, only: pi, two_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
@@ -11,7 +11,8 @@ module adfric_plane_wave_model
       & get_adhesive_slide_profiles
    use adfric_plane_adhesive_wave_point, only: adhesive_point_t, derive_adhesion, solve_adhesion, get_adhesive_profiles
    use adfric_plane_coupled_wave_point, only: coupled_point_t, get_coupled_profiles, solve_coupled_point
-   use adfric_plane_elastic_wave_point, only: solve_elastic_wave, get_elastic_wave_profiles
+   use adfric_plane_elastic_wave_point, only: solve_elastic_wave, get_elastic_wave_profiles, &
+      & store_wave_conductances
    use adfric_plane_sliding_wave_point, only: slide_point_t, solve_slide, get_slide_profiles
    use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
    use adfric_plane_wave_check, only: check_wave, is_adhesive, is_adhesive_slide, is_sliding
@@ -202,6 +203,7 @@ contains
          type is (adhesive_point_t)
             call solve_adhesion(values, state, results, error_estimate, status)
          end select
+         if (status == status_solved) call store_wave_conductances(values, sin(pi*results(out%contact_fraction)/2)**2, results)
       else if (is_coupled(values(in%coupling))) then
          if (.not. allocated(state)) allocate (coupled_point_t :: state)
          status = status_not_converged

@@ -5,6 +5,7 @@ module adfric_plane_wave_variables
    use adfric_base_counting, only: counting
    use adfric_interface_adhesion_rows, only: branches_differ_row, set_adhesion_rows, n_adhesion_rows
    use adfric_solid_contact_modulus, only: set_modulus_rows
+   use adfric_interface_conduction_rows, only: conduction_results, n_conduction_results, n_conduction_rows, set_conduction_rows
    use adfric_interface_coulomb_rows, only: set_coulomb_rows, slip_results
    use adfric_interface_friction_law_rows, only: set_law_rows, n_law_rows
    use adfric_interface_shear_coupling, only: coupling_results, coupling_row
@@ -24,7 +25,7 @@ module adfric_plane_wave_variables
          & second_young_modulus = 0, second_poisson_ratio = 0, adhesion = 0, surface_energy = 0, adhesion_range = 0, &
          & branch = 0, turning_pressure = 0, material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, &
          & mean_pressure = 0, penetration = 0, shear_strength = 0, pressure_factor = 0, tangential_stress = 0, &
-         & tangential_axis = 0, coefficient = 0, law(n_law_rows) = 0, coupling = 0
+         & tangential_axis = 0, coefficient = 0, law(n_law_rows) = 0, coupling = 0, conduction(n_conduction_rows) = 0
    end type wave_input_t
    type(wave_input_t), parameter, public :: wave_input = transfer(counting, wave_input_t())
    !> Results in the order of their rows; a component is the index of its row.
@@ -39,7 +40,7 @@ module adfric_plane_wave_variables
          & adhesive_friction_stress = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, hysteretic_friction_stress = 0, interfacial_friction_stress = 0, &
          & interfacial_share = 0, velocity_slope = 0, largest_coupling = 0, smallest_stiffness_ratio = 0, &
-         & coupling_left_out = 0
+         & coupling_left_out = 0, contact_stiffness = 0, conductances(n_conduction_results) = 0
    end type wave_output_t
    type(wave_output_t), parameter, public :: wave_output = transfer(counting, wave_output_t())
    !> Number of results.
@@ -75,6 +76,7 @@ contains
       call set_coulomb_rows(v(wave_input%tangential_stress:wave_input%coefficient))
       call set_law_rows(v(wave_input%law(1):wave_input%law(n_law_rows)))
       v(wave_input%coupling) = coupling_row()
+      call set_conduction_rows(v(wave_input%conduction(1):))
    end function get_wave_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -137,6 +139,9 @@ contains
       r(wave_output%stick_fraction:wave_output%cycle_energy) = slip_results()
       r(wave_output%hysteretic_friction_stress:wave_output%velocity_slope) = total_friction_results('stress', 'Pa')
       r(wave_output%largest_coupling:wave_output%coupling_left_out) = coupling_results()
+      r(wave_output%contact_stiffness) = result_row(name='contact_stiffness', unit='Pa/m', &
+         & long_name='slope of the mean pressure over the approach, at rest without adhesion; none in full contact')
+      r(wave_output%conductances(1):) = conduction_results(.true.)
    end function get_wave_results
 
    !> Rows of results of adhesion while the wave slides.

@@ -12,7 +12,8 @@ module adfric_plane_westergaard
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, wave_energy, find_wave_pressure
+   public :: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, wave_energy, wave_stiffness
+   public :: find_wave_pressure
 
    !> Below this distance from full contact the mean gap is a small difference.
    real(dp), parameter :: nearly_full = 0.1_dp
@@ -120,6 +121,15 @@ contains
       if (q < 1) wave_penetration = 0
       if (q > 0 .and. q < 1) wave_penetration = q - q*log(q)
    end function wave_penetration
+
+   !> Slope of the mean pressure over the approach, in p*/D: -1/ln q, 0 without contact and infinite in full contact.
+   elemental real(dp) function wave_stiffness(q)
+      !> Mean pressure, in p* [-], >= 0 and below 1.
+      real(dp), intent(in) :: q
+
+      wave_stiffness = 0
+      if (q > 0) wave_stiffness = -1/log(q)
+   end function wave_stiffness
 
    !> Energy of the solid over nominal area, in p* D: q^2 (1 - 2 ln q)/4, 1/4 in full contact.
    elemental real(dp) function wave_energy(q)

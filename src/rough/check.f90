@@ -7,6 +7,7 @@ module adfric_rough_check
    use adfric_base_unset, only: is_set
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t
+   use adfric_interface_conduction_rows, only: check_conduction, n_conduction_rows
    use adfric_interface_adhesion_rows, only: check_stress, has_adhesion, n_stress_rows
    use adfric_rough_pressed_theories, only: least_mean_pressure
    use adfric_rough_variables, only: in => rough_input
@@ -66,6 +67,7 @@ contains
       if (relaxes(values)) then
          call c%refuse([(k, k=in%contact_modulus, in%second_poisson_ratio)], 'stands beside &material; give one solid')
          call c%refuse(in%adhesion, 'stands beside a solid that relaxes; its pull-off has no theory here')
+         call c%refuse(in%conduction, 'stands beside a solid that relaxes; its stiffness has no theory here')
          call check_spectrum(variables(in%material(1):in%temperature), values(in%material(1):in%temperature), given, &
             & is_swept(in%material(1):in%temperature), c%problems)
          call check_pressure(c, values)
@@ -80,8 +82,10 @@ contains
          if (is_set(values(in%adhesion(1)))) call c%add(in%adhesion(1), 'is 0; leave adhesion out, or give a tension', &
             & .not. has_adhesion([values(in%adhesion), 0.0_dp, 0.0_dp]))
          call c%refuse([in%mean_pressure], 'stands beside adhesion, whose theories give pull-off alone')
+         call c%refuse(in%conduction, 'stands beside adhesion, whose theories give pull-off alone')
       else
          call check_pressure(c, values)
+         call check_conduction(variables(in%conduction(1):in%conduction(n_conduction_rows)), values(in%conduction), c%problems)
       end if
    end subroutine check_solid
 

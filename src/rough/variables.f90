@@ -7,6 +7,7 @@ module adfric_rough_variables
    use adfric_describe_table, only: result_t, variable_t
    use adfric_interface_adhesion_rows, only: n_stress_rows, set_stress_rows
    use adfric_rough_summits, only: n_summit_theories
+   use adfric_interface_conduction_rows, only: n_conduction_rows, set_conduction_rows
    use adfric_solid_contact_modulus, only: set_modulus_rows
    use adfric_shape_power_spectrum, only: set_density_rows
    use adfric_solid_spectrum_rows, only: n_spectrum_rows, set_spectrum_rows
@@ -33,7 +34,7 @@ module adfric_rough_variables
          & root_mean_square_height = 0, root_mean_square_slope = 0, plateau_density = 0, wave_numbers = 0, densities = 0, &
          & convention = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, second_young_modulus = 0, &
          & second_poisson_ratio = 0, material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, mean_pressure = 0, &
-         & adhesion(n_stress_rows) = 0, yang_persson_constant = 0
+         & adhesion(n_stress_rows) = 0, yang_persson_constant = 0, conduction(n_conduction_rows) = 0
    end type rough_input_t
    type(rough_input_t), parameter, public :: rough_input = transfer(counting, rough_input_t())
    integer, parameter, public :: n_rough_variables = storage_size(rough_input)/storage_size(1)
@@ -44,7 +45,8 @@ module adfric_rough_variables
       integer :: contact_fraction(n_theories) = 0, mean_gap(n_theories) = 0, normal_stiffness(n_theories) = 0, &
          & conductance_factor(n_theories) = 0, elastic_energy(n_shares) = 0, mean_square_pressure = 0, &
          & pull_off_pressure(2:n_shares) = 0, pull_off_gap(2:n_shares) = 0, pastewka_robbins = 0, full_contact_work_ratio = 0, &
-         & friction_coefficient(n_shares) = 0, full_contact_friction_coefficient = 0
+         & friction_coefficient(n_shares) = 0, full_contact_friction_coefficient = 0, &
+         & electrical_conductance(n_theories) = 0, thermal_conductance(n_theories) = 0
    end type rough_output_t
    type(rough_output_t), parameter, public :: rough_output = transfer(counting, rough_output_t())
    integer, parameter, public :: n_rough_results = storage_size(rough_output)/storage_size(1)
@@ -70,6 +72,7 @@ contains
             & meaning='load over the nominal area, > 0', lower=0.0_dp)
          call set_stress_rows(v(in%adhesion(1):in%adhesion(n_stress_rows)))
          v(in%yang_persson_constant) = constant_row()
+         call set_conduction_rows(v(in%conduction(1):))
       end associate
    end function get_rough_variables
 
@@ -103,6 +106,12 @@ contains
                & 'slope of the mean pressure over the mean gap, K = -dp/du', k)
             r(out%conductance_factor(k)) = of_theory('conductance_factor', '1/m', &
                & 'K over modulus: conductance of an area over 2 k1 k2/(k1 + k2), k conductivities', k)
+         end do
+         do k = 1, n_theories
+            r(out%electrical_conductance(k)) = of_theory('electrical_conductance', 'S/m^2', &
+               & 'current over nominal area and voltage', k)
+            r(out%thermal_conductance(k)) = of_theory('thermal_conductance', 'W/m^2/K', &
+               & 'heat over nominal area and difference of temperature', k)
          end do
          do k = 1, n_shares
             r(out%elastic_energy(k)) = of_theory('elastic_energy', 'J/m^2', 'elastic energy of an area', k)

@@ -13,6 +13,7 @@ module adfric_round_check
       & kind_cone, kind_flat, kind_flat_cone, kind_flat_paraboloid, kind_paraboloid, kind_polynomial, kind_power, &
       & kind_rounded_cone, kind_rounded_punch, kind_sphere, law_peeling, theory_maugis_dugdale, in => indenter_input
    use adfric_solid_contact_modulus, only: check_contact_modulus
+   use adfric_interface_conduction_rows, only: check_conduction, n_conduction_rows
    use adfric_interface_shear_strength_rows, only: check_shear
    use adfric_round_work_check, only: require_work
    use adfric_describe_check, only: checks_t, new_checks, refuse_size, refuse_swept
@@ -41,6 +42,8 @@ contains
       call check_friction(c)
       call check_adhesion(c)
       call check_operation(c)
+      call check_conduction(variables(in%conduction(1):in%conduction(n_conduction_rows)), &
+         & values(in%conduction(1):in%conduction(n_conduction_rows)), problems)
       call c%add(in%poisson_ratio, 'is missing [-]; the stresses at position_z need it', &
          & c%has(in%position_z) .and. .not. c%has(in%poisson_ratio))
       if (values(in%profiles) > 0) then

@@ -5,6 +5,7 @@ module adfric_round_point_results
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
+   use adfric_interface_conduction_rows, only: conductances, n_conduction_results, n_conduction_rows
    use adfric_round_axis_stress, only: get_axis_stress
    use adfric_round_case, only: indenter_case_t
    use adfric_round_contact_state, only: contact_t, terms_of
@@ -68,6 +69,9 @@ contains
          results(out%contact_area) = pi*radius**2
          if (a > 0) results(out%mean_pressure) = contact%load/(pi*a**2)*case%modulus*(case%height_unit/case%length_unit)
          results(out%contact_stiffness) = contact%stiffness*case%modulus*case%length_unit
+         ! a circular punch has the stiffness 2 E* a, whatever adhesion does to that of the contact
+         call conductances(values(in%conduction(1):in%conduction(n_conduction_rows)), 2*radius, &
+            & results(out%conductances(1):out%conductances(n_conduction_results)))
          results(out%elastic_energy) = elastic_energy(case%curve, contact)*case%force_unit()*case%height_unit
          results(out%stable) = merge(1, 0, contact%is_stable)
          results(out%theory_used) = case%theory

@@ -6,6 +6,7 @@ module adfric_round_sphere_check
    use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_solid_contact_modulus, only: check_contact_modulus
+   use adfric_interface_conduction_rows, only: check_conduction, n_conduction_rows
    use adfric_interface_shear_strength_rows, only: check_shear
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_table, only: variable_t, kind_real
@@ -51,10 +52,12 @@ contains
 
          theory = nint(values(in%theory)) - 2
          if (nint(values(in%units)) == units_reduced) then
-            call c%refuse(si_only, 'has no place in reduced units')
+            call c%refuse([si_only, in%conduction], 'has no place in reduced units')
             if (theory == theory_auto .or. theory == theory_maugis_dugdale) call c%need([in%lambda])
          else
             call c%need([in%radius])
+            call check_conduction(variables(in%conduction(1):in%conduction(n_conduction_rows)), &
+               & values(in%conduction(1):in%conduction(n_conduction_rows)), problems)
             associate (first => in%contact_modulus, last => in%second_poisson_ratio)
                call check_contact_modulus(variables(first:last), values(first:last), problems, .false.)
             end associate

@@ -35,6 +35,9 @@ module adfric_round_sphere_contact
       real(dp) :: position = 0
       !> Derivative of what is prescribed by the position; 0: not known.
       real(dp) :: slope = 0
+      !> Slopes of load and approach along the states of contact, in any unit of these: their ratio is the stiffness. Both are 0
+      !> where the bodies are apart, and not known by Maugis and Dugdale's theory.
+      real(dp) :: load_slope = 0, approach_slope = 0
    end type sphere_contact_t
 
    !> A theory of adhesion, for one value of X (and of lambda).

@@ -37,6 +37,8 @@ contains
       contact%adhesion_radius = value
       contact%load = value**3 - self%pull()
       contact%approach = value**2
+      contact%load_slope = 3*value
+      contact%approach_slope = 2
    end subroutine of_radius
 
    !> See `theory_t`. There is one branch, to a point contact at pull-off.

@@ -46,6 +46,13 @@ contains
       contact%load = value**3 - tension*value*sqrt(value)
       contact%approach = value**2 - 2*tension*sqrt(value)/3
       contact%is_stable = 2*value**3 >= 3*self%ratio
+      ! over the root of the radius
+      contact%load_slope = 3*value**2 - 3*tension*sqrt(value)/2
+      contact%approach_slope = 2*value
+      if (tension > 0) then
+         contact%load_slope = contact%load_slope*sqrt(value)
+         contact%approach_slope = 2*value*sqrt(value) - tension/3
+      end if
    end subroutine of_radius
 
    !> See `theory_t`. P is quadratic in a^(3/2).

@@ -14,10 +14,11 @@ module adfric_round_sphere_model
    use adfric_describe_status, only: status_solved
    use adfric_describe_rows, only: count_row
    use adfric_describe_table, only: result_t, profile_t, profile_axis_t, take_units
+   use adfric_interface_conduction_rows, only: conductances, n_conduction_results, n_conduction_rows
    use adfric_round_interaction_events, only: results_of_events
    use adfric_round_sphere_case, only: sphere_case_t, resolve_case
    use adfric_round_sphere_check, only: check_sphere_values
-   use adfric_round_sphere_contact, only: theory_maugis_dugdale, theory_dmt
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_maugis_dugdale, theory_dmt
    use adfric_round_sphere_point, only: sphere_point_t, sphere_memory_t, solve_point
    use adfric_round_sphere_profiles, only: contact_profile_t, new_profile
    use adfric_round_slip_annulus, only: shear_traction
@@ -210,6 +211,10 @@ contains
          if (is_set(values(in%contact_radius))) results(out%contact_radius) = values(in%contact_radius)
          if (point%theory /= theory_dmt) results(out%adhesion_radius) = contact%adhesion_radius*case%length_unit
          results(out%stable) = merge(1, 0, contact%is_stable)
+         if (has_stiffness(case, point)) results(out%contact_stiffness) = &
+            & stiffness_of(contact)*(case%force_unit/case%approach_unit)
+         call conductances(values(in%conduction(1):in%conduction(n_conduction_rows)), 2*results(out%contact_radius), &
+            & results(out%conductances(1):out%conductances(n_conduction_results)))
       end associate
       results(out%friction_radius) = point%friction_radius*case%length_unit
       results(out%adhesion_ratio) = point%ratio
@@ -225,6 +230,28 @@ contains
       if (is_set(values(in%tangential_force))) results(out%friction_force) = values(in%tangential_force)
       if (is_set(values(in%tangential_displacement))) results(out%tangential_displacement) = values(in%tangential_displacement)
    end subroutine store
+
+   !> Is the change of load with approach known? Friction changes adhesion with it, and an attraction without touch has another
+   !> slope.
+   pure logical function has_stiffness(case, point)
+      type(sphere_case_t), intent(in) :: case
+      type(sphere_point_t), intent(in) :: point
+
+      has_stiffness = .not. case%has_friction .and. point%theory /= theory_maugis_dugdale
+      if (has_stiffness) has_stiffness = point%contact%radius > 0 .or. .not. abs(point%contact%load) > 0
+   end function has_stiffness
+
+   !> Change of load with approach, reduced: 0 of bodies that are apart, and none where the approach turns.
+   pure real(dp) function stiffness_of(contact) result(stiffness)
+      type(sphere_contact_t), intent(in) :: contact
+
+      stiffness = 0
+      if (abs(contact%approach_slope) > 0) then
+         stiffness = contact%load_slope/contact%approach_slope
+      else if (abs(contact%load_slope) > 0) then
+         stiffness = not_a_number()
+      end if
+   end function stiffness_of
 
    !> See `pointwise_model_t`: pressure, shear stress and gap. The point is solved once more, by the theory that was used and
    !> without the point before it, which would change round-off; beside the samples of a profile that takes no time.

@@ -4,6 +4,7 @@ module adfric_round_sphere_variables
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_solid_contact_modulus, only: set_modulus_rows
+   use adfric_interface_conduction_rows, only: conduction_results, n_conduction_results, n_conduction_rows, set_conduction_rows
    use adfric_interface_interaction_rows, only: set_interaction_rows
    use adfric_round_variables, only: set_event_rows, set_slip_rows
    use adfric_describe_rows, only: above_zero, choice, poisson_ratio, switch, whole_number, result_row, any_number
@@ -20,7 +21,8 @@ module adfric_round_sphere_variables
          & lambda = 0, shear_strength = 0, pressure_factor = 0, poisson_ratio = 0, edge_fraction = 0, interaction = 0, &
          & critical_slip = 0, slip_energy_ratio = 0, load = 0, approach = 0, contact_radius = 0, branch = 0, state = 0, &
          & tangential_force = 0, tangential_displacement = 0, base_displacement = 0, lateral_stiffness = 0, theory = 0, &
-         & relative_tolerance = 0, events = 0, profiles = 0, n_r = 0, r_max = 0
+         & relative_tolerance = 0, events = 0, profiles = 0, n_r = 0, r_max = 0, &
+         & conduction(n_conduction_rows) = 0
    end type sphere_input_t
    type(sphere_input_t), parameter, public :: sphere_input = transfer(counting, sphere_input_t())
    integer, parameter, public :: n_sphere_variables = storage_size(sphere_input)/storage_size(1)
@@ -37,7 +39,8 @@ module adfric_round_sphere_variables
          & tangential_displacement = 0, pull_off_load = 0, stable = 0, theory_used = 0, theory_error = 0, peak_force = 0, &
          & peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, snap_off_displacement = 0, &
          & critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, jump_force = 0, &
-         & arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0
+         & arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0, contact_stiffness = 0, &
+         & conductances(n_conduction_results) = 0
    end type sphere_output_t
    type(sphere_output_t), parameter, public :: sphere_output = transfer(counting, sphere_output_t())
    integer, parameter, public :: n_sphere_results = storage_size(sphere_output)/storage_size(1)
@@ -47,6 +50,7 @@ contains
    !> The table of variables.
    function get_sphere_variables() result(v)
       type(variable_t), allocatable :: v(:)
+      integer :: k
 
       allocate (v(n_sphere_variables))
       v(sphere_input%units) = choice(group='sphere', name='units', &
@@ -112,6 +116,11 @@ contains
       v(sphere_input%n_r) = whole_number(group='output', name='n_r', meaning='samples of a profile', default=201, lower=2, &
          & upper=10000000)
       v(sphere_input%r_max) = above_zero(group='output', name='r_max', unit='m', meaning='radius up to which profiles are written')
+      call set_conduction_rows(v(sphere_input%conduction(1):))
+      ! inputs that name the model have the solids in its group
+      do k = 1, n_conduction_rows
+         v(sphere_input%conduction(k))%group = 'sphere'
+      end do
    end function get_sphere_variables
 
    !> The table of results.
@@ -150,6 +159,9 @@ contains
       r(sphere_output%sliding_force)%long_name = 'tangential force of sliding at this load'
       r(sphere_output%snap_off_force)%long_name = 'tangential force at which the contact snaps off'
       r(sphere_output%jump_base_displacement)%long_name = 'displacement of the base from rest where the contact jumps'
+      r(sphere_output%contact_stiffness) = result_row(name='contact_stiffness', unit='N/m', &
+         & long_name='change of load with approach, along the states of contact; none with friction and in maugis_dugdale')
+      r(sphere_output%conductances(1):) = conduction_results(.false.)
       if (.not. is_reduced) return
       do k = 1, size(r)
          r(k)%unit = '-'

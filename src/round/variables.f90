@@ -7,6 +7,7 @@ module adfric_round_variables
    use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_solid_contact_modulus, only: set_modulus_rows
+   use adfric_interface_conduction_rows, only: conduction_results, n_conduction_results, n_conduction_rows, set_conduction_rows
    use adfric_interface_friction_law_rows, only: n_law_rows, set_law_rows
    use adfric_interface_heat_rows, only: heat_results, n_heat_results, n_heat_rows, set_heat_rows
    use adfric_interface_interaction_rows, only: set_interaction_rows
@@ -29,7 +30,8 @@ module adfric_round_variables
          & n_r = 0, r_max = 0, tangential_force = 0, friction_coefficient = 0, shear_strength = 0, pressure_factor = 0, &
          & edge_fraction = 0, position_z = 0, base_approach = 0, machine_stiffness = 0, events = 0, law = 0, state = 0, &
          & interaction = 0, critical_slip = 0, slip_energy_ratio = 0, lateral_stiffness = 0, base_displacement = 0, &
-         & velocity_law(n_law_rows - 1) = 0, temperature = 0, velocity = 0, heat(n_heat_rows) = 0
+         & velocity_law(n_law_rows - 1) = 0, temperature = 0, velocity = 0, heat(n_heat_rows) = 0, &
+         & conduction(n_conduction_rows) = 0
    end type indenter_input_t
    type(indenter_input_t), parameter, public :: indenter_input = transfer(counting, indenter_input_t())
    integer, parameter, public :: n_indenter_variables = storage_size(indenter_input)/storage_size(1)
@@ -55,7 +57,7 @@ module adfric_round_variables
          & largest_slip = 0, peak_force = 0, peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, &
          & snap_off_displacement = 0, critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, &
          & jump_force = 0, arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0, tangential_force = 0, &
-         & velocity_slope = 0, heat(n_heat_results) = 0
+         & velocity_slope = 0, heat(n_heat_results) = 0, conductances(n_conduction_results) = 0
    end type indenter_output_t
    type(indenter_output_t), parameter, public :: indenter_output = transfer(counting, indenter_output_t())
    integer, parameter, public :: n_indenter_results = storage_size(indenter_output)/storage_size(1)
@@ -137,6 +139,7 @@ contains
       v(indenter_input%base_displacement) = any_number(group='operating', name='base_displacement', unit='m', &
          & meaning='of the base of a lateral spring, from rest, instead of the force', lower=0.0_dp)
       call set_velocity_rows(v)
+      call set_conduction_rows(v(indenter_input%conduction(1):))
    end function get_indenter_variables
 
    !> The rows of the law of velocity and temperature, of both, and of heat.
@@ -155,7 +158,7 @@ contains
          & meaning='temperature of the interface, for laws of friction that depend on it')
       v(indenter_input%velocity) = number(group='operating', name='velocity', unit='m/s', &
          & meaning='sliding velocity, for laws of friction that depend on it, and for heat')
-      call set_heat_rows(v(indenter_input%heat(1):))
+      call set_heat_rows(v(indenter_input%heat(1):indenter_input%heat(n_heat_rows)))
    end subroutine set_velocity_rows
 
    !> The rows of the shape.
@@ -255,6 +258,7 @@ contains
       r(indenter_output%loop_energy) = result_row(name='loop_energy', unit='J', &
          & long_name='energy that the jumps of a cycle of approach and retraction take')
       call set_peeling_results(r)
+      r(indenter_output%conductances(1):) = conduction_results(.false.)
    end function get_indenter_results
 
    !> The results of what friction does to adhesion, and of heat.
@@ -270,7 +274,7 @@ contains
          & long_name='tangential force at a given displacement of the base of a lateral spring')
       r(indenter_output%velocity_slope) = result_row(name='velocity_slope', unit='-', long_name='d ln T/d ln v of the friction T ' &
          & //'over the velocity v at this temperature; below 0 steady sliding may be unstable')
-      r(indenter_output%heat(1):) = heat_results('W')
+      r(indenter_output%heat(1):indenter_output%heat(n_heat_results)) = heat_results('W')
    end subroutine set_peeling_results
 
    !> The rows of slip at the edge, from X to the largest slip.

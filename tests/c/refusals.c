@@ -43,7 +43,7 @@ static void test_names(void)
    CHECK_REFUSED(adfric_open("spere", &tip), "&job model: unknown model, given 'spere', allowed: 'wavy_sliding', 'sphere', ");
    CHECK(strstr(adfric_message(), "; did you mean 'sphere'?") != NULL && tip == 42);
    CHECK_REFUSED(adfric_variable("spere", 0, &variable), "&job model: unknown model, given 'spere'");
-   CHECK_REFUSED(adfric_variable("sphere", -1, &variable), "there is no variable -1, allowed: 0 to 32");
+   CHECK_REFUSED(adfric_variable("sphere", -1, &variable), "there is no variable -1, allowed: 0 to 36");
    CHECK_REFUSED(adfric_result("sphere", 1000, &result), "there is no result 1000, allowed: 0 to ");
    CHECK_REFUSED(adfric_model(24, &model), "there is no model 24, allowed: 0 to 23");
    CHECK_OK(adfric_open("sphere", &tip));

@@ -63,6 +63,13 @@ contains
          factor_of = stress*length
       case ('N')
          factor_of = stress*length**2
+      case ('Pa/m')
+         factor_of = stress/length
+      ! of bodies whose resistivity and conductivity stay, per length
+      case ('S', 'W/K')
+         factor_of = length
+      case ('S/m^2', 'W/m^2/K')
+         factor_of = 1/length
       case ('Pa m^1/2')
          factor_of = stress*sqrt(length)
       case default

@@ -112,7 +112,8 @@ contains
          if (any(approaches == position)) unit = (9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
          if (any(forces == position)) unit = pi*w*r
          if (any([out%jump_energy, out%period_work] == position)) unit = pi*w*r*(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
-         if (position == out%critical_lateral_stiffness) unit = pi*w*r/(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
+         if (any([out%critical_lateral_stiffness, out%contact_stiffness] == position)) &
+            & unit = pi*w*r/(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
          if (any([out%contact_area, out%friction_area] == position)) unit = (3*pi*w*r**2/(4*e))**(2.0_dp/3)
       end associate
    end function unit_of
