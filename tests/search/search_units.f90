@@ -90,7 +90,8 @@ contains
          powers = [0, 0, -1]
       case ('kg')
          powers = [1, 1, 2]
-      case ('-', '1', 'rad', 'degrees', 'K', 'mol', '')
+      ! those of electricity and temperature stay as they are
+      case ('-', '1', 'rad', 'degrees', 'K', 'mol', 'ohm', 'S', '')
          powers = 0
       case default
          error stop 'search_units: no such unit'
