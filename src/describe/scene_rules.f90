@@ -181,6 +181,26 @@ module adfric_describe_scene_rules
       & 'spectrum_elastic conductance_factor_greenwood_elliptic - !by_greenwood_elliptic', &
       & 'spectrum_elastic contact_fraction_nayak_sphere,mean_gap_nayak_sphere - !by_nayak_sphere', &
       & 'spectrum_elastic normal_stiffness_nayak_sphere,conductance_factor_nayak_sphere - !by_nayak_sphere', &
+      & 'spectrum_elastic electrical_conductance_persson,thermal_conductance_persson - !by_persson', &
+      & 'spectrum_elastic electrical_conductance_yang_persson,thermal_conductance_yang_persson - !by_yang_persson', &
+      & 'spectrum_elastic electrical_conductance_wang_mueser,thermal_conductance_wang_mueser - !by_wang_mueser', &
+      & 'spectrum_elastic electrical_conductance_greenwood_williamson - !by_greenwood_williamson', &
+      & 'spectrum_elastic thermal_conductance_greenwood_williamson - !by_greenwood_williamson', &
+      & 'spectrum_elastic electrical_conductance_bush_gibson_thomas - !by_bush_gibson_thomas', &
+      & 'spectrum_elastic thermal_conductance_bush_gibson_thomas - !by_bush_gibson_thomas', &
+      & 'spectrum_elastic electrical_conductance_greenwood_elliptic - !by_greenwood_elliptic', &
+      & 'spectrum_elastic thermal_conductance_greenwood_elliptic - !by_greenwood_elliptic', &
+      & 'spectrum_elastic electrical_conductance_nayak_sphere,thermal_conductance_nayak_sphere - !by_nayak_sphere', &
+      & 'spectrum_elastic electrical_conductance_persson,electrical_conductance_yang_persson - !electrical', &
+      & 'spectrum_elastic electrical_conductance_wang_mueser - !electrical', &
+      & 'spectrum_elastic electrical_conductance_greenwood_williamson - !electrical', &
+      & 'spectrum_elastic electrical_conductance_bush_gibson_thomas - !electrical', &
+      & 'spectrum_elastic electrical_conductance_greenwood_elliptic - !electrical', &
+      & 'spectrum_elastic electrical_conductance_nayak_sphere - !electrical', &
+      & 'spectrum_elastic thermal_conductance_persson,thermal_conductance_yang_persson - !thermal', &
+      & 'spectrum_elastic thermal_conductance_wang_mueser,thermal_conductance_greenwood_williamson - !thermal', &
+      & 'spectrum_elastic thermal_conductance_bush_gibson_thomas,thermal_conductance_greenwood_elliptic - !thermal', &
+      & 'spectrum_elastic thermal_conductance_nayak_sphere - !thermal', &
       & 'rough_theories electrical_conductance_persson,electrical_conductance_yang_persson - !electrical', &
       & 'rough_theories electrical_conductance_wang_mueser,electrical_conductance_greenwood_williamson - !electrical', &
       & 'rough_theories electrical_conductance_bush_gibson_thomas,electrical_conductance_greenwood_elliptic - !electrical', &

@@ -91,16 +91,19 @@ contains
       type(stepping_states_t), intent(inout) :: states
       real(dp), parameter :: share = 1.0e-3_dp
       integer, parameter :: most_doublings = 60
+      real(dp) :: nothing
       integer :: k
 
       associate (law => surface%law%attraction%law)
          ! a column moves towards the surface by no more than its rest under the largest tension
          depth = -(law%reach(share) + law%stress)
+         ! beyond a law that ends nothing acts but round-off
+         nothing = surface%law%resolution + round_off*law%stress
       end associate
       do k = 1, most_doublings
          call start(surface, depth, .true., states)
          call find_extreme(surface, depth, .false., states)
-         if (states%have_failed .or. .not. states%load > 0) return
+         if (states%have_failed .or. .not. states%load > nothing + states%least_load) return
          depth = 2*depth
       end do
       states%have_failed = .true.

@@ -71,6 +71,12 @@ contains
          end if
          forces%load_scale = forces%load_scale + abs(period%zones(i)%load)
       end do
+      if (.not. forces%load_scale > 0) then
+         ! nothing acts, and what was left of a stretch has decayed
+         forces%friction = 0
+         forces%friction_scale = 0
+         forces%dissipation = 0
+      end if
       ! the law pulls everywhere, so that its zones have no number but where there is no contact
       if (allocated(law%attraction) .and. forces%n_contacts == 0 .and. forces%load_scale > 0) forces%n_adhesions = 1
       call find_single_contact(path, period, forces)

@@ -13,6 +13,7 @@ module adfric_input_scene
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_reading, only: new_reading, reading_t
    use adfric_input_run, only: run_input_t
+   use adfric_input_variable, only: words_of_text
    use adfric_input_vocabulary, only: output_names, say_name_of_model
    use adfric_describe_model, only: model_t
    use adfric_describe_vocabulary, only: list_groups_of, order_of_scenes
@@ -359,14 +360,13 @@ contains
       type(reading_t), intent(in) :: r
       !> Receives the words, separated by a blank; empty if there are none.
       character(:), allocatable, intent(out) :: words
-      type(problems_t), target :: unused
-      type(reading_t) :: aside
+      integer :: group, number
 
       words = ''
-      if (r%file%find_group('estimates') == 0) return
-      aside = r
-      aside%problems => unused
-      call take_words(aside, r%file%find_group('estimates'), 'theories', '', words)
+      group = r%file%find_group('estimates')
+      if (group == 0) return
+      number = r%file%find_assignment(group, 'theories')
+      if (number > 0) words = words_of_text(r%file%value_of(number))
    end subroutine list_theories
 
    !> Read a word of a list; what is wrong, or not given, leaves it as it is.

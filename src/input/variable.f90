@@ -13,7 +13,7 @@ module adfric_input_variable
    use adfric_describe_word_sets, only: has_number, with_number
    implicit none (type, external)
    private
-   public :: read_variable, check_value, find_outlier, is_in_range, describe_allowed, show_value
+   public :: read_variable, check_value, find_outlier, is_in_range, describe_allowed, show_value, words_of_text
 
    !> No number of physics is larger, or smaller without being 0.
    real(dp), parameter :: largest = 1.0e60_dp, smallest = 1.0e-60_dp
@@ -136,6 +136,32 @@ contains
       if (len(flaw) == 0 .and. words < 1) flaw = 'no value given'
       if (len(flaw) == 0) value = words
    end subroutine convert_words
+
+   !> The words of a text as `convert_words` finds them, up to the first that is none, separated by a blank.
+   pure function words_of_text(text) result(words)
+      !> Text of the value, as it stands in the input.
+      character(*), intent(in) :: text
+      character(:), allocatable :: words
+      character(:), allocatable :: list, flaw
+      type(item_t) :: item
+      integer :: position, k
+
+      words = ''
+      position = 1
+      do
+         call next_item(text, position, item, flaw)
+         if (item%first == 0 .or. len(flaw) > 0) exit
+         call convert(text(item%first:item%last), list, flaw)
+         if (len(flaw) > 0) exit
+         do k = 1, len(list)
+            if (list(k:k) == ',') list(k:k) = ' '
+         end do
+         do k = 1, count_words(list)
+            words = words//' '//get_word(list, k)
+         end do
+      end do
+      words = adjustl(words)
+   end function words_of_text
 
    !> Add a word to those that are given.
    pure subroutine add_word(word, choices, words, flaw, question)

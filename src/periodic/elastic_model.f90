@@ -43,7 +43,7 @@ module adfric_periodic_elastic_model
       & stiffness_row, in => periodic_input, out => periodic_output
    implicit none (type, external)
    private
-   public :: elastic_model_t
+   public :: elastic_model_t, punch_values
 
    !> Rows of adhesion, with those of its law.
    integer, parameter :: n_law_of_adhesion = n_adhesion_rows + n_attraction_rows
@@ -151,7 +151,9 @@ contains
 
    !> Values of the rows of conduction, and that of the switch of the stiffness.
    pure function punch_values(self, values) result(punch)
+      !> The model.
       class(elastic_model_t), intent(in) :: self
+      !> Values of its variables.
       real(dp), intent(in) :: values(:)
       real(dp) :: punch(n_punch_rows)
 

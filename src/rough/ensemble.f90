@@ -64,9 +64,31 @@ contains
       if (all(ieee_is_finite(members(out%contact_violation, :)))) &
          & results(out%contact_violation) = maxval(members(out%contact_violation, :))
       if (n > 1) results(out%regime) = not_a_number()
+      if (n > 1) call set_stiffness_error(members, results)
       results(n_elastic_results + 1:n_elastic_results + n_spreads) = spreads(spread_of)
       results(n_elastic_results + n_spreads + 1:n_elastic_results + n_ensemble_rows) = spreads(spread_of)/sqrt(real(n, dp))
    end subroutine find_ensemble
+
+   !> The error of the mean stiffness. That of a member counts over its own stiffness, and over the mean one by the part that it has; the
+   !> conductances are in proportion to it.
+   pure subroutine set_stiffness_error(members, results)
+      real(dp), intent(in) :: members(:, :)
+      !> In: with the mean of the errors. Out: with the error of the mean, where there is a stiffness.
+      real(dp), intent(inout) :: results(:)
+      integer, parameter :: weights(*) = [out%contact_stiffness, out%conductances]
+      integer :: k
+
+      associate (errors => members(out%stiffness_error, :))
+         if (.not. all(ieee_is_finite(errors))) return
+         do k = 1, size(weights)
+            associate (weight => members(weights(k), :))
+               if (.not. all(ieee_is_finite(weight))) cycle
+               if (sum(weight) > 0) results(out%stiffness_error) = sum(weight*errors)/sum(weight)
+            end associate
+            return
+         end do
+      end associate
+   end subroutine set_stiffness_error
 
    !> Mean and standard deviation of numbers. Those that are all alike have this mean to the last digit, and the deviation 0.
    pure subroutine mean_and_spread(x, mean, spread)

@@ -14,11 +14,10 @@ module adfric_rough_model
    use adfric_describe_status, only: status_not_converged, status_solved
    use adfric_describe_table, only: profile_axis_t
    use adfric_interface_adhesion_rows, only: range_of
-   use adfric_interface_conduction_rows, only: conductances, has_conduction, n_conduction_results
    use adfric_rough_atlas, only: describe_bands
    use adfric_rough_check, only: adheres, check_rough, relaxes
-   use adfric_rough_pressed_theories, only: answer_pressed, new_pressed_theories, pressed_surface_t, pressed_theories_t, &
-      & set_areas, set_nodes, set_shares
+   use adfric_rough_pressed_theories, only: add_conductances, answer_pressed, new_pressed_theories, pressed_surface_t, &
+      & pressed_theories_t, set_areas, set_nodes, set_shares
    use adfric_rough_pull_off, only: find_pull_off, pastewka_robbins, bearing_pull_off_t
    use adfric_rough_rubber_friction, only: get_rubber_friction, rubber_friction_t
    use adfric_rough_variables, only: get_rough_results, get_rough_variables, in => rough_input, n_pressed_results, n_shares, &
@@ -305,7 +304,7 @@ contains
          else
             call answer_pressed(shared, surface, elastic_modulus(values(:, i)), values(in%mean_pressure, i), all_theories, &
                & results(:n_pressed_results, i), is_converged)
-            if (is_converged .and. has_conduction(values(in%conduction, i))) call store_conductances(values(:, i), results(:, i))
+            if (is_converged) call add_conductances(values(in%conduction, i), results(:n_pressed_results, i))
          end if
          if (.not. is_converged) then
             results(:, i) = not_a_number()
@@ -338,21 +337,6 @@ contains
       call set_nodes(surface)
       if (.not. adheres(values)) call set_areas(surface)
    end subroutine set_surface
-
-   !> Store the conductances of all theories, from their stiffness.
-   pure subroutine store_conductances(values, results)
-      real(dp), intent(in) :: values(:)
-      !> In: with `conductance_factor`. Out: with the conductances that are wanted.
-      real(dp), intent(inout) :: results(:)
-      real(dp) :: found(n_conduction_results)
-      integer :: k
-
-      do k = 1, n_theories
-         found = not_a_number()
-         call conductances(values(in%conduction), results(out%conductance_factor(k)), found)
-         results([out%electrical_conductance(k), out%thermal_conductance(k)]) = found
-      end do
-   end subroutine store_conductances
 
    !> The pull-off of a surface.
    subroutine solve_pull_off(shared, surface, values, results, is_converged)

@@ -4,6 +4,8 @@
 module adfric_rough_pressed_theories
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_interface_conduction_rows, only: conductances, has_conduction, n_conduction_results
    use adfric_rough_persson, only: get_persson_states, most_pressure, persson_fraction, persson_mean_square, persson_state_t
    use adfric_rough_separation_functions, only: area_function_t, energy_share_t, new_area_function, new_separation_functions, &
       & plain_share, separation_functions_t, wang_mueser_share, yang_persson_share
@@ -14,7 +16,7 @@ module adfric_rough_pressed_theories
    implicit none (type, external)
    private
    public :: pressed_theories_t, new_pressed_theories, pressed_surface_t, set_shares, set_nodes, set_areas, answer_pressed
-   public :: least_mean_pressure
+   public :: add_conductances, least_mean_pressure
 
    !> Widest panels in ln t of the integrals of pressed surfaces.
    real(dp), parameter :: widest_pressed = 0.8_dp
@@ -126,6 +128,23 @@ contains
       if (any(is_asked(n_shares + 1:n_theories))) call answer_of_summits(shared%summits, surface, modulus, pressure, is_asked, &
          & results, is_converged)
    end subroutine answer_pressed
+
+   !> Add the conductances of all theories, from their stiffness.
+   pure subroutine add_conductances(conduction, results)
+      !> Values of the rows of conduction.
+      real(dp), intent(in) :: conduction(:)
+      !> In: with `conductance_factor`. Out: with the conductances that are wanted; shape `(n_pressed_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: found(n_conduction_results)
+      integer :: k
+
+      if (.not. has_conduction(conduction)) return
+      do k = 1, n_theories
+         found = not_a_number()
+         call conductances(conduction, results(out%conductance_factor(k)), found)
+         results([out%electrical_conductance(k), out%thermal_conductance(k)]) = found
+      end do
+   end subroutine add_conductances
 
    !> The answers of the theories of summits.
    pure subroutine answer_of_summits(summits, surface, modulus, pressure, is_asked, results, is_converged)

@@ -20,14 +20,15 @@ module adfric_rough_spectrum_model
    use adfric_describe_status, only: status_not_converged, status_solved
    use adfric_describe_table, only: result_t, variable_t
    use adfric_describe_word_sets, only: has_number
-   use adfric_periodic_elastic_model, only: elastic_model_t
+   use adfric_interface_conduction_rows, only: n_conduction_rows
+   use adfric_periodic_elastic_model, only: elastic_model_t, punch_values
    use adfric_periodic_operator, only: is_too_long
    use adfric_periodic_point, only: periodic_goal_t, periodic_surface_t
    use adfric_periodic_variables, only: n_elastic_results, of_contact => periodic_output, prescribed => periodic_input
    use adfric_rough_atlas, only: describe_bands
    use adfric_rough_ensemble, only: find_ensemble, n_ensemble_rows, set_ensemble_rows
-   use adfric_rough_pressed_theories, only: answer_pressed, least_mean_pressure, new_pressed_theories, pressed_surface_t, &
-      & pressed_theories_t, set_areas, set_nodes, set_shares
+   use adfric_rough_pressed_theories, only: add_conductances, answer_pressed, least_mean_pressure, new_pressed_theories, &
+      & pressed_surface_t, pressed_theories_t, set_areas, set_nodes, set_shares
    use adfric_rough_variables, only: constant_row, get_rough_results, n_pressed_results, n_theories, suffixes, &
       & theory_of_result
    use adfric_shape_drawn_heights, only: can_hold, draw_heights, has_longest, waves_along
@@ -457,6 +458,9 @@ contains
          call new_pressed_theories(own)
          call answer_pressed(own, surface, modulus, mean_pressure, is_asked, answers, is_converged)
       end if
+      associate (punch => punch_values(self, values))
+         call add_conductances(punch(:n_conduction_rows), answers)
+      end associate
       do k = 1, n_pressed_results
          if (is_asked(theory_of_result(k))) results(k) = answers(k)
       end do

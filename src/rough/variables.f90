@@ -44,14 +44,14 @@ module adfric_rough_variables
       !> Indices of the rows.
       integer :: contact_fraction(n_theories) = 0, mean_gap(n_theories) = 0, normal_stiffness(n_theories) = 0, &
          & conductance_factor(n_theories) = 0, elastic_energy(n_shares) = 0, mean_square_pressure = 0, &
+         & electrical_conductance(n_theories) = 0, thermal_conductance(n_theories) = 0, &
          & pull_off_pressure(2:n_shares) = 0, pull_off_gap(2:n_shares) = 0, pastewka_robbins = 0, full_contact_work_ratio = 0, &
-         & friction_coefficient(n_shares) = 0, full_contact_friction_coefficient = 0, &
-         & electrical_conductance(n_theories) = 0, thermal_conductance(n_theories) = 0
+         & friction_coefficient(n_shares) = 0, full_contact_friction_coefficient = 0
    end type rough_output_t
    type(rough_output_t), parameter, public :: rough_output = transfer(counting, rough_output_t())
    integer, parameter, public :: n_rough_results = storage_size(rough_output)/storage_size(1)
    !> Number of the first ones, which a surface under a pressure has.
-   integer, parameter, public :: n_pressed_results = rough_output%mean_square_pressure
+   integer, parameter, public :: n_pressed_results = rough_output%thermal_conductance(n_theories)
 
 contains
 
@@ -147,7 +147,8 @@ contains
 
       associate (out => rough_output)
          theory = max(findloc(out%contact_fraction, row, 1), findloc(out%mean_gap, row, 1), &
-            & findloc(out%normal_stiffness, row, 1), findloc(out%conductance_factor, row, 1), findloc(out%elastic_energy, row, 1))
+            & findloc(out%normal_stiffness, row, 1), findloc(out%conductance_factor, row, 1), findloc(out%elastic_energy, row, 1), &
+            & findloc(out%electrical_conductance, row, 1), findloc(out%thermal_conductance, row, 1))
          if (row == out%mean_square_pressure) theory = share_plain
       end associate
    end function theory_of_result
