@@ -122,9 +122,27 @@ class Ensembles(Runs):
         for words in ("'persson, nayak_sphere'", "'persson nayak_sphere'", "\"nayak_sphere\" 'persson'"):
             found = self.solve(scene(", seed = 1") + LOAD + f"&estimates theories = {words} /\n")
             self.assertEqual(found["theories"], 1 + 64)
+            self.assertEqual({name for name in found if name.startswith("contact_fraction_")},
+                             {"contact_fraction_error", "contact_fraction_persson", "contact_fraction_nayak_sphere"})
             with h5py.File(self.folder/"run.h5") as file:
                 self.assertEqual(file["theories"].attrs["flag_meanings"], "persson+nayak_sphere")
                 self.assertEqual(list(file["theories"].attrs["flag_values"]), [65])
+
+    def test_conductances(self):
+        """Those of the theories are those of the scene without a seed; the error of a mean stiffness is weighted by stiffness."""
+        conduct = "resistivity = 1.7e-8, second_resistivity = 2.2e-8, thermal_conductivity = 400.0, second_thermal_conductivity = 310.0"
+        cells = scene("{}").replace("modulus = 1e9", f"modulus = 1e9, {conduct}")
+        load = LOAD.replace("4e6", "1.3e8")
+        words = "'persson', 'bush_gibson_thomas'"
+        found = self.solve(cells.replace("{}", ", seed = 2, seeds = 2") + load + f"&estimates theories = {words} /\n")
+        alone = self.solve(cells.replace("{}", "").replace("&numerics cells = 64 /\n", "").replace(", length_x = 6.4e-6", "") + load)
+        for name in ("electrical_conductance", "thermal_conductance"):
+            self.assertEqual({key for key in found if key.startswith(name + "_")}, {name + "_persson", name + "_bush_gibson_thomas"})
+            self.assertEqual(found[name + "_persson"], alone[name + "_persson"])
+        members = [self.solve(cells.replace("{}", f", seed = {seed}") + load) for seed in (2, 3)]
+        errors, weights = (np.array([member[name] for member in members]) for name in ("stiffness_error", "electrical_conductance"))
+        self.assertGreater(abs(np.diff(errors)), 0)
+        self.assertAlmostEqual(found["stiffness_error"], np.sum(errors * weights) / np.sum(weights), delta=1e-12)
 
     def test_refusals(self):
         """What has no meaning is refused in a line."""
