@@ -199,11 +199,12 @@ contains
       if (equation%is_of_rest) then
          equation%target = total - value
          x = high
-         if (number == self%n .and. .not. equation%target > 0) then
+         if (.not. equation%target > 0) then
+            ! nothing is left of the last range, or of one before it but round-off
             is_converged = .true.
             return
          end if
-         guess = log(high) + min(0.0_dp, log(equation%target/total)/merge(3, 2, is_of_force))
+         guess = log(high) + min(0.0_dp, log(max(equation%target/total, tiny(1.0_dp)))/merge(3, 2, is_of_force))
          call find_root(equation, log(high) + smallest, log(high/2) + short, .true., guess, is_converged)
          remaining = exp(guess)
          x = high - remaining
