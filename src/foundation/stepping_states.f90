@@ -115,9 +115,14 @@ contains
          associate (row => states%rows(i), weight => 1/real(size(states%rows), dp))
             states%load = states%load + weight*row%load
             states%slope = states%slope + weight*row%load_slope
-            states%least_load = states%least_load + weight*round_off*sum(abs(row%period%zones(:row%period%n_zones)%load))
             states%are_steady = states%are_steady .and. row%is_steady
             states%have_failed = states%have_failed .or. row%has_failed .or. row%n_periods > most_periods
+            if (allocated(row%period%zones)) then
+               states%least_load = states%least_load + weight*round_off*sum(abs(row%period%zones(:row%period%n_zones)%load))
+            else
+               ! a path that was lost before its first zone
+               states%have_failed = .true.
+            end if
          end associate
       end do
       states%least_load = states%least_load + round_off*abs(depth)*states%slope
