@@ -25,7 +25,7 @@ module adfric_periodic_adhesive_solver
       & set_solution, start_from_coarse, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range
    implicit none (type, external)
    private
-   public :: adhesion_in_units, periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load, solve_adhesive_state
+   public :: adhesion_in_units, periodic_adhesion_t, resist, solve_adhesive_layer, solve_adhesive_load, solve_adhesive_state
    public :: set_opening_loss
 
    !> Adhesion of Maugis and Dugdale, and which of the states is wanted.
@@ -187,7 +187,9 @@ contains
 
    !> Say of all grids whether a constant has the stiffness of the layer.
    pure subroutine resist(self, resists)
+      !> The grids.
       type(periodic_solver_t), intent(inout) :: self
+      !> Does it have that stiffness? Else it has none.
       logical, intent(in) :: resists
       integer :: k
 

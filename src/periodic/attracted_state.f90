@@ -136,8 +136,7 @@ contains
       is_apart = .not. any(abs(cells%tension(gap)) > no_tension*cells%law%stress)
    end function is_apart
 
-   !> Newton's method for a state near a gap. Under a mean pressure a state without contact is none that is
-   !> wanted.
+   !> Newton's method for a state near a gap. Under a mean pressure a state without contact is none that is wanted.
    subroutine find_state_near(work, state, operator, cells, tolerance, has_found)
       !> Workspace of this grid.
       type(linear_step_t), intent(inout) :: work

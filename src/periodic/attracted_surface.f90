@@ -7,6 +7,7 @@ module adfric_periodic_attracted_surface
    use adfric_base_error, only: error_t
    use adfric_interface_adhesion_rows, only: adhesion_law_t, branch_adhered
    use adfric_interface_attraction, only: attraction_t
+   use adfric_periodic_adhesive_solver, only: resist
    use adfric_periodic_attracted_contact, only: solve_attracted_contact
    use adfric_periodic_attracted_state, only: violation_of
    use adfric_periodic_attraction_cells, only: attraction_cells_t
@@ -83,7 +84,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t), allocatable :: states(:), turned(:)
       type(attraction_cells_t), allocatable :: cells(:)
-      integer :: k, n
+      integer :: n
 
       call check_shape(self, shape, error)
       if (allocated(error)) return
@@ -94,17 +95,9 @@ contains
          allocate (turned, source=states)
          turned%mean_pressure = attraction%turning_pressure
          call pass_grids(self, turned, cells, .true., tolerance, solution)
-         do k = 1, n
-            if (allocated(turned(k)%gap)) call cells(k)%open_by(attraction%opening, .not. turned(k)%gap > cells(k)%contact_gap())
-         end do
-         if (solution%status == contact_solved) call pass_grids(self, states, cells, .false., tolerance, solution, turned)
+         if (solution%status == contact_solved) call open_again(self, states, cells, attraction, turned, tolerance, solution)
       else
-         ! without a turn all has been in contact
-         do k = 1, n
-            if (attraction%is_adhered .and. .not. attraction%has_turned) call cells(k)%open_by(attraction%opening, &
-               & .not. states(k)%shape < 0)
-         end do
-         call pass_grids(self, states, cells, attraction%has_turned .or. .not. attraction%is_adhered, tolerance, solution)
+         call pass_branch(self, states, cells, attraction, tolerance, solution)
       end if
       if (solution%status == contact_out_of_range .or. .not. allocated(states(n)%gap)) return
       call collect_attracted(self, states, cells(n), solution)
@@ -125,17 +118,16 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t), allocatable :: states(:), turned(:)
       type(attraction_cells_t), allocatable :: cells(:)
-      logical :: comes_back, has_turned
-      integer :: k, n
+      logical :: comes_back
+      integer :: n
 
       call check_shape(self, shape, error)
       if (allocated(error)) return
       n = size(self%grids)
       call cells_of_grids(self, attraction, cells)
-      has_turned = attraction%is_adhered .and. attraction%has_turned
       comes_back = .false.
       associate (compliance => self%grids(n)%operator%mean_compliance)
-         if (has_turned) then
+         if (attraction%is_adhered .and. attraction%has_turned) then
             call set_states(n, shape, attraction%turning_pressure, turned)
             call pass_grids(self, turned, cells, .true., tolerance, solution)
             if (solution%status == contact_not_converged) return
@@ -144,23 +136,14 @@ contains
          end if
          call set_states(n, shape, penetration/compliance, states)
       end associate
-      do k = 1, n
-         if (comes_back) then
-            if (allocated(turned(k)%gap)) call cells(k)%open_by(attraction%opening, .not. turned(k)%gap > cells(k)%contact_gap())
-         else if (attraction%is_adhered .and. .not. attraction%has_turned) then
-            call cells(k)%open_by(attraction%opening, .not. states(k)%shape < 0)
-         end if
-         call self%grids(k)%operator%resist_mean(.true.)
-      end do
+      call resist(self, .true.)
       states%resists_mean = .true.
       if (comes_back) then
-         call pass_grids(self, states, cells, .false., tolerance, solution, turned)
+         call open_again(self, states, cells, attraction, turned, tolerance, solution)
       else
-         call pass_grids(self, states, cells, has_turned .or. .not. attraction%is_adhered, tolerance, solution)
+         call pass_branch(self, states, cells, attraction, tolerance, solution)
       end if
-      do k = 1, n
-         call self%grids(k)%operator%resist_mean(.false.)
-      end do
+      call resist(self, .false.)
       if (.not. allocated(states(n)%gap)) return
       ! from here on the load is known
       associate (finest => states(n))
@@ -170,6 +153,46 @@ contains
       states%resists_mean = .false.
       call collect_attracted(self, states, cells(n), solution)
    end subroutine solve_attracted_layer
+
+   !> Find the states behind a turn, from the states of the turn.
+   subroutine open_again(self, states, cells, attraction, turned, tolerance, solution)
+      type(periodic_solver_t), intent(inout) :: self
+      !> In: shape and load on each grid. Out: the states.
+      type(contact_state_t), intent(inout) :: states(:)
+      !> Attraction on each grid; what has been in contact opens by the law of opening from here on.
+      type(attraction_cells_t), intent(inout) :: cells(:)
+      type(periodic_attraction_t), intent(in) :: attraction
+      !> States of the turn.
+      type(contact_state_t), intent(in) :: turned(:)
+      real(dp), intent(in) :: tolerance
+      type(periodic_solution_t), intent(inout) :: solution
+      integer :: k
+
+      do k = 1, size(cells)
+         if (allocated(turned(k)%gap)) call cells(k)%open_by(attraction%opening, .not. turned(k)%gap > cells(k)%contact_gap())
+      end do
+      call pass_grids(self, states, cells, .false., tolerance, solution, turned)
+   end subroutine open_again
+
+   !> Find the states of the branch that is wanted; those that a turn did not reach are states of approach.
+   subroutine pass_branch(self, states, cells, attraction, tolerance, solution)
+      type(periodic_solver_t), intent(inout) :: self
+      !> In: shape and load on each grid. Out: the states.
+      type(contact_state_t), intent(inout) :: states(:)
+      !> Attraction on each grid.
+      type(attraction_cells_t), intent(inout) :: cells(:)
+      type(periodic_attraction_t), intent(in) :: attraction
+      real(dp), intent(in) :: tolerance
+      type(periodic_solution_t), intent(inout) :: solution
+      integer :: k
+
+      ! without a turn all has been in contact
+      do k = 1, size(cells)
+         if (attraction%is_adhered .and. .not. attraction%has_turned) call cells(k)%open_by(attraction%opening, &
+            & .not. states(k)%shape < 0)
+      end do
+      call pass_grids(self, states, cells, attraction%has_turned .or. .not. attraction%is_adhered, tolerance, solution)
+   end subroutine pass_branch
 
    !> States of all grids with their shapes and a mean pressure.
    subroutine set_states(n, shape, mean_pressure, states)
