@@ -121,11 +121,8 @@ contains
          if (item%first == 0) exit
          index = item%first
          if (len(flaw) == 0 .and. item%repeat > 1) flaw = 'given twice, '//show_text(text)
-         if (len(flaw) == 0) call convert(text(item%first:item%last), list, flaw)
+         if (len(flaw) == 0) call read_list(text(item%first:item%last), list, flaw)
          if (len(flaw) > 0) return
-         do k = 1, len(list)
-            if (list(k:k) == ',') list(k:k) = ' '
-         end do
          if (count_words(list) == 0) flaw = 'no word given'
          do k = 1, count_words(list)
             call add_word(get_word(list, k), choices, words, flaw, question)
@@ -151,17 +148,27 @@ contains
       do
          call next_item(text, position, item, flaw)
          if (item%first == 0 .or. len(flaw) > 0) exit
-         call convert(text(item%first:item%last), list, flaw)
+         call read_list(text(item%first:item%last), list, flaw)
          if (len(flaw) > 0) exit
-         do k = 1, len(list)
-            if (list(k:k) == ',') list(k:k) = ' '
-         end do
          do k = 1, count_words(list)
             words = words//' '//get_word(list, k)
          end do
       end do
       words = adjustl(words)
    end function words_of_text
+
+   !> The words within one pair of quotes, separated by a blank.
+   pure subroutine read_list(quoted, list, flaw)
+      character(*), intent(in) :: quoted
+      character(:), allocatable, intent(out) :: list, flaw
+      integer :: k
+
+      call convert(quoted, list, flaw)
+      if (len(flaw) > 0) return
+      do k = 1, len(list)
+         if (list(k:k) == ',') list(k:k) = ' '
+      end do
+   end subroutine read_list
 
    !> Add a word to those that are given.
    pure subroutine add_word(word, choices, words, flaw, question)
