@@ -13,7 +13,11 @@ endif()
 option(ADFRIC_ASSERTS "Check what procedures demand of their callers; a mistake ends the program" ${default_of_asserts})
 option(ADFRIC_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 
+option(ADFRIC_QUICK "Optimise less, which takes half the time to compile: for tests of what does not depend on speed" OFF)
 set(CMAKE_Fortran_FLAGS_RELEASE "-O2 -g1")
+if(ADFRIC_QUICK)
+  set(CMAKE_Fortran_FLAGS_RELEASE "-O1 -g1")
+endif()
 set(CMAKE_Fortran_FLAGS_DEBUG
   "-Og -g -fcheck=all -fcheck=no-array-temps -ffpe-trap=zero,invalid,overflow -finit-real=snan -finit-derived -fbacktrace")
 if(ADFRIC_SANITIZE)

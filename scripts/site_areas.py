@@ -62,6 +62,7 @@ AREAS = {
         "Heat of sliding": "docs/theory/heat.md",
         "Sliding with adhesion": "docs/theory/adhesive_sliding.md",
         "Contact of periodic surfaces": "docs/theory/periodic_contact.md",
+        "A solid that yields": "docs/theory/hardness.md",
         "Bodies that end: free boundaries": "docs/theory/free_surfaces.md",
         "Adhesion of periodic surfaces": "docs/theory/periodic_adhesion.md",
         "Laws of attraction on surfaces": "docs/theory/attraction_laws.md",

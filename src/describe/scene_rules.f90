@@ -213,6 +213,7 @@ module adfric_describe_scene_rules
       & '* thermal_conductance - !thermal', &
       & on_cells//',free_surface contact_stiffness - !stiffness_wanted', &
       & on_cells//',free_surface stiffness_error - !stiffness_wanted !electrical !thermal', &
+      & on_cells//' plastic_fraction,mean_plastic_depth,plastic_work - !yields', &
       & 'sphere contact_stiffness - shear', &
       & 'hertz contact_stiffness - cylinder', &
       & 'wave_1d contact_stiffness - adhesion', &

@@ -120,7 +120,7 @@ contains
             if (allocated(row%period%zones)) then
                states%least_load = states%least_load + weight*round_off*sum(abs(row%period%zones(:row%period%n_zones)%load))
             else
-               ! a path that was lost before its first zone
+               ! the path of the state below was lost, so that the search for the greatest one ended before its first period
                states%have_failed = .true.
             end if
          end associate

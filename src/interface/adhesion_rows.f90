@@ -53,8 +53,8 @@ contains
       call set_stress_rows(rows(:n_stress_rows))
       rows(branch) = branch_row()
       rows(turning_pressure) = any_number(group='adhesion', name='turning_pressure', unit='Pa', &
-         & meaning='mean pressure up to which the surfaces have approached before they part again, of the adhered branch; full ' &
-         & //'contact if not given', lower=0.0_dp)
+         & meaning='mean pressure up to which the surfaces have approached before they part again: of the adhered branch, full ' &
+         & //'contact if not given, and of a solid that yields', lower=0.0_dp)
    end subroutine set_adhesion_rows
 
    !> Whether the branches differ, among the results.

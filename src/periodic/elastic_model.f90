@@ -31,6 +31,8 @@ module adfric_periodic_elastic_model
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_elastic_interface, only: check_elastic_friction, has_law, n_friction_rows, n_motion_rows, &
       & has_friction, set_motion_rows, store_friction, store_left_out, tractions_of_friction
+   use adfric_periodic_hardness_rows, only: check_turn, has_hardness, hardness_row, n_hardness_results, plastic_profile, &
+      & resolve_hardness, store_impressions
    use adfric_periodic_layer_kernel, only: layer_kernel_t
    use adfric_periodic_layer_rows, only: check_layer_rows, get_layer, has_layer, n_layer_rows, needs_ratio_of_layer, &
       & numbers_of_layer, set_layer_rows
@@ -47,8 +49,10 @@ module adfric_periodic_elastic_model
 
    !> Rows of adhesion, with those of its law.
    integer, parameter :: n_law_of_adhesion = n_adhesion_rows + n_attraction_rows
-   !> Rows of conduction, and behind them the switch of the stiffness.
+   !> Rows of conduction, and behind them the switch of the stiffness; the hardness follows.
    integer, parameter :: n_punch_rows = n_conduction_rows + 1
+   !> Index of the depth of impressions among the profiles.
+   integer, parameter :: p_plastic_depth = p_shear_stress + 1
 
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
@@ -109,7 +113,8 @@ contains
       associate (before => n_two_bodies + n_law_of_adhesion)
          call set_conduction_rows(solid(before + 1:before + n_conduction_rows))
          solid(before + n_punch_rows) = stiffness_row()
-         call set_coulomb_rows(solid(before + n_punch_rows + 1:before + n_punch_rows + n_coulomb_rows))
+         solid(before + n_punch_rows + 1) = hardness_row()
+         call set_coulomb_rows(solid(before + n_punch_rows + 2:before + n_punch_rows + 1 + n_coulomb_rows))
       end associate
       call set_layer_rows(solid(n_elastic_solid - n_layer_rows + 1:))
       associate (pull_off => n_elastic_solid - n_layer_rows - n_motion_rows)
@@ -121,7 +126,9 @@ contains
       deallocate (self%results)
       allocate (self%results, source=get_elastic_results())
       deallocate (self%profiles)
-      allocate (self%profiles, source=shear_profiles())
+      allocate (self%profiles(p_plastic_depth))
+      self%profiles(:p_shear_stress) = shear_profiles()
+      self%profiles(p_plastic_depth) = plastic_profile()
    end subroutine set_elastic_tables
 
    !> Index of the switch of the pull-off.
@@ -161,6 +168,21 @@ contains
          punch = values(before + 1:before + n_punch_rows)
       end associate
    end function punch_values
+
+   !> Hardness [Pa]; unset where the solid does not yield.
+   pure real(dp) function hardness_of(self, values) result(hardness)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      hardness = values(self%first_of_solid + n_two_bodies + n_law_of_adhesion + n_punch_rows)
+   end function hardness_of
+
+   !> Index of the mean pressure of a turn.
+   pure integer function turn_index(self)
+      class(elastic_model_t), intent(in) :: self
+
+      turn_index = self%first_of_solid + n_two_bodies + n_adhesion_rows - 1
+   end function turn_index
 
    !> Values of the rows of the modulus.
    pure function moduli_values(self, values) result(moduli)
@@ -227,8 +249,13 @@ contains
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, &
             & has_coulomb(coulomb_values(self, values)) .or. needs_ratio_of_layer(layer_values(self, values)))
          n_before = problems%count()
-         call check_attraction(self%variables(last + 1:last + n_law_of_adhesion), adhesion_values(self, values), &
-            & self%given_attraction, problems)
+         associate (adhesion => adhesion_values(self, values))
+            ! a solid that yields may have turned without adhesion
+            call check_attraction(self%variables(last + 1:last + n_law_of_adhesion), &
+               & merge(unset, adhesion, has_hardness(hardness_of(self, values)) .and. is_turn(self, last, size(adhesion))), &
+               & self%given_attraction, problems)
+         end associate
+         call check_hardness(self, values, problems)
          ! a stress that is missing is told once
          if (problems%count() == n_before .and. .not. has_attraction(adhesion_values(self, values))) then
             if (values(prescribed + in%mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
@@ -268,6 +295,48 @@ contains
          call problems%add('adhesion', 'work_map', 'does not have the cells of the surface')
       end if
    end subroutine check_law
+
+   !> Which of the values of adhesion is that of the turn?
+   pure function is_turn(self, last, n)
+      class(elastic_model_t), intent(in) :: self
+      !> Index of the row before them, and their number.
+      integer, intent(in) :: last, n
+      logical :: is_turn(n)
+
+      is_turn = .false.
+      is_turn(turn_index(self) - last) = .true.
+   end function is_turn
+
+   !> Add to `problems` what a solid that yields cannot have beside it.
+   subroutine check_hardness(self, values, problems)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      associate (hardness => hardness_of(self, values), prescribed => self%before_prescribed, turn => turn_index(self))
+         if (.not. has_hardness(hardness)) return
+         call check_turn(self%variables(turn), values(turn), values(prescribed + in%mean_pressure), problems)
+         if (has_attraction(adhesion_values(self, values))) call refuse('stands beside &adhesion, which is solved on '// &
+            & 'elastic solids')
+         if (has_layer(layer_values(self, values))) call refuse('stands beside a layer or coating, where rounds of yielding may ' &
+            & //'go too far')
+         if (has_coulomb(coulomb_values(self, values))) call refuse('stands beside a coefficient of friction, whose slip is ' &
+            & //'solved on elastic solids')
+         if (is_set(values(prescribed + in%penetration))) call refuse('stands beside penetration; what has yielded is certain ' &
+            & //'under a mean_pressure')
+      end associate
+
+   contains
+
+      !> Add a problem of the hardness.
+      subroutine refuse(reason)
+         !> What follows its name.
+         character(*), intent(in) :: reason
+
+         call problems%add('solid', 'hardness', reason)
+      end subroutine refuse
+
+   end subroutine check_hardness
 
    !> Add to `problems` what is wrong with the layer, and what it cannot have beside it.
    subroutine check_layer(self, values, problems)
@@ -429,6 +498,9 @@ contains
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
       if (allocated(goal%attraction)) deallocate (goal%attraction)
       if (allocated(goal%friction)) deallocate (goal%friction)
+      if (allocated(goal%hardness)) deallocate (goal%hardness)
+      if (has_hardness(hardness_of(self, values))) &
+         & goal%hardness = resolve_hardness(hardness_of(self, values), values(turn_index(self)), surface%solid%modulus)
       associate (punch => punch_values(self, values))
          goal%wants_punch = has_conduction(punch(:n_conduction_rows)) .or. is_wanted(punch(n_punch_rows))
       end associate
@@ -493,6 +565,8 @@ contains
          results(out%regime) = regime_of(solution)
          ! the edge of a contact is taken for that on a half-space
          if (.not. allocated(surface%solid%kernel)) results(out%smooth_fraction) = smooth_fraction_of(law, surface, solution)
+         if (has_hardness(hardness_of(self, values))) results(out%smooth_fraction) = max(results(out%smooth_fraction), &
+            & results(out%mean_pressure)/hardness_of(self, values))
          call store_friction(friction_values(self, values), self%given_law, tension_outside(law, solution), &
             & modulus*solution%pressure, results, is_valid)
          if (.not. is_valid) error_estimate = huge(error_estimate)
@@ -501,6 +575,11 @@ contains
             & solution, results)
          if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)
          call store_punch(punch_values(self, values), modulus, solution, results)
+         if (has_hardness(hardness_of(self, values))) then
+            results(out%peak_pressure) = min(results(out%peak_pressure), hardness_of(self, values))
+            call store_impressions(hardness_of(self, values), solution, &
+               & results(out%impressions(1):out%impressions(n_hardness_results)))
+         end if
          if (.not. law%stress > 0) return
          results(out%cells_per_zone) = cells_per_zone(law, surface)
          if (law%opening > 1) results(out%opening_loss) = modulus*solution%opening_loss
@@ -565,6 +644,7 @@ contains
       count_profiles = p_shear_stress - 1
       if (has_friction(friction_values(self, values)) .or. has_coulomb(coulomb_values(self, values))) &
          & count_profiles = p_shear_stress
+      if (has_hardness(hardness_of(self, values))) count_profiles = p_plastic_depth
    end function count_profiles
 
    !> See `pointwise_model_t`: the maps of pressure and gap, and with friction that of the shear stress.
@@ -580,6 +660,8 @@ contains
 
       call self%fill_contact_maps(values, results, state, axes, profiles)
       if (size(profiles, 3) < p_shear_stress .or. has_coulomb(coulomb_values(self, values))) return
+      profiles(:, :, p_shear_stress) = 0
+      if (.not. has_friction(friction_values(self, values))) return
       profiles(:, :, p_shear_stress) = tractions_of_friction(friction_values(self, values), self%given_law, profiles(:, :, 1), &
          & .not. profiles(:, :, 2) > 0)
    end subroutine fill_profiles

@@ -341,7 +341,8 @@ contains
       class(point_state_t), allocatable, intent(in) :: state
       !> Axes of the maps, not used here: a map has a value in each cell.
       type(profile_axis_t), intent(in) :: axes(:)
-      !> Receives the maps of pressure [Pa], gap [m], shear stress [Pa] and flashes [K]; shape `(nx, ny, n_profiles)`.
+      !> Receives the maps of pressure [Pa], gap [m], shear stress [Pa], and flashes [K] or impressions [m]; shape
+      !> `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
 
       select type (state)
@@ -350,6 +351,7 @@ contains
          profiles(:, :, 2) = state%solution%gap
          if (allocated(state%slip)) profiles(:, :, 3) = state%slip%traction*state%surface%solid%modulus
          if (allocated(state%solution%flash)) profiles(:, :, 4) = state%solution%flash
+         if (allocated(state%solution%plastic_depth)) profiles(:, :, 4) = state%solution%plastic_depth
       end select
       associate (unused => self, unused_values => values, unused_results => results, unused_axes => axes)
       end associate

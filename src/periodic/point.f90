@@ -24,7 +24,7 @@ module adfric_periodic_point
    use adfric_periodic_pull_off_table, only: get_pull_off
    use adfric_periodic_slip, only: periodic_slip_t, solve_slip
    use adfric_periodic_solver, only: branches_agree, branches_differ, branches_unknown, contact_not_converged, &
-      & contact_out_of_range, contact_solved, periodic_solver_t, periodic_solution_t, new_periodic_solver
+      & contact_out_of_range, contact_solved, hardness_t, periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
    public :: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
@@ -82,6 +82,8 @@ module adfric_periodic_point
       type(periodic_attraction_t), allocatable :: attraction
       !> Friction, with its stress in E*; not allocated: none. Elastic half-spaces without adhesion alone.
       type(coulomb_t), allocatable :: friction
+      !> Where the solid yields, with pressures in E*; not allocated: nowhere. Under a mean pressure without adhesion and friction alone.
+      type(hardness_t), allocatable :: hardness
       !> Is the pull-off wanted? Is the state of the other branch?
       logical :: wants_pull_off = .false., wants_other_branch = .false.
       !> Are contacts at velocities a little off wanted? Is the stiffness of the spots that touch?
@@ -157,6 +159,8 @@ contains
          call solve_attracted(surface, goal, memory, solution, error)
       else if (allocated(goal%adhesion)) then
          call solve_adhesive(surface, goal, memory, solution, error)
+      else if (allocated(goal%hardness)) then
+         call memory%solver%solve_yielding(surface%shape/unit, goal%value, goal%hardness, goal%tolerance, solution, error)
       else if (goal%is_pressure) then
          call memory%solver%solve_load(surface%shape/unit, goal%value, goal%tolerance, solution, error)
       else
@@ -174,6 +178,7 @@ contains
       if (goal%wants_punch .and. solution%status == contact_solved) call add_punch(goal, memory%solver, unit, solution)
       solution%penetration = solution%penetration*unit
       if (allocated(solution%gap)) solution%gap = solution%gap*unit
+      if (allocated(solution%plastic_depth)) solution%plastic_depth = solution%plastic_depth*unit
       solution%elastic_energy = solution%elastic_energy*unit
       solution%adhesion_energy = solution%adhesion_energy*unit
       solution%opening_loss = solution%opening_loss*unit

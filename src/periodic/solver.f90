@@ -21,9 +21,10 @@ module adfric_periodic_solver
    use adfric_periodic_maps, only: sum_of
    use adfric_periodic_near_contact, only: near_contact_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
+   use adfric_periodic_yielding, only: guess_from_coarse, guess_yield, solve_yield
    implicit none (type, external)
    private
-   public :: periodic_solver_t, periodic_solution_t, new_periodic_solver
+   public :: periodic_solver_t, periodic_solution_t, hardness_t, new_periodic_solver
    public :: check_shape, set_friction, set_full_pressure, set_solution, start_from_coarse, coarse_tolerance
    public :: contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
    public :: branches_agree, branches_differ, branches_unknown
@@ -38,6 +39,12 @@ module adfric_periodic_solver
    integer, parameter :: grids_for_error = 3
    !> Largest residual that a grid other than the finest needs.
    real(dp), parameter :: coarse_tolerance = 1.0e-6_dp
+
+   !> A solid that yields.
+   type :: hardness_t
+      !> Largest pressure that it bears [E*], and the mean pressure that it was pressed with before [E*]; 0 for no more than now.
+      real(dp) :: pressure = huge(1.0_dp), turning_pressure = 0
+   end type hardness_t
 
    !> What a solution is; the maps have the shape of the cells.
    type :: periodic_solution_t
@@ -62,6 +69,8 @@ module adfric_periodic_solver
       !> Contacts at velocities a little off, in the order of `near_steps`; none where the velocity does not count; not allocated where
       !> they are not wanted.
       type(near_contact_t), allocatable :: near(:)
+      !> Depth of the impressions, in the unit of the gap; not allocated where the solid does not yield.
+      real(dp), allocatable :: plastic_depth(:, :)
       !> Energy of an elastic solid, and of adhesion below 0, per area [E* times the unit of the gap].
       real(dp) :: elastic_energy = 0, adhesion_energy = 0
       !> Energy per area that opening has taken beyond what closing gave [E* times the unit of the gap].
@@ -112,6 +121,7 @@ module adfric_periodic_solver
    contains
       procedure :: solve_load
       procedure :: solve_penetration
+      procedure :: solve_yielding
       procedure, private :: solve
       procedure, private :: set_touch
    end type periodic_solver_t
@@ -205,6 +215,66 @@ contains
       end if
    end subroutine solve_penetration
 
+   !> Solve under a mean pressure, which may be less than one before, with a solid that yields. A lighter load finds an elastic solid
+   !> with the impressions of the heavier one: no pressure grows while a load falls.
+   subroutine solve_yielding(self, shape, mean_pressure, hardness, tolerance, solution, error)
+      class(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Mean pressure [E*], >= 0; one that is not below the hardness is out of range.
+      real(dp), intent(in) :: mean_pressure
+      type(hardness_t), intent(in) :: hardness
+      real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended.
+      type(periodic_solution_t), intent(out) :: solution
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t) :: goal
+      real(dp), allocatable :: depth(:, :)
+      real(dp) :: full_pressure, n_pairs
+
+      call check_shape(self, shape, error)
+      if (allocated(error)) return
+      goal%mean_pressure = max(mean_pressure, hardness%turning_pressure)
+      if (goal%mean_pressure >= hardness%pressure) then
+         solution%status = contact_out_of_range
+      else if (goal%mean_pressure > 0) then
+         call self%solve(shape, goal, tolerance, solution, hardness)
+      else
+         call self%set_touch(shape, 0.0_dp, solution)
+         solution%plastic_depth = 0*shape
+      end if
+      if (.not. mean_pressure < goal%mean_pressure) call raise_area(solution, hardness%pressure)
+      if (solution%status /= contact_solved .or. .not. mean_pressure < goal%mean_pressure) return
+      call move_alloc(solution%plastic_depth, depth)
+      full_pressure = solution%full_pressure
+      n_pairs = solution%n_pairs
+      solution = periodic_solution_t()
+      goal%mean_pressure = mean_pressure
+      if (mean_pressure > 0) then
+         call self%solve(shape + depth, goal, tolerance, solution)
+      else
+         call self%set_touch(shape + depth, minval(shape + depth), solution)
+         solution%area%error = 0
+      end if
+      solution%full_pressure = full_pressure
+      solution%n_pairs = solution%n_pairs + n_pairs
+      call move_alloc(depth, solution%plastic_depth)
+      call raise_area(solution, hardness%pressure)
+   end subroutine solve_yielding
+
+   !> No area is less than the load over the hardness; cells at the perimeter, which bear the hardness, are counted for less.
+   pure subroutine raise_area(solution, hardness)
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Largest pressure [E*].
+      real(dp), intent(in) :: hardness
+      real(dp) :: lacking
+
+      if (solution%status /= contact_solved) return
+      lacking = max(solution%mean_pressure/hardness - solution%area%corrected, 0.0_dp)
+      solution%area%corrected = solution%area%corrected + lacking
+      solution%area%error = solution%area%error + lacking
+   end subroutine raise_area
+
    !> The shape must be one of the finest grid.
    pure subroutine check_shape(self, shape, error)
       !> Solver whose finest grid says how many cells there must be.
@@ -240,7 +310,7 @@ contains
    end subroutine set_touch
 
    !> Solve on each grid, from the coarsest that has contact to the finest.
-   subroutine solve(self, shape, goal, tolerance, solution)
+   subroutine solve(self, shape, goal, tolerance, solution, hardness)
       class(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
@@ -249,6 +319,8 @@ contains
       real(dp), intent(in) :: tolerance
       !> Receives the solution, and how often the finest operator was applied for it.
       type(periodic_solution_t), intent(inout) :: solution
+      !> Where the solid yields; not given: nowhere.
+      type(hardness_t), intent(in), optional :: hardness
       type(contact_state_t), allocatable :: states(:)
       integer :: k, n, first
       logical :: is_definite
@@ -272,7 +344,12 @@ contains
             call grid%operator%resist_mean(goal%resists_mean)
             if (k == first) call start_contact(states(k), grid%operator)
             if (k > first) call start_from_coarse(states(k), states(k - 1), grid%operator)
-            if (is_definite) then
+            if (present(hardness)) then
+               if (k == first) call guess_yield(states(k), grid%operator, hardness%pressure)
+               if (k > first) call guess_from_coarse(states(k), states(k - 1), grid%operator, hardness%pressure)
+               call solve_yield(states(k), grid%operator, grid%gap_solver, hardness%pressure, &
+                  & merge(tolerance, coarse_tolerance, k == n))
+            else if (is_definite) then
                call solve_contact(states(k), grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, k == n))
             else
                call solve_line(states(k), grid%operator, merge(tolerance, coarse_tolerance, k == n))
@@ -380,6 +457,8 @@ contains
          & - states(n)%cohesion%mean_tension()
       solution%penetration = sum(states(n)%shape - states(n)%gap)/size(states(n)%shape) &
          & + operator%mean_compliance*solution%mean_pressure
+      if (allocated(states(n)%plastic_depth)) solution%penetration = solution%penetration &
+         & + sum(states(n)%plastic_depth)/size(states(n)%shape)
       solution%gap = max(states(n)%gap, 0.0_dp)
       solution%pressure = merge(0.0_dp, max(states(n)%pressure, 0.0_dp), states(n)%is_open)
       ! what little pressure was left in open cells is that of the others, so that they carry the load
@@ -388,6 +467,11 @@ contains
       if (allocated(states(n)%cohesion)) call take_tension(states(n)%cohesion, solution)
       solution%elastic_energy = sum((solution%gap - states(n)%shape)*(solution%pressure - solution%mean_pressure)) &
          & /(2*size(solution%gap)) + operator%mean_compliance*solution%mean_pressure**2/2
+      if (.not. allocated(states(n)%plastic_depth)) return
+      ! what the elastic solid gives way by is less by the impressions
+      solution%plastic_depth = states(n)%plastic_depth
+      solution%elastic_energy = solution%elastic_energy - sum(solution%plastic_depth*(solution%pressure - solution%mean_pressure)) &
+         & /(2*size(solution%gap))
    end subroutine set_solution
 
    !> Take the tension of adhesion from the pressure, and find the energy of adhesion.

@@ -15,7 +15,7 @@ module adfric_rough_separation_functions
    use adfric_rough_panel_series, only: new_panel_series, panel_series_t, positions_of
    implicit none (type, external)
    private
-   public :: energy_share_t, new_energy_share, separation_functions_t, new_separation_functions, area_function_t, new_area_function
+   public :: energy_share_t, separation_functions_t, new_separation_functions, area_function_t, new_area_function
    public :: plain_share, yang_persson_share, wang_mueser_share
 
    !> erf is 1 to round-off from here on.
@@ -78,15 +78,6 @@ contains
    pure type(energy_share_t) function wang_mueser_share() result(share)
       share = energy_share_t(5/9.0_dp, -2/9.0_dp, 6/9.0_dp)
    end function wang_mueser_share
-
-   !> A share of other coefficients.
-   pure subroutine new_energy_share(self, a_1, a_3, a_5)
-      type(energy_share_t), intent(out) :: self
-      !> Coefficients of A, A^3 and A^5.
-      real(dp), intent(in) :: a_1, a_3, a_5
-
-      self = energy_share_t(a_1, a_3, a_5)
-   end subroutine new_energy_share
 
    !> W.
    elemental real(dp) function share(self, a)
