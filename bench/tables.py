@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/validation/accuracy.md, docs/validation/rough_surfaces.md, docs/validation/peers.md, docs/reference/python.md and docs/validation/scenes.md from those of the benchmarks.
+"""Tables of docs/validation/accuracy.md, docs/validation/rough_surfaces.md, docs/validation/peers.md, docs/reference/python.md, docs/validation/scenes.md and docs/validation/theories.md from those of the benchmarks.
 
 usage: tables.py [FOLDER [--write]]
 
@@ -15,7 +15,8 @@ import sys
 from tools import read_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("validation/accuracy", "validation/rough_surfaces", "validation/peers", "reference/python", "validation/scenes")]
+DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("validation/accuracy", "validation/rough_surfaces", "validation/peers", "reference/python", "validation/scenes",
+                                                     "validation/theories")]
 
 
 def rows_of(folder, name, **wanted):
@@ -418,9 +419,96 @@ def python_calls(folder):
     return table(["", "microseconds, or ratio"], [[row["what"], f"{float(row['value']):.2g}"] for row in rows])
 
 
+#: Short words for results of theories, and for theories.
+SHORT = {"contact_fraction": "area", "mean_gap": "gap", "normal_stiffness": "K", "elastic_energy": "U", "persson": "P",
+         "yang_persson": "YP", "wang_mueser": "WM", "greenwood_williamson": "GW", "bush_gibson_thomas": "BGT",
+         "greenwood_elliptic": "GE", "nayak_sphere": "NS"}
+
+
+def of_names(quantity, theory):
+    """Short words for a result."""
+    return f"{SHORT[quantity]} {SHORT[theory]}"
+
+
+def ratios(rows):
+    """Least and largest ratio of rows."""
+    found = [float(row["ratio"]) for row in rows if row["ratio"] not in ("", "nan")]
+    return f"{min(found):.2f} to {max(found):.2f}" if found else ""
+
+
+def theories_pressed(folder):
+    """Least and largest ratio of theories over cells, over the spectra, at each pressure."""
+    rows = rows_of(folder, "theories_pressed")
+    pressures = list(dict.fromkeys(row["pressure"] for row in rows))
+    body = []
+    for quantity, theory in dict.fromkeys((row["quantity"], row["theory"]) for row in rows):
+        own = [row for row in rows if (row["quantity"], row["theory"]) == (quantity, theory)]
+        complete = [[row for row in own if row["pressure"] == pressure] for pressure in pressures]
+        # a theory that has no state for one of the spectra has no band there
+        body.append([of_names(quantity, theory),
+                     *("" if any(row["ratio"] == "nan" for row in part) else ratios(part).replace(" to ", "-") for part in complete)])
+    return table(["", *pressures], body)
+
+
+def theories_within(folder):
+    """How many of the spectra are within 5, 10 and 30 %."""
+    rows = [row for row in rows_of(folder, "theories_pressed") if row["theory"] in ("persson", "yang_persson", "wang_mueser")]
+    pressures = list(dict.fromkeys(row["pressure"] for row in rows))
+    body = []
+    for quantity, theory in dict.fromkeys((row["quantity"], row["theory"]) for row in rows):
+        line = [of_names(quantity, theory)]
+        for pressure in pressures:
+            own = [abs(float(row["ratio"]) - 1) for row in rows if (row["quantity"], row["theory"], row["pressure"]) == (quantity, theory, pressure)]
+            line.append("/".join(str(sum(one <= most for one in own)) for most in (0.05, 0.1, 0.3)))
+        body.append(line)
+    return table(["", *pressures], body)
+
+
+def theories_spectra(folder):
+    """Area, gap and stiffness of each spectrum at two pressures."""
+    rows = rows_of(folder, "theories_pressed")
+    shown = [("contact_fraction", "persson"), ("contact_fraction", "yang_persson"), ("contact_fraction", "wang_mueser"), ("mean_gap", "wang_mueser"),
+             ("normal_stiffness", "yang_persson")]
+    body = []
+    for name, pressure in ((name, pressure) for pressure in ("0.02", "0.2") for name in dict.fromkeys(row["spectrum"] for row in rows)):
+        own = [row for row in rows if (row["spectrum"], row["pressure"]) == (name, pressure)]
+        line = [pressure, name, own[0]["hurst_exponent"], "{longest}, {rolloff}, {shortest}".format(**own[0]), f"{float(own[0]['nayak_parameter']):.3g}"]
+        for quantity, theory in shown:
+            row = next(row for row in own if (row["quantity"], row["theory"]) == (quantity, theory))
+            line.append(f"{float(row['ratio']):.2f} +- {float(row['ratio'])*float(row['error']):.2f}")
+        body.append(line)
+    body.sort(key=lambda line: (float(line[0]), float(line[4])))
+    return table(["p/(E g)", "spectrum", "H", "waves", "Nayak", *(of_names(quantity, theory) for quantity, theory in shown)], body)
+
+
+def theories_parting(folder):
+    """Pull-off by the bearing area over that of cells."""
+    rows = rows_of(folder, "theories_parting")
+    body = []
+    for tension, reach in dict.fromkeys((row["tension"], row["range"]) for row in rows):
+        for hurst in dict.fromkeys(row["hurst_exponent"] for row in rows):
+            own = {row["theory"]: row for row in rows if (row["tension"], row["range"], row["hurst_exponent"]) == (tension, reach, hurst)}
+            first = own["yang_persson"]
+            body.append([tension, reach, hurst, f"{float(first['mean']):.2g} +- {100*float(first['error']):.0f} %",
+                         *(f"{float(own[theory]['ratio']):.2f}" for theory in ("yang_persson", "wang_mueser")), f"{float(first['pastewka_robbins']):.3g}",
+                         f"{float(first['work_ratio']):.2g}"])
+    return table(["p0/(E g)", "r/h", "H", "pull-off over p0", "YP", "WM", "`pastewka_robbins_ratio`", "`full_contact_work_ratio`"], body)
+
+
+def theories_sliding(folder):
+    """Friction by theories over that of cells."""
+    rows = rows_of(folder, "theories_sliding")
+    body = []
+    for pressure, hurst, theory in dict.fromkeys((row["pressure"], row["hurst_exponent"], row["theory"]) for row in rows):
+        own = [row for row in rows if (row["pressure"], row["hurst_exponent"], row["theory"]) == (pressure, hurst, theory)]
+        body.append([pressure, hurst, SHORT[theory], *(f"{float(row['ratio']):.2f} +- {float(row['ratio'])*float(row['error']):.2f}" for row in own)])
+    return table(["p/(E0 g)", "H", "theory", *dict.fromkeys(f"q V t = {row['speed']}" for row in rows)], body)
+
+
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_laws, free_surface, free_public, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip)}
+    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_laws, free_surface, free_public, random_transients, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, timed_adhesion, sliding, sliding_layers, partial_slip, theories_pressed, theories_within,
+    theories_spectra, theories_parting, theories_sliding)}
 
 
 def main():

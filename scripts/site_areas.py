@@ -98,6 +98,7 @@ AREAS = {
         "Misprints and false conclusions": "docs/validation/misprints.md",
         "Speed against error": "docs/validation/accuracy.md",
         "Rough surfaces: speed and error": "docs/validation/rough_surfaces.md",
+        "Theories of rough contact": "docs/validation/theories.md",
         "Time saved in simple cases": "docs/validation/scenes.md",
         "How it scales": "docs/validation/scaling.md",
         "Hard cases": "docs/validation/hard_cases.md",

@@ -5,7 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .problems import BadInput
+from .joined_spectrum import join
+from .periodogram import periodogram_of, shortest_wave, window_of
+from .problems import BadInput, NoSpectrum
 from .treatment import topography_of
 
 # bins of the distribution of heights
@@ -51,11 +53,21 @@ class Results:
     distribution: tuple
     # steps across the edges and inside, along x first
     seams: list
+    # periodogram and isotropic spectrum, None where there are too few waves, and why
+    periodogram: object = None
+    joined: object = None
+    why_none: str = ""
 
 
-def analyse(surface, path):
-    """All that is computed from a surface."""
-    results = Results(moments_of(surface), spectra_of(surface), binned(surface), distribution_of(surface), seams_of(surface))
+def analyse(surface, path, reliable=None, tip_radius=None, resolution=None, window=None):
+    """All that is computed from a surface; lengths and radius are those of `shortest_wave`."""
+    results = Results(moments_of(surface), spectra_of(surface, window), binned(surface, window), distribution_of(surface), seams_of(surface))
+    shortest = shortest_wave(surface, reliable, tip_radius, resolution)
+    try:
+        results.periodogram = periodogram_of(surface, path.name, *shortest, window)
+        results.joined = join([results.periodogram])
+    except NoSpectrum as problem:
+        results.why_none = str(problem)
     for name, values in [(moment.name, moment.value) for moment in results.moments] + [
             (spectrum.name, spectrum.density) for spectrum in results.spectra]:
         if not np.isfinite(values).all():
@@ -89,24 +101,29 @@ def moments_of(surface):
     ]
 
 
-def spectra_of(surface):
+def spectra_of(surface, word=None):
     """Power spectra along x and, of a map, averaged over all directions."""
     topography = topography_of(surface)
-    waves, density = topography.power_spectrum_from_profile(reliable=False, resampling_method=None)
-    window = "without a window" if surface.is_periodic else "behind a Hann window"
+    waves, density = topography.power_spectrum_from_profile(window=library_window(surface, word), reliable=False, resampling_method=None)
+    window = "without a window" if window_of(surface, word) == "none" else "behind a Hann window"
     # the wave number 0 is the mean
     spectra = [Spectrum("spectrum_1d", "wave_number_1d", np.asarray(waves)[1:], np.asarray(density)[1:], "m^3",
                         f"power spectral density of the heights along x, {window}")]
     if topography.dim == 2:
-        waves, density = with_data(*topography.power_spectrum_from_area(reliable=False))
+        waves, density = with_data(*topography.power_spectrum_from_area(window=library_window(surface, word), reliable=False))
         spectra.append(Spectrum("spectrum_2d", "wave_number_2d", waves, density, "m^4",
                                 f"power spectral density of the heights over the plane, mean of all directions, {window}"))
     return spectra
 
 
-def binned(surface):
+def binned(surface, word=None):
     """The spectrum along x averaged in bins, for the eye."""
-    return with_data(*topography_of(surface).power_spectrum_from_profile(reliable=False))
+    return with_data(*topography_of(surface).power_spectrum_from_profile(window=library_window(surface, word), reliable=False))
+
+
+def library_window(surface, word):
+    """The window as SurfaceTopography calls it: that of a part or a period, or none."""
+    return None if window_of(surface, word) != "none" or surface.is_periodic else "None"
 
 
 def with_data(waves, density):

@@ -77,11 +77,16 @@ def import_heights(given, arguments):
     """A surface: the lines to show, remarks, and the bytes of its file and picture."""
     from . import analysis, report, writing
     from .reading import read_source, treat
-    from .source import in_metres
+    from .source import in_metres, stated_length
 
     source = read_source(given.file, given.channel)
     surface, read = treat(in_metres(source, given, given.file), given)
-    results = analysis.analyse(surface, given.file)
+    if surface.is_periodic and given.window:
+        raise BadInput(f"{given.file}: --window is for a part of a surface, and this is a period, which needs none")
+    results = analysis.analyse(surface, given.file, given.shortest_reliable, given.tip_radius or stated_length(source, "tip_radius"),
+                               stated_length(source, "resolution"), given.window)
+    if results.joined:
+        results.periodogram.trend = read.trend
     contents = [writing.image_of_surface(surface, results, report.surface_attributes(given, arguments, source, surface, read))]
     if given.picture:
         from .picture import draw_surface

@@ -7,11 +7,12 @@ from pathlib import Path
 
 from .parser import Parser
 from .problems import BadInput
-from .reading import check_values
+from .reading import WINDOWS, check_values
 
 # options of surfaces alone, and of master curves alone, with the value that says that they are not given
 OF_SURFACES = {"unit": None, "height_unit": None, "spacing": None, "channel": None, "transpose": False, "periodic": None,
-               "detrend": None, "region": None, "average": 1, "most_missing": 0.05}
+               "detrend": None, "region": None, "average": 1, "most_missing": 0.05, "window": None, "shortest_reliable": None,
+               "tip_radius": None}
 OF_CURVES = {"frequency_unit": None, "modulus_unit": None, "reference_temperature": None, "poisson_ratio": None,
              "frequency_column": None, "storage_column": None, "loss_column": None, "tan_delta_column": None, "log10": None}
 
@@ -43,6 +44,11 @@ def read_command_line(arguments):
     surface("--average", metavar="N", type=int, default=1, help="means over N samples of a line, N x N of a map")
     surface("--most-missing", metavar="SHARE", type=float, default=OF_SURFACES["most_missing"],
             help="largest share of missing samples that are interpolated (default: %(default)s)")
+    surface("--window", choices=WINDOWS, help="window of the spectra of a part (default: hann); a period has none")
+    surface("--shortest-reliable", metavar="L", type=float, help="shortest wave of the power spectrum [m] (default: 4 samples, or longer "
+            "where the file states a tip radius or a resolution)")
+    surface("--tip-radius", metavar="R", type=float, help="of the probe [m], which lengthens the shortest wave of the power spectrum to where "
+            "the line is sharper than the probe")
     curve = parser.add_argument_group("master curves").add_argument
     curve("--master-curve", action="store_true", help="FILE is a table of frequency, storage and loss modulus")
     curve("--frequency-unit", metavar="U", help="Hz or rad/s, where the file does not state which")

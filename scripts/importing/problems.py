@@ -16,6 +16,10 @@ class BadTable(BadInput):
         self.reason = reason
 
 
+class NoSpectrum(BadInput):
+    """Heights that have no power spectrum: too few waves, or none but round-off."""
+
+
 class FileFailure(Exception):
     """A file that cannot be read or written."""
 

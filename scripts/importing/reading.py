@@ -7,6 +7,8 @@ from .problems import BadInput, FileFailure, first_line
 
 # endings of text files that may be tables of positions
 TEXT = (".csv", ".xyz", ".txt", ".dat", ".asc")
+# windows of spectra by their words
+WINDOWS = ("hann", "none")
 
 
 def check_values(given):
@@ -15,6 +17,12 @@ def check_values(given):
         raise BadInput(f"--average: given {given.average}, allowed: 1 or more")
     if not 0 <= given.most_missing < 1:
         raise BadInput(f"--most-missing: given {given.most_missing:g}, allowed: 0 or more, below 1")
+    for name in ("shortest_reliable", "tip_radius"):
+        value = getattr(given, name, None)
+        if value is not None and not 0 < value < float("inf"):
+            raise BadInput(f"--{name.replace('_', '-')}: given {value:g}, allowed: above 0")
+    if getattr(given, "shortest_reliable", None) and given.tip_radius:
+        raise BadInput("--shortest-reliable and --tip-radius say the same thing: give one")
 
 
 def read_source(path, channel):

@@ -6,6 +6,10 @@ import hashlib
 import importlib.metadata
 import shlex
 
+import numpy as np
+
+from .spectrum_moments import MEANINGS, moments_of
+
 
 def file_attributes(program, files, arguments, form, software=None):
     """Where a file comes from."""
@@ -42,10 +46,45 @@ def surface_lines(given, source, surface, read, results):
     for moment in results.moments:
         unit = "" if moment.unit == "1" else f" {moment.unit}"
         rows.append((moment.name.replace("_", " "), f"{moment.value:.6g}{unit}" + (f" ({moment.symbol})" if moment.symbol else "")))
+    rows += spectrum_rows(results.joined, [results.periodogram]) if results.joined else [("power spectrum", f"none: {results.why_none}")]
     for name, (step, largest) in zip("xy", results.seams):
         rows.append((f"seam along {name}", f"{step:.3g} m, largest step inside {largest:.3g} m"))
     lengths = "".join(f", length_{name} = {length!r}" for name, length in zip("xy", map(float, surface.lengths)))
-    return [*table(given.file, rows), f"  {'input':<17}heights = '{given.output}:/z'{lengths}"]
+    return [*table(given.file, rows), f"  {'input':<17}heights = '{given.output}:/z'{lengths}",
+            *([spectrum_input(given.output)] if results.joined else [])]
+
+
+def spectrum_rows(joined, periodograms):
+    """What the table says of a power spectrum: its waves, and numbers with their errors."""
+    longest, shortest = (2 * np.pi / joined.wave_numbers[end] for end in (0, -1))
+    one = periodograms[0]
+    rows = [("power spectrum", f"waves of {shortest:.4g} to {longest:.4g} m"
+             + (f", window {one.window}, shortest: {one.reason}" if len(periodograms) == 1 else ""))]
+    for name, (value, error) in moments_of(joined).items():
+        unit = MEANINGS[name][0]
+        rows.append(("  " + name.replace("root_mean_square_", "rms ").replace("nayak_parameter", "Nayak's alpha"),
+                     f"{value:.4g} +- {error:.2g}" + ("" if unit == "1" else f" {unit}")))
+    if one.is_map and len(periodograms) == 1:
+        rows.append(("  anisotropy", f"{one.anisotropy:.2g}, by chance {one.anisotropy_noise:.2g}"))
+    return rows
+
+
+def joined_lines(given, joined, periodograms):
+    """The tables of measurements and of the joined spectrum, and how an input names it."""
+    lines = []
+    for each, (ratio, error) in zip(periodograms, joined.ratios):
+        longest, shortest = (2 * np.pi / end for end in each.ends)
+        lines += table(each.name, [("waves", f"{shortest:.4g} to {longest:.4g} m, {'map' if each.is_map else 'line'}, shortest: {each.reason}"),
+                                   ("window, detrend", f"{each.window}, {each.trend}"),
+                                   ("over joined", f"{ratio:.3g} +- {error:.2g}")])
+    return [*lines, *table("joined", [*spectrum_rows(joined, periodograms), ("scatter", f"{joined.scatter:.2g} times that of a Gaussian surface, squared")]),
+            spectrum_input(given.output).replace("or   ", "input", 1)]
+
+
+def spectrum_input(output):
+    """How an input names the spectrum."""
+    return (f"  {'or':<17}wave_numbers = '{output}:/power_spectrum/wave_number', densities = '{output}:/power_spectrum/density', "
+            "convention = 'variance'")
 
 
 def slopes_of(read):

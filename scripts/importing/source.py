@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Heights as a file has them, and the same in metres."""
 
+import json
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from .problems import BadInput
-from .units import settle, to_si
+from .units import exponent_of, settle, to_si
 
 # a surface has so many samples along each direction at least, as the models want it
 FEWEST_SAMPLES = 4
@@ -80,6 +81,15 @@ def check_shape(heights, path):
     if min(heights.shape) < FEWEST_SAMPLES:
         shape = " x ".join(map(str, heights.shape[::-1]))
         raise BadInput(f"{path}: {shape} samples are too few, allowed: at least {FEWEST_SAMPLES} along each direction")
+
+
+def stated_length(source, name):
+    """A length that the file states of its instrument, such as `tip_radius` or `resolution` [m]; None where there is none."""
+    stated = json.loads(source.facts.get("instrument_parameters", "{}")).get(name)
+    if not isinstance(stated, dict) or exponent_of(str(stated.get("unit")), "length") is None:
+        return None
+    length = to_si(float(stated.get("value") or 0), str(stated["unit"]), "length")
+    return length if 0 < length < np.inf else None
 
 
 def settle_spacing(source, given, path):

@@ -6,6 +6,7 @@ import os
 from contextlib import contextmanager, suppress
 
 import h5py
+import numpy as np
 
 from .problems import FileFailure, first_line
 
@@ -88,7 +89,55 @@ def image_of_surface(surface, results, attributes):
         middles, density = results.distribution
         add_axis(file, "height", middles, "m", "height")
         add_dataset(file, "height_density", density, "1/m", "share of the samples per interval of the height", ["height"])
+        if results.joined:
+            add_spectrum(file, results.joined, [results.periodogram])
     return get_bytes()
+
+
+def image_of_spectrum(joined, periodograms, attributes):
+    """The bytes of a file with a joined spectrum, and what it was joined from."""
+    with hdf5_image() as (file, get_bytes):
+        for key, value in attributes.items():
+            file.attrs[key] = value
+        add_spectrum(file, joined, periodograms)
+        for number, (each, model, (ratio, error)) in enumerate(zip(periodograms, joined.models, joined.ratios), 1):
+            group = file.create_group(f"measurement_{number}")
+            group.attrs.update({"name": each.name, "window": each.window, "detrend": each.trend, "shortest_because": each.reason})
+            middle = np.exp(np.sum(each.shares * np.log(each.waves), axis=1))
+            unit, what = ("m^4", "over the plane") if each.is_map else ("m^3", "along the line, two-sided")
+            add_axis(group, "wave_number", middle, "rad/m", "wave number, geometric mean of a bin")
+            add_dataset(group, "density", each.density, unit, f"variance of the heights per wave number {what}", ["wave_number"])
+            add_dataset(group, "density_error", each.density / np.sqrt(each.weight), unit, "its standard error, if the surface is Gaussian",
+                        ["wave_number"])
+            add_dataset(group, "joined_density", model, unit, "the same of the joined spectrum", ["wave_number"])
+            add_dataset(group, "ratio", ratio, "1", "mean of density over joined_density")
+            add_dataset(group, "ratio_error", error, "1", "its standard error, if the surface is Gaussian")
+    return get_bytes()
+
+
+def add_spectrum(file, joined, periodograms):
+    """The group of an isotropic spectrum, as `&power_spectrum` reads it: convention `variance`."""
+    from .spectrum_moments import MEANINGS, moments_of
+
+    group = file.create_group("power_spectrum")
+    one = periodograms[0]
+    group.attrs.update({"convention": "variance", "measurements": [each.name for each in periodograms],
+                        "windows": [each.window for each in periodograms], "detrend": [each.trend for each in periodograms], "scatter": joined.scatter,
+                        "shortest_waves": [2 * np.pi / each.ends[1] for each in periodograms],
+                        "shortest_because": [each.reason for each in periodograms]})
+    add_axis(group, "wave_number", joined.wave_numbers, "rad/m", "wave number")
+    add_dataset(group, "density", joined.density, "m^4", "variance of the heights per area of wave numbers", ["wave_number"])
+    add_dataset(group, "density_error", joined.error, "m^4", "standard error of density", ["wave_number"])
+    for name, (value, error) in moments_of(joined).items():
+        unit, meaning = MEANINGS[name]
+        add_dataset(group, name, value, unit, f"{meaning}, of the waves of the table")
+        add_dataset(group, f"{name}_error", error, unit, f"standard error of {name}")
+    add_dataset(group, "shortest_wavelength", 2 * np.pi / joined.wave_numbers[-1], "m", "shortest wave of the table")
+    add_dataset(group, "longest_wavelength", 2 * np.pi / joined.wave_numbers[0], "m", "longest wave of the table")
+    if one.is_map and len(periodograms) == 1:
+        add_dataset(group, "anisotropy", one.anisotropy, "1", "(a - b)/(a + b) of the mean square slopes along the directions in which "
+                    "they are largest, a, and smallest, b")
+        add_dataset(group, "anisotropy_noise", one.anisotropy_noise, "1", "what an isotropic Gaussian map has of it by chance")
 
 
 def add_dataset(group, name, values, units, long_name, axes=()):

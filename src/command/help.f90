@@ -13,6 +13,7 @@ module adfric_command_help
       list_scene_names
    use adfric_command_help_pages, only: usage_page, input_page, tables_page, outputs_head
    use adfric_command_help_phenomena, only: describe_phenomena, list_phenomena, show_phenomena
+   use adfric_command_help_theories, only: describe_theories
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows, list_fit_names
@@ -24,7 +25,7 @@ module adfric_command_help
    public :: give_help
 
    !> Topics that are pages.
-   character(*), parameter :: page_topics = 'scenes phenomena input tables outputs names'
+   character(*), parameter :: page_topics = 'scenes phenomena theories input tables outputs names'
    !> Head of what only inputs in the names of version 0.2 have.
    character(*), parameter :: of_old_inputs = 'In an input that names a model (&job model)'
 
@@ -96,6 +97,9 @@ contains
          text = describe_scenes(models)
       else if (topic == 'phenomena') then
          text = show_phenomena()
+      else if (topic == 'theories') then
+         ! a variable has the name of this page
+         text = describe_theories()//newline//explain(models, topic)
       else if (topic == 'input') then
          text = input_page
       else if (topic == 'tables') then

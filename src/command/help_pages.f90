@@ -30,7 +30,7 @@ module adfric_command_help_pages
       '  adfric modernise INPUT.nml'//newline// &
       '      print an input that names a model as a scene'//newline// &
       '  adfric help [TOPIC]'//newline// &
-      '      topics: scenes, phenomena, models, groups, variables, results, units, input, tables, outputs;'//newline// &
+      '      topics: scenes, phenomena, theories, models, groups, variables, results, units, input, tables, outputs;'//newline// &
       '      or the name of a model, group, variable, result or status, or a word that a variable or a result'//newline// &
       '      may be; or a phenomenon or an author of the field, such as stick_slip, hertz or westergaard;'//newline// &
       '      names lists all of these, one a line'//newline// &

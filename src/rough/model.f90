@@ -39,7 +39,7 @@ module adfric_rough_model
    !> Relative error of all results, of series and quadratures.
    real(dp), parameter :: error_of_results = 1.0e-9_dp
    !> What `adfric check` says of a body that slides.
-   character(*), parameter :: uncompared = 'theories of sliding were not compared with a numerical answer: no ratios are known'
+   character(*), parameter :: compared = 'theories of sliding were compared for solids with one arm alone: adfric help theories'
 
    !> The model.
    type, extends(model_t) :: rough_theories_t
@@ -218,7 +218,7 @@ contains
 
       text = ''
       if (relaxes(values)) then
-         text = describe_spectrum(values(in%material(1):in%temperature), self%given)//uncompared//newline
+         text = describe_spectrum(values(in%material(1):in%temperature), self%given)//compared//newline
          return
       end if
       if (adheres(values)) return

@@ -14,7 +14,7 @@ module adfric_rough_variables
    implicit none (type, external)
    private
    public :: get_rough_variables, get_rough_results, constant_row, theory_of_result
-   public :: suffixes, n_shares, n_theories, share_plain, share_yang_persson, share_wang_mueser
+   public :: suffixes, meanings, n_shares, n_theories, share_plain, share_yang_persson, share_wang_mueser
 
    !> Forms of Persson's theory.
    integer, parameter :: share_plain = 1, share_yang_persson = 2, share_wang_mueser = 3, n_shares = 3

@@ -4,9 +4,20 @@
 # first, since it starts the file again with the Python that has SurfaceTopography
 from imports import Imports
 
+import re
+from contextlib import contextmanager
+
 import h5py
 import numpy as np
+from importing import joined_spectrum, periodogram
+from importing.source import Surface, masked
+from importing.spectrum_command import main as join_main
+from importing.spectrum_moments import moments_of, numbers_of
 from runs import main
+from scipy.special import gamma
+from SurfaceTopography import Topography, UniformLineScan
+from SurfaceTopography.Container.IO import write_containers
+from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContainer
 
 NM = ("--unit", "nm", "--spacing", "100")
 N = 64
@@ -80,6 +91,171 @@ class Analysis(Imports):
                         self.assertEqual(file[name].attrs.get("symbol"), symbol)
                 width = np.diff(file["height"][:2])[0]
                 self.assertAlmostEqual(file["height_density"][()].sum() * width, 1, places=12)
+
+
+def density_of(q, hurst, rolloff):
+    """A self-affine spectrum of density 1 at the roll-off."""
+    return np.where(q < rolloff, 1.0, (np.maximum(q, rolloff) / rolloff) ** (-2 - 2 * hurst))
+
+
+def draw(cells, hurst, rolloff, shortest, seed):
+    """Gaussian heights of that spectrum on a period 2 pi, whose waves are the whole numbers up to the shortest one."""
+    waves = np.fft.fftfreq(cells, 1 / cells)
+    q = np.hypot(waves[:, None], waves[None, :])
+    amplitude = np.where((q > 0) & (q <= shortest), np.sqrt(density_of(q, hurst, rolloff)), 0)
+    return np.fft.ifft2(amplitude * np.fft.fft2(np.random.default_rng(seed).normal(size=q.shape))).real * cells
+
+
+class Isotropic(Imports):
+    """The table for `&power_spectrum`, from one measurement and from several."""
+
+    def join(self, *arguments, status=0):
+        """What import_spectrum shows on standard output and on standard error."""
+        with self.joins():
+            return self.call(*arguments, status=status)
+
+    @contextmanager
+    def joins(self):
+        """The other command instead of import_surface."""
+        type(self).import_main, type(self).program = staticmethod(join_main), "import_spectrum"
+        try:
+            yield
+        finally:
+            del type(self).import_main, type(self).program
+
+    def table(self, name):
+        """Wave numbers, densities, errors and numbers of a file."""
+        with h5py.File(name) as file:
+            group = file["power_spectrum"]
+            self.assertEqual(group.attrs["convention"], "variance")
+            self.assertEqual([group[each].attrs["units"] for each in ("wave_number", "density", "density_error")], ["rad/m", "m^4", "m^4"])
+            return {each: group[each][()] for each in group}, dict(group.attrs)
+
+    def test_windows_of_a_part(self):
+        """Seams of a part put a spectrum of q^-3 over the short waves; a window takes it away. Both in either unit of the file."""
+        excess = {}
+        for window in ("none", "hann"):
+            excess[window] = []
+            for seed in (1, 2, 3):
+                np.save("a.npy", draw(256, 0.8, 4, 64, seed)[:128, :128])
+                # a wave of number k has 2 pi k/256 um
+                self.call("a.npy", "--unit", "um", "--spacing", f"{2 * np.pi / 256:.16g}", "--window", window, "--force", "--no-picture")
+                found, attributes = self.table("a.h5")
+                self.assertEqual((attributes["windows"][0], attributes["detrend"][0]), (window, "plane"))
+                q = found["wave_number"] * 1e-6
+                np.testing.assert_allclose(q[[0, -1]], (4, 64), rtol=1e-9)
+                excess[window].append(np.log(found["density"] / 1e-24 / density_of(q, 0.8, 4)))
+                if window == "hann":
+                    true = numbers_of(found["wave_number"], density_of(q, 0.8, 4) * 1e-24)
+                    for name, value in true.items():
+                        self.assertLess(abs(found[name] - value), 4 * found[f"{name}_error"], name)
+        # where waves are shorter than a quarter of the roll-off
+        mean = {window: np.exp(np.mean([one[q > 16] for one in of_seeds])) for window, of_seeds in excess.items()}
+        self.assertGreater(mean["none"], 1.3)
+        self.assertLess(abs(mean["hann"] - 1), 0.05)
+        np.save("a.npy", draw(256, 0.8, 4, 64, 3)[:128, :128] * 1e3)
+        self.call("a.npy", "--unit", "nm", "--spacing", f"{2000 * np.pi / 256:.16g}", "--force", "--no-picture")
+        for name, values in self.table("a.h5")[0].items():
+            np.testing.assert_allclose(values, found[name], rtol=1e-7, err_msg=name)
+
+    def test_errors(self):
+        """Moments miss those of the spectrum by their errors, over 40 parts."""
+        found = []
+        for seed in range(40):
+            part = draw(96, 0.5, 6, 24, seed)[:48, :48]
+            surface = Surface(masked(part - part.mean()), (2 * np.pi / 96,) * 2, False)
+            joined = joined_spectrum.join([periodogram.periodogram_of(surface, "", *periodogram.shortest_wave(surface))])
+            true = numbers_of(joined.wave_numbers, density_of(joined.wave_numbers, 0.5, 6))
+            found.append([(value - true[name]) / error for name, (value, error) in moments_of(joined).items()])
+        spread = np.sqrt(np.mean(np.square(found), axis=0))
+        self.assertTrue((spread > 0.6).all() and (spread < 1.6).all(), spread)
+
+    def test_line_of_a_power(self):
+        """C = q^(-2 - 2H) has C1 = sqrt(pi) gamma(H + 1/2)/gamma(H + 1) q^(-1 - 2H)."""
+        q = np.geomspace(2, 300, 7)
+        one = np.ones((7, 1))
+        each = periodogram.Periodogram("", False, one[:, 0], one[:, 0], q[:, None], one, (2, 300), "none", "")
+        x = np.linspace(np.log(2), np.log(300), 21)
+        for hurst in (0.3, 0.8, 1.0):
+            model, slope = joined_spectrum.evaluate([joined_spectrum.row_of(each, x)], -(2 + 2 * hurst) * x)
+            exact = np.sqrt(np.pi) * gamma(hurst + 0.5) / gamma(hurst + 1) * q ** (-1 - 2 * hurst)
+            np.testing.assert_allclose(np.exp(model), exact, rtol=1e-5)
+            # twice the heights, four times the spectrum
+            np.testing.assert_allclose(slope.sum(axis=1), 1, rtol=1e-9)
+
+    def test_program_reads_the_table(self):
+        """`adfric check` has the numbers of the file."""
+        np.save("a.npy", draw(64, 0.8, 3, 16, 5))
+        output, _ = self.call("a.npy", "--unit", "nm", "--spacing", "50", "--periodic", "--no-picture")
+        named = re.search(r"wave_numbers = .*'variance'", output).group()
+        self.write(f"&surface kind = 'spectrum' /\n&power_spectrum {named} /\n&solid contact_modulus = 1e9 /\n&operating mean_pressure = 1e6 /\n")
+        shown, _ = self.run_program("check", "run.nml")
+        found, _ = self.table("a.h5")
+        for name in ("root_mean_square_height", "root_mean_square_slope", "root_mean_square_curvature", "nayak_parameter"):
+            self.assertAlmostEqual(float(re.search(rf"{name} +(\S+)", shown).group(1)) / found[name], 1, places=11)
+
+    def measure(self, factor=1.0):
+        """A line, a coarse map and a fine one of a surface, in a container; numbers of its spectrum over all their waves."""
+        heights, step = 0.01 * draw(512, 0.7, 6, 128, 7), 2 * np.pi / 512
+        parameters = {"tip_radius": {"value": 1e-4, "unit": "mm"}}, {"resolution": {"value": 300, "unit": "nm"}}
+        line, coarse = ({"name": name, "instrument": {"name": name, "parameters": each}}
+                        for name, each in zip(("line", "coarse"), parameters))
+        write_containers([InMemorySurfaceContainer([
+            UniformLineScan(heights[77], 2 * np.pi, unit="um", info=line),
+            Topography(heights[::4, ::4].T, (2 * np.pi,) * 2, unit="um", info=coarse).to_unit("mm"),
+            Topography(heights[:128, :128].T * factor, (128 * step,) * 2, unit="um", info={"name": "fine"}).to_unit("nm")])], "twin.zip")
+        q = np.geomspace(2, 128, 400)
+        return numbers_of(q * 1e6, density_of(q, 0.7, 6) * 1e-28)
+
+    def test_instruments_are_joined(self):
+        """A container of three measurements with units and reliable ranges of their own, and the same as single files."""
+        true = self.measure()
+        output, errors = self.join("twin.zip", "-o", "all.h5", "--no-picture")
+        self.assertEqual(errors, "")
+        found, attributes = self.table("all.h5")
+        for name, value in true.items():
+            self.assertLess(abs(found[name] - value), 4 * found[f"{name}_error"], name)
+            self.assertLess(found[f"{name}_error"], 0.2 * value)
+        self.assertEqual(list(attributes["measurements"]), ["twin.zip: line", "twin.zip: coarse", "twin.zip: fine"])
+        self.assertAlmostEqual(attributes["shortest_waves"][1] / 3e-7, 1, places=9)
+        self.assertIn("resolution", attributes["shortest_because"][1])
+        self.assertGreater(attributes["shortest_waves"][0], 4 * 2e-6 * np.pi / 512)
+        self.assertEqual(self.names(), ["all.h5", "twin.zip"])
+        # the fine map alone, from its own file
+        np.save("fine.npy", 0.01 * draw(512, 0.7, 6, 128, 7)[:128, :128])
+        self.call("fine.npy", "--unit", "um", "--spacing", f"{2 * np.pi / 512:.16g}", "--no-picture")
+        self.join("fine.h5", "-o", "one.h5")
+        self.assertEqual((self.folder / "one.png").read_bytes()[:4], b"\x89PNG")
+        self.join("twin.zip", "--leave-out", "twin.zip: line", "twin.zip: coarse", "-o", "other.h5", "--no-picture")
+        one, other, alone = (self.table(name)[0] for name in ("one.h5", "other.h5", "fine.h5"))
+        for name, values in one.items():
+            np.testing.assert_allclose(values, alone[name], rtol=1e-9, err_msg=name)
+            np.testing.assert_allclose(values, other[name], rtol=1e-6, err_msg=name)
+
+    def test_what_contradicts_is_told(self):
+        """Heights of another unit, and a range without data."""
+        self.measure(factor=3.0)
+        _, errors = self.join("twin.zip", "--no-picture")
+        self.assertRegex(errors, r"twin.zip: (fine|coarse): its spectrum is [\d.]+ times the joined one")
+        for name, spacing in (("a", "1"), ("b", "100")):
+            np.save(f"{name}.npy", draw(32, 0.8, 2, 16, 1))
+            self.call(f"{name}.npy", "--unit", "nm", "--spacing", spacing, "--no-picture")
+        _, errors = self.join("a.h5", "b.h5", "--force", "--no-picture")
+        self.assertIn("no measurement has waves of 1.6e-08 to 4e-07 m", errors)
+
+    def test_refused(self):
+        np.save("a.npy", draw(16, 0.8, 2, 8, 1))
+        for words, *options in (("--window is for a part", "--periodic", "--window", "hann"), ("--tip-radius: given 0", "--tip-radius", "0"),
+                                ("give one", "--tip-radius", "1e-9", "--shortest-reliable", "1e-7")):
+            self.refuse(words, "a.npy", *NM, *options)
+        # waves that are too few are no error of an import: there is no group
+        output, _ = self.call("a.npy", *NM, "--shortest-reliable", "1e-6", "--no-picture")
+        self.assertIn("power spectrum   none: too few waves", output)
+        self.measure()
+        with self.joins():
+            self.refuse("there is no power spectrum in it", "a.h5")
+            self.refuse("neither a file of scripts/import_surface nor a container", "a.npy")
+            self.refuse("there is no measurement 'b', there are twin.zip: line", "twin.zip", "--leave-out", "b")
 
 
 if __name__ == "__main__":
