@@ -56,6 +56,12 @@ module adfric_describe_scene_rules
       & two_solids//' solid%second_poisson_ratio - relaxing', &
       & in_elastic//' friction%coupling - relaxing coupled', &
       & two_solids//' material% - !relaxing', &
+      & 'hertz operating%state - !rolls', &
+      & 'hertz operating%creepage - !rolls !coulomb', &
+      & 'hertz operating%state,operating%creepage,operating%contact_half_width - relaxing', &
+      & 'hertz operating%contact_half_width - cylinder !coulomb !shear', &
+      & 'hertz operating%contact_half_width operating%major_half_width ellipsoid', &
+      & 'hertz operating%contact_half_width operating%contact_radius paraboloid', &
       & two_solids//' material%poisson_ratio - contact_curve', &
       & '* material% solid%', &
       & '* adhesion%surface_energy adhesion%work_of_adhesion', &
@@ -279,6 +285,12 @@ module adfric_describe_scene_rules
       & round//' period_work - !spring', &
       & round//' period_work stick_slip_work', &
       & round//',hertz,'//periodic//' tangential_displacement - !tangential', &
+      & 'hertz tangential_force,creepage,stick_fraction - relaxing', &
+      & 'hertz stick_fraction stick_fraction rolls', &
+      & 'hertz dissipation dissipation rolls', &
+      & 'hertz energy_imbalance energy_imbalance rolls', &
+      & 'hertz tangential_force,creepage - !rolls', &
+      & 'hertz cycle_energy - rolls', &
       & slips//' tangential_displacement,stick_fraction,cycle_energy - slides', &
       & slips//' stick_fraction,tangential_stiffness,cycle_energy - !tangential', &
       & slips//' tangential_stiffness - slides', &
@@ -395,11 +407,12 @@ module adfric_describe_scene_rules
       & 'operating%approach approach of the body from first touch of the undisturbed surface', &
       & 'operating%penetration penetration of the crests below the mean of the deformed surface', &
       & 'friction%shear_strength tau0 of the shear stress in contact; in reduced units: in the scale of lambda', &
-      & 'operating%state does the body slide (sliding), or rest under a tangential force (static)', &
+      & 'operating%state does the body slide (sliding), roll (rolling), or rest under a tangential force (static)', &
       & 'operating%tangential_displacement tangential displacement of the static state, instead of the force', &
       & 'operating%base_displacement displacement of the base of a lateral spring, from rest, instead of the force', &
       & 'operating%lateral_stiffness stiffness of a lateral spring; the events then have its jumps', &
       & 'operating%contact_half_width half-width of contact, instead of the load; not for a flat punch', &
+      & 'operating%major_half_width half-width of contact along the major axis, instead of the load', &
       & 'solid%stiffness stiffness of columns after a long time; E/((1 - nu^2) H) of a layer of the thickness H', &
       & 'numerics%relative_tolerance largest relative error of load and friction (wave_product), or of approach and load in time', &
       & 'numerics%collocation_points number of points where the contact of line_polynomial is solved', &
