@@ -137,6 +137,8 @@ contains
          self%interface = trim(merge('coulomb', 'shear  ', self%has('coulomb')))
          if (self%has('adhesion')) self%interface = 'adhesion+'//self%interface
       end if
+      if (self%interface == 'none' .and. is_named(self%names, 'solid%poisson_ratio')) self%facts = self%facts//' may_stick'
+      if (has_word('flat_punch cone paraboloid power', self%surface)) self%facts = self%facts//' of_one_power'
       self%operation = 'press'
       if (self%has('tangential')) self%operation = 'tangential'
       if (slides) self%operation = 'slide'

@@ -242,6 +242,8 @@ module adfric_describe_scene_rules
       & 'surface_sliding full_contact_friction full_contact_friction_stress', &
       & 'surface_sliding adhesion_fraction,cells_per_zone,order_margin,friction_stress_without_adhesion - !adhesion', &
       & 'surface_sliding adhesive_friction_stress - !adhesion', &
+      & 'indenter full_stick_stiffness,full_stick_load,full_stick_approach - !may_stick', &
+      & 'indenter full_stick_load,full_stick_approach - !of_one_power', &
       & 'indenter slip,largest_slip,stick_radius - coulomb', &
       & round//' slip,largest_slip,stick_radius,sliding_force - slides', &
       & round//' slip,largest_slip,stick_radius - !tangential', &
