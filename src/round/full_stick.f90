@@ -62,8 +62,9 @@ contains
 
       logarithm = log1p(-from_right)
       if (from_left < 0.5_dp) logarithm = log(from_left)
-      ! 1 - t
-      rest = -expm1(logarithm/self%exponent)
+      ! 1 - t; of small exponents almost all t are 0
+      rest = 1
+      if (logarithm/700 > -self%exponent) rest = -expm1(logarithm/self%exponent)
       value = 1
       if (rest > 0) value = cos(self%kappa*log(rest/(2 - rest)))
    end function evaluate
