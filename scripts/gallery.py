@@ -87,7 +87,8 @@ AREAS = {
         one("point_load")),
     "Fretting and partial slip": (
         one("hertz_slip"), one("hertz_hysteresis"), one("indenter_slip"), one("indenter_hysteresis"), one("indenter_fretting"),
-        one("wave_1d_slip"), one("surface_slip")),
+        one("wave_1d_slip"), one("surface_slip"),
+        one("cylinder_rolling", options="--y tangential_force stick_fraction dissipation")),
     "Rubber that slides": (
         one("rubber_velocity"), one("rubber_master_curve"), one("line_scan"), one("rubber_map"), one("hertz_line_sliding"),
         one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),

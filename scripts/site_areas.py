@@ -54,6 +54,7 @@ AREAS = {
         "Hertz's contacts": "docs/theory/hertz.md",
         "Punches and given loads": "docs/theory/line_contacts.md",
         "Partial slip": "docs/theory/slip.md",
+        "Rolling": "docs/theory/rolling.md",
         "A wave on a half-plane": "docs/theory/waves.md",
         "A wave that adheres": "docs/theory/adhesive_wave.md",
         "Lines that slide over rubber": "docs/theory/line_sliding.md",

@@ -67,7 +67,10 @@ module adfric_command_help_phenomena
       & 'goryacheva makhovskaya winkler', 'adhesion in the friction of columns that relax (Goryacheva, Makhovskaya)', &
       & '&solid extent = ''foundation''; &adhesion; &operating velocity', &
       & 'gm2011_fig4_reconciled gm2011_fig5 gm2011_fig6', 'theory/columns theory/columns_strips', &
-      & 'hunter rolling', 'cylinders and waves that slide or roll over a viscoelastic solid (Hunter; Goryacheva)', &
+      & 'carter creepage rolling', 'a wheel that drives by friction, with creepage (Carter)', &
+      & '&surface kind = ''cylinder''; &friction coulomb_coefficient; &operating state = ''rolling''', &
+      & 'cylinder_rolling', 'theory/rolling', &
+      & 'hunter', 'cylinders and waves that slide or roll over a viscoelastic solid (Hunter; Goryacheva)', &
       & '&surface kind = ''cylinder'' or ''wave_1d''; &solid with relaxation; &operating velocity', &
       & 'hertz_line_sliding wave_1d_sliding', 'theory/line_sliding', &
       & 'ting lee radok', 'indenters on viscoelastic solids in time (Lee, Radok; Ting)', &

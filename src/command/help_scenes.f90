@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The page of scenes: which can be solved, and the variables of their groups.
+!> The page of scenes: which can be solved, and the variables of their groups. The file is long by its table of columns.
 module adfric_command_help_scenes
    use adfric_base_text, only: newline
    use adfric_base_words, only: count_words, get_word, has_word, pad
@@ -18,18 +18,21 @@ module adfric_command_help_scenes
    public :: describe_scenes, describe_scene_list, describe_scene_name, list_scene_names
 
    !> Columns of the table: solid, interface, operation, and what they are.
-   integer, parameter :: n_columns = 21
+   integer, parameter :: n_columns = 22
    character(*), parameter :: columns(3, n_columns) = reshape([character(word_length) :: &
       & 'half_space', 'none', 'press', 'half_space', 'adhesion', 'press', 'half_space', 'shear', 'slide', 'half_space', &
-      & 'adhesion+shear', 'slide', 'half_space', 'coulomb', 'tangential', 'half_space', 'coulomb', 'path', 'half_space', &
-      & 'adhesion', 'path', 'free_half_space', 'none', 'press', 'free_half_space', 'adhesion', 'press', 'layer', 'none', 'press', &
-      & 'layer', 'adhesion', 'press', 'coating', 'none', 'press', 'coating', 'adhesion', 'press', 'relaxing', 'none', 'path', &
+      & 'adhesion+shear', 'slide', 'half_space', 'coulomb', 'tangential', 'half_space', 'coulomb', 'roll', &
+      & 'half_space', 'coulomb', 'path', 'half_space', 'adhesion', 'path', 'free_half_space', 'none', 'press', &
+      & 'free_half_space', 'adhesion', 'press', 'layer', 'none', 'press', 'layer', 'adhesion', 'press', &
+      & 'coating', 'none', 'press', 'coating', 'adhesion', 'press', 'relaxing', 'none', 'path', &
       & 'relaxing', 'adhesion', 'path', 'relaxing', 'none', 'slide', 'relaxing', 'adhesion', 'slide', 'layer', 'none', 'slide', &
       & 'layer', 'adhesion', 'slide', 'foundation', 'none', 'slide', 'foundation', 'adhesion', 'slide'], [3, n_columns])
    character(*), parameter :: heads(n_columns) = [character(72) :: &
       & 'elastic half-space, pressed', 'elastic half-space, pressed, with adhesion', &
       & 'elastic half-space, sliding with a shear strength', 'elastic half-space, sliding with adhesion and a shear strength', &
-      & 'elastic half-space, tangential force below mu P (Coulomb)', 'elastic half-space, path of loads and tangential forces', &
+      & 'elastic half-space, tangential force below mu P (Coulomb)', &
+      & 'elastic half-space, rolling under a tangential force (Coulomb)', &
+      & 'elastic half-space, path of loads and tangential forces', &
       & 'elastic half-space, path of loads, approaches or a spring with adhesion', &
       & 'elastic half-space with free boundaries, pressed', 'elastic half-space with free boundaries, pressed, with adhesion', &
       & 'elastic layer, pressed', 'elastic layer, pressed, with adhesion', 'elastic coating, pressed', &

@@ -266,15 +266,18 @@ contains
       !> Indices of the variables of the list in their table, one or more.
       integer, intent(in) :: list(:)
       character(:), allocatable :: text
+      integer, allocatable :: known(:)
       integer :: k
 
-      text = variables(list(1))%name
-      do k = 2, size(list)
-         if (k == size(list)) then
-            text = text//' or '//variables(list(k))%name
-         else
-            text = text//', '//variables(list(k))%name
+      known = pack(list, .not. variables(list)%is_hidden)
+      text = ''
+      do k = 1, size(known)
+         if (k == size(known) .and. k > 1) then
+            text = text//' or '
+         else if (k > 1) then
+            text = text//', '
          end if
+         text = text//variables(known(k))%name
       end do
    end function list_names
 

@@ -33,7 +33,7 @@ module adfric_describe_scene_facts
       character(:), allocatable :: solid
       !> One of: `none`, `adhesion`, `shear`, `coulomb`, `adhesion+shear`, `adhesion+coulomb`.
       character(:), allocatable :: interface
-      !> One of: `press`, `slide`, `tangential`, `path`.
+      !> One of: `press`, `slide`, `tangential`, `roll`, `path`.
       character(:), allocatable :: operation
       !> All facts, separated by a blank.
       character(:), allocatable :: facts
@@ -91,7 +91,8 @@ module adfric_describe_scene_facts
       & 'free_foundation on a foundation with free boundaries', &
       & 'adhesion with adhesion', 'shear with a shear strength', 'coulomb with a coefficient of friction', &
       & 'adhesion+shear with adhesion and a shear strength', 'adhesion+coulomb with adhesion and a coefficient of friction', &
-      & 'press pressed', 'slide sliding', 'tangential under a tangential force', 'path along a path of loading']
+      & 'press pressed', 'slide sliding', 'tangential under a tangential force', 'path along a path of loading', &
+      & 'roll rolling']
 
 contains
 
@@ -137,9 +138,15 @@ contains
          self%interface = trim(merge('coulomb', 'shear  ', self%has('coulomb')))
          if (self%has('adhesion')) self%interface = 'adhesion+'//self%interface
       end if
+      if (self%interface == 'none' .and. is_named(self%names, 'solid%poisson_ratio')) self%facts = self%facts//' may_stick'
+      if (has_word('flat_punch cone paraboloid power', self%surface)) self%facts = self%facts//' of_one_power'
       self%operation = 'press'
       if (self%has('tangential')) self%operation = 'tangential'
       if (slides) self%operation = 'slide'
+      if (self%state == 'rolling') then
+         self%operation = 'roll'
+         self%facts = self%facts//' rolls'
+      end if
       if (self%has('path')) self%operation = 'path'
    end subroutine find_facts
 

@@ -56,6 +56,12 @@ module adfric_describe_scene_rules
       & two_solids//' solid%second_poisson_ratio - relaxing', &
       & in_elastic//' friction%coupling - relaxing coupled', &
       & two_solids//' material% - !relaxing', &
+      & 'hertz operating%state - !rolls', &
+      & 'hertz operating%creepage - !rolls !coulomb', &
+      & 'hertz operating%state,operating%creepage,operating%contact_half_width - relaxing', &
+      & 'hertz operating%contact_half_width - cylinder !coulomb !shear', &
+      & 'hertz operating%contact_half_width operating%major_half_width ellipsoid', &
+      & 'hertz operating%contact_half_width operating%contact_radius paraboloid', &
       & two_solids//' material%poisson_ratio - contact_curve', &
       & '* material% solid%', &
       & '* adhesion%surface_energy adhesion%work_of_adhesion', &
@@ -101,8 +107,8 @@ module adfric_describe_scene_rules
       & 'strip_load samples% traction%', &
       & 'strip_load operating% traction%']
 
-   !> Results.
-   character(*), parameter :: result_rules(*) = [character(160) :: &
+   !> Results of surfaces known by their spectrum.
+   character(*), parameter :: spectrum_rules(*) = [character(160) :: &
       & 'rough_theories contact_fraction_persson,mean_square_pressure_persson - adhesion', &
       & 'rough_theories contact_fraction_yang_persson,contact_fraction_wang_mueser - adhesion', &
       & 'rough_theories contact_fraction_greenwood_williamson,contact_fraction_bush_gibson_thomas - adhesion', &
@@ -208,7 +214,10 @@ module adfric_describe_scene_rules
       & 'rough_theories thermal_conductance_persson,thermal_conductance_yang_persson - !thermal', &
       & 'rough_theories thermal_conductance_wang_mueser,thermal_conductance_greenwood_williamson - !thermal', &
       & 'rough_theories thermal_conductance_bush_gibson_thomas,thermal_conductance_greenwood_elliptic - !thermal', &
-      & 'rough_theories thermal_conductance_nayak_sphere - !thermal', &
+      & 'rough_theories thermal_conductance_nayak_sphere - !thermal']
+
+   !> Results.
+   character(*), parameter :: other_rules(*) = [character(160) :: &
       & '* electrical_conductance - !electrical', &
       & '* thermal_conductance - !thermal', &
       & on_cells//',free_surface contact_stiffness - !stiffness_wanted', &
@@ -237,6 +246,8 @@ module adfric_describe_scene_rules
       & 'surface_sliding full_contact_friction full_contact_friction_stress', &
       & 'surface_sliding adhesion_fraction,cells_per_zone,order_margin,friction_stress_without_adhesion - !adhesion', &
       & 'surface_sliding adhesive_friction_stress - !adhesion', &
+      & 'indenter full_stick_stiffness,full_stick_load,full_stick_approach - !may_stick', &
+      & 'indenter full_stick_load,full_stick_approach - !of_one_power', &
       & 'indenter slip,largest_slip,stick_radius - coulomb', &
       & round//' slip,largest_slip,stick_radius,sliding_force - slides', &
       & round//' slip,largest_slip,stick_radius - !tangential', &
@@ -280,6 +291,12 @@ module adfric_describe_scene_rules
       & round//' period_work - !spring', &
       & round//' period_work stick_slip_work', &
       & round//',hertz,'//periodic//' tangential_displacement - !tangential', &
+      & 'hertz tangential_force,creepage,stick_fraction - relaxing', &
+      & 'hertz stick_fraction stick_fraction rolls', &
+      & 'hertz dissipation dissipation rolls', &
+      & 'hertz energy_imbalance energy_imbalance rolls', &
+      & 'hertz tangential_force,creepage - !rolls', &
+      & 'hertz cycle_energy - rolls', &
       & slips//' tangential_displacement,stick_fraction,cycle_energy - slides', &
       & slips//' stick_fraction,tangential_stiffness,cycle_energy - !tangential', &
       & slips//' tangential_stiffness - slides', &
@@ -348,6 +365,7 @@ module adfric_describe_scene_rules
       & heats//' contact_temperature,flash_temperature,peak_flash_temperature - !heat', &
       & heats//' background_temperature_rise - !heat', &
       & heats//' thermal_gain,thermal_states,heat_share,bulk_heat,interface_heat - !heat']
+   character(*), parameter :: result_rules(*) = [spectrum_rules, other_rules]
 
    !> Profiles.
    character(*), parameter :: profile_rules(*) = [character(160) :: &
@@ -396,11 +414,12 @@ module adfric_describe_scene_rules
       & 'operating%approach approach of the body from first touch of the undisturbed surface', &
       & 'operating%penetration penetration of the crests below the mean of the deformed surface', &
       & 'friction%shear_strength tau0 of the shear stress in contact; in reduced units: in the scale of lambda', &
-      & 'operating%state does the body slide (sliding), or rest under a tangential force (static)', &
+      & 'operating%state does the body slide (sliding), roll (rolling), or rest under a tangential force (static)', &
       & 'operating%tangential_displacement tangential displacement of the static state, instead of the force', &
       & 'operating%base_displacement displacement of the base of a lateral spring, from rest, instead of the force', &
       & 'operating%lateral_stiffness stiffness of a lateral spring; the events then have its jumps', &
       & 'operating%contact_half_width half-width of contact, instead of the load; not for a flat punch', &
+      & 'operating%major_half_width half-width of contact along the major axis, instead of the load', &
       & 'solid%stiffness stiffness of columns after a long time; E/((1 - nu^2) H) of a layer of the thickness H', &
       & 'numerics%relative_tolerance largest relative error of load and friction (wave_product), or of approach and load in time', &
       & 'numerics%collocation_points number of points where the contact of line_polynomial is solved', &

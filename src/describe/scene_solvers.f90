@@ -42,7 +42,8 @@ module adfric_describe_scene_solvers
       & 'paraboloid,ellipsoid half_space coulomb path hertz_history exact', &
       & 'cylinder half_space none press hertz exact', &
       & 'cylinder half_space coulomb press,tangential hertz exact', &
-      & 'cylinder relaxing none slide hertz exact', &
+      & 'cylinder half_space coulomb roll hertz exact', &
+      & 'cylinder relaxing none slide,roll hertz exact', &
       & 'line_punch,cylinder,wedge,line_polynomial half_space none press rigid_punch exact', &
       & 'line_punch,wedge,line_polynomial half_space shear slide rigid_punch exact', &
       & 'wave_1d half_space none,adhesion press wave_1d exact', &

@@ -202,7 +202,7 @@ contains
       call read_choice(r, 'solid', 'curve_modulus', known_curves, scene%curve)
       call check_curve(scene, r%problems)
       scene%state = ''
-      call read_choice(r, 'operating', 'state', 'static sliding', scene%state)
+      call read_choice(r, 'operating', 'state', 'static sliding rolling', scene%state)
       scene%theory = ''
       call read_choice(r, 'adhesion', 'theory', 'auto hertz jkr dmt maugis_dugdale', scene%theory)
       call check_cases(r)

@@ -18,7 +18,7 @@ module adfric_plane_hertz_check
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_spectrum_rows, only: has_spectrum, solid_shift_of
    use adfric_solid_time_temperature, only: shift_none, time_temperature_t
-   use adfric_describe_check, only: require, require_one
+   use adfric_describe_check, only: refuse_given, require, require_one
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
@@ -45,19 +45,40 @@ contains
          call check_slip(variables, values, problems)
       end if
       if (.not. is_set(values(in%kind))) return
-      if (nint(values(in%kind)) == kind_line) then
-         call require(variables, values, [in%load], problems)
-         if (is_set(values(in%approach))) call problems%add('operating', 'approach', &
-            & 'is undefined for the line contact of half-planes; give load')
-      else
-         call require_one(variables, values, [in%load, in%approach], .true., problems)
-      end if
+      call check_load(variables, values, problems)
       call check_current(variables, values, problems)
       call check_radii(variables, values, problems)
       if (.not. is_sliding(values) .or. problems%count() > before) return
       if (.not. is_possible_cylinder(values, given)) call problems%add('operating', 'velocity', &
          & 'is too small or too large for the radius, the load and the relaxation times')
    end subroutine check_hertz
+
+   !> Add to `problems` what is wrong with the load, or with what is prescribed instead.
+   subroutine check_load(variables, values, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      logical :: is_swept(size(values))
+
+      ! what is swept has a value here, too
+      is_swept = .false.
+      associate (others => [in%contact_half_width, in%peak_pressure])
+         if (nint(values(in%kind)) /= kind_line) then
+            call require_one(variables, values, [in%load, in%approach, others], .true., problems)
+            return
+         end if
+         call refuse_given(variables, values, is_swept, [in%approach], &
+            & 'is undefined for the line contact of half-planes; give load', problems)
+         if (is_sliding(values)) then
+            call refuse_given(variables, values, is_swept, others, 'has no meaning beside &material; give load', problems)
+            if (.not. any(is_set(values(others)))) call require(variables, values, [in%load], problems)
+            return
+         end if
+         if (is_coupled(values(in%coupling))) call refuse_given(variables, values, is_swept, others, &
+            & 'stands beside coupling, which moves the contact; give load', problems)
+         call require_one(variables, values, [in%load, others], .true., problems)
+      end associate
+   end subroutine check_load
 
    !> Add to `problems` what is wrong with conduction, which a line contact does not have.
    subroutine check_current(variables, values, problems)

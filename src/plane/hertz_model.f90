@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction or in partial slip
-!> (Cattaneo, Mindlin); or a rigid cylinder that slides over a viscoelastic half-plane (Hunter).
+!> (Cattaneo, Mindlin), or rolling (Carter); or a rigid cylinder that slides over a viscoelastic half-plane (Hunter).
 !> The file is long by its answers to `pointwise_model_t`.
 module adfric_plane_hertz_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
@@ -19,11 +19,11 @@ module adfric_plane_hertz_model
       & velocity_that_heats_cylinder
    use adfric_plane_ellipse_interface, only: add_ellipse_interface, set_ellipse_tractions
    use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
-   use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
-      & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
+   use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_pressure, ellipse_gap, ellipse_misfit
    use adfric_plane_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
-   use adfric_plane_hertz_slip, only: add_ellipse_slip, add_line_slip, find_slip, has_slip, hertz_slip_t, &
-      & p_shear_stress, slip_profiles, tractions
+   use adfric_plane_hertz_prescribed, only: line_load, prescribed_ellipse
+   use adfric_plane_hertz_slip, only: add_ellipse_slip, add_line_slip, fill_rolling, find_slip, has_slip, hertz_slip_t, &
+      & is_rolling, p_shear_stress, p_slip_ratio, slip_profiles, solve_rolling, tractions
    use adfric_plane_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
    use adfric_plane_hertz_variables, only: get_hertz_variables, get_hertz_results, kind_line, in => hertz_input, &
       & out => hertz_output
@@ -84,7 +84,7 @@ contains
       self%first_material = in%material(1)
       self%first_law = in%friction(n_shear_rows + 1)
       self%references = self%references//'; S. C. Hunter, J. Appl. Mech. 28, 611 (1961); ' &
-         & //'R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)'
+         & //'R. D. Mindlin, J. Appl. Mech. 16, 259 (1949); F. W. Carter, Proc. R. Soc. Lond. A 112, 151 (1926)'
    end subroutine new_hertz_model
 
    !> See `model_t`.
@@ -222,10 +222,13 @@ contains
       integer, intent(out) :: status
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
+      real(dp) :: loaded(size(values))
       logical :: is_valid
 
       status = status_not_converged
       error_estimate = 0
+      loaded = values
+      if (nint(values(in%kind)) == kind_line) loaded(in%load) = line_load(values)
       if (.not. allocated(state)) then
          if (is_sliding(values)) allocate (cylinder_point_t :: state)
          if (has_interface(values(in%friction)) .and. nint(values(in%kind)) == kind_line .and. .not. allocated(state)) &
@@ -243,10 +246,10 @@ contains
             end if
          end if
       type is (coupled_cylinder_point_t)
-         call solve_coupled_cylinder(values, self%given_law, state, results, error_estimate, status)
+         call solve_coupled_cylinder(loaded, self%given_law, state, results, error_estimate, status)
       type is (hertz_state_t)
          if (nint(values(in%kind)) == kind_line) then
-            call solve_line(values, state, results, error_estimate, status)
+            call solve_line(loaded, state, results, error_estimate, status)
          else
             call solve_ellipse(values, state, results, error_estimate, status)
             if (status == status_solved .and. has_interface(values(in%friction))) then
@@ -276,7 +279,11 @@ contains
       status = status_solved
       error_estimate = epsilon(error_estimate)
       state%line = line_of_load(values(in%radius), modulus_of(values), values(in%load))
-      if (has_slip(values)) then
+      if (is_rolling(values)) then
+         call solve_rolling(values, values(in%load), state%line, state%slip, results, is_sustained)
+         if (.not. is_sustained) status = status_no_equilibrium
+         if (.not. is_sustained) return
+      else if (has_slip(values)) then
          call find_slip(values, values(in%load), state%line%peak_pressure, .true., state%slip, is_sustained)
          if (.not. is_sustained) status = status_no_equilibrium
          if (.not. is_sustained) return
@@ -311,7 +318,7 @@ contains
          call find_unit_ellipse(a/b, values(in%poisson_ratio), unit_contact)
          status = merge(status_solved, status_not_converged, unit_contact%shape%is_converged)
          if (status /= status_solved) return
-         call get_ellipse(values, a, b, unit_contact%shape, s)
+         call prescribed_ellipse(values, a, b, unit_contact%shape, s)
          if (has_slip(values)) then
             call find_slip(values, s%load, s%peak_pressure, .false., state%slip, is_sustained)
             if (.not. is_sustained) status = status_no_equilibrium
@@ -335,28 +342,13 @@ contains
       end associate
    end subroutine solve_ellipse
 
-   !> Ellipse of a case under its load or approach.
-   pure subroutine get_ellipse(values, a, b, shape, s)
-      real(dp), intent(in) :: values(:)
-      !> Curvatures A <= B of the gap [1/m].
-      real(dp), intent(in) :: a, b
-      type(ellipse_shape_t), intent(in) :: shape
-      !> The contact; its half-axes are 0 if the shape is not converged.
-      type(ellipse_t), intent(out) :: s
-
-      if (is_set(values(in%load))) then
-         call ellipse_of_load(a, b, modulus_of(values), values(in%load), shape, s)
-      else
-         call ellipse_of_approach(a, b, modulus_of(values), values(in%approach), shape, s)
-      end if
-   end subroutine get_ellipse
-
-   !> See `model_t`: the shear stress belongs to friction.
+   !> See `model_t`: the shear stress belongs to friction, and slip to rolling.
    pure integer function count_profiles(self, values)
       class(hertz_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
 
       count_profiles = merge(p_shear_stress, p_shear_stress - 1, has_slip(values) .or. has_interface(values(in%friction)))
+      if (is_rolling(values)) count_profiles = p_slip_ratio
       associate (unused => self)
       end associate
    end function count_profiles
@@ -397,6 +389,8 @@ contains
                end if
                if (has_interface(values(in%friction))) then
                   call set_ellipse_tractions(values, self%given_law, profiles(:, j, 1), profiles(:, j, p_shear_stress))
+               else if (is_rolling(values)) then
+                  call fill_rolling(state%slip, state%line, x, profiles(:, j, p_shear_stress), profiles(:, j, p_slip_ratio))
                else if (size(profiles, 3) == p_shear_stress) then
                   call fill_tractions(state, x, y(j), nint(values(in%kind)) == kind_line, profiles(:, j, p_shear_stress))
                end if

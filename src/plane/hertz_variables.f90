@@ -22,15 +22,17 @@ module adfric_plane_hertz_variables
       !> Indices of the rows.
       integer :: kind = 0, radius = 0, radius_1x = 0, radius_1y = 0, radius_2x = 0, radius_2y = 0, angle = 0, &
          & contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, second_young_modulus = 0, second_poisson_ratio = 0, &
-         & material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, load = 0, approach = 0, tangential_force = 0, &
-         & tangential_axis = 0, coefficient = 0, friction(n_interface_rows) = 0, coupling = 0, heat(n_heat_rows) = 0, &
-         & conduction(n_conduction_rows) = 0
+         & material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, load = 0, approach = 0, contact_half_width = 0, &
+         & peak_pressure = 0, tangential_force = 0, tangential_axis = 0, creepage = 0, state = 0, coefficient = 0, &
+         & friction(n_interface_rows) = 0, coupling = 0, &
+         & heat(n_heat_rows) = 0, conduction(n_conduction_rows) = 0
    end type hertz_input_t
    type(hertz_input_t), parameter, public :: hertz_input = transfer(counting, hertz_input_t())
    !> Indices of the words of `kind`.
    integer, parameter, public :: kind_line = 1, kind_circular = 2, kind_elliptical = 3
-   !> Index of the word of `tangential_axis` for the force along the minor axis.
-   integer, parameter, public :: axis_minor = 2
+   !> Index of the word of `tangential_axis` for the force along the minor axis, and that of the word of `state` for a cylinder that
+   !> rolls.
+   integer, parameter, public :: axis_minor = 2, state_rolling = 2
    !> Results in the order of their rows; a component is the index of its row.
    type :: hertz_output_t
       !> Indices of the rows.
@@ -39,7 +41,8 @@ module adfric_plane_hertz_variables
          & contact_shift = 0, dissipation = 0, energy_imbalance = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, hysteretic_friction_force = 0, interfacial_friction_force = 0, &
          & interfacial_share = 0, velocity_slope = 0, largest_coupling = 0, smallest_stiffness_ratio = 0, &
-         & coupling_left_out = 0, heat(n_heat_results) = 0, contact_stiffness = 0, conductances(n_conduction_results) = 0
+         & coupling_left_out = 0, heat(n_heat_results) = 0, contact_stiffness = 0, conductances(n_conduction_results) = 0, &
+         & tangential_force = 0, creepage = 0
    end type hertz_output_t
    type(hertz_output_t), parameter, public :: hertz_output = transfer(counting, hertz_output_t())
    !> Number of results.
@@ -75,10 +78,18 @@ contains
       v(hertz_input%load) = number(group='operating', name='load', unit='N; N/m for line', meaning='load', lower=0.0_dp)
       v(hertz_input%approach) = number(group='operating', name='approach', unit='m', &
          & meaning='of distant points, instead of the load; below 0 the bodies are apart; not for a line')
+      v(hertz_input%contact_half_width) = positive(group='operating', name='contact_half_width', unit='m', &
+         & meaning='half-width a of contact along the major axis, instead of the load')
+      v(hertz_input%peak_pressure) = positive(group='operating', name='peak_pressure', unit='Pa', &
+         & meaning='largest pressure between elastic bodies, instead of the load')
       v(hertz_input%tangential_force) = number(group='operating', name='tangential_force', unit='N; N/m for line', &
          & meaning='T, which has grown from 0 under the load; up to mu P, of either sign')
       v(hertz_input%tangential_axis) = choice(group='operating', name='tangential_axis', &
          & meaning='axis of the ellipse along which T acts, or the body slides; major if not given', choices='major minor')
+      v(hertz_input%creepage) = number(group='operating', name='creepage', unit='-', &
+         & meaning='of a cylinder that rolls, instead of tangential_force: how much faster it turns than it rolls, as a share')
+      v(hertz_input%state) = choice(group='operating', name='state', &
+         & meaning='is the body at rest (static, if not given), or does it roll (rolling)', choices='static rolling')
       v(hertz_input%coefficient) = positive(group='friction', name='coefficient', unit='-', &
          & meaning='mu of Coulomb''s friction between elastic bodies')
       call set_shear_rows(v(hertz_input%friction(1):hertz_input%friction(n_shear_rows)))
@@ -143,7 +154,11 @@ contains
       r(hertz_output%heat(1):hertz_output%heat(n_heat_results)) = heat_results('W/m')
       r(hertz_output%contact_stiffness) = result_row(name='contact_stiffness', unit='N/m', &
          & long_name='change of load with approach; a line contact has none')
-      r(hertz_output%conductances(1):) = conduction_results(.false.)
+      r(hertz_output%conductances(1):hertz_output%conductances(n_conduction_results)) = conduction_results(.false.)
+      r(hertz_output%tangential_force) = result_row(name='tangential_force', unit=force, &
+         & long_name='force by which a cylinder that rolls drives the other body', is_main=.true.)
+      r(hertz_output%creepage) = result_row(name='creepage', unit='-', &
+         & long_name='how much faster a body turns than it rolls, as a share, with the sign of the force', is_main=.true.)
    end function get_hertz_results
 
    !> The results of sliding.
@@ -161,9 +176,9 @@ contains
       r(hertz_output%contact_shift) = result_row(name='contact_shift', unit='m', &
          & long_name='middle of the contact, from the lowest line of a sliding cylinder; no value without contact')
       r(hertz_output%dissipation) = result_row(name='dissipation', unit='N/m', &
-         & long_name='energy lost per length and distance, in closed form')
+         & long_name='energy lost per length and distance, in closed form; of a cylinder that rolls: force times creepage')
       r(hertz_output%energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
-         & long_name='work of the pressure, from its profile, less the dissipation, over the dissipation')
+         & long_name='work of the pressure, or of slip, from its profile, less the dissipation, over the dissipation')
    end subroutine set_sliding_results
 
 end module adfric_plane_hertz_variables

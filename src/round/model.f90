@@ -20,6 +20,7 @@ module adfric_round_model
    use adfric_round_law_model, only: law_model_t
    use adfric_round_loop, only: find_loop, loop_t
    use adfric_round_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_driven, store_peeled
+   use adfric_round_full_stick, only: store_full_stick
    use adfric_round_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
    use adfric_round_pressure_law, only: add_pressure_part
    use adfric_round_profiles, only: pressure_at, gap_at
@@ -260,6 +261,7 @@ contains
       type(indenter_state_t), allocatable :: found
       type(ends_t) :: ends
       real(dp) :: moved(n_indenter_variables)
+      logical :: is_stuck
 
       allocate (found)
       error_estimate = 0
@@ -301,6 +303,8 @@ contains
                call store_friction(values, found, results, status)
             end if
             if (peeled%is_peeling) results(out%cycle_energy) = not_a_number()
+            call store_full_stick(case, values, results, is_stuck)
+            if (.not. is_stuck) status = status_not_converged
          end if
       end associate
       call move_alloc(found, state)

@@ -57,7 +57,8 @@ module adfric_round_variables
          & largest_slip = 0, peak_force = 0, peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, &
          & snap_off_displacement = 0, critical_lateral_stiffness = 0, jump_base_displacement = 0, jump_displacement = 0, &
          & jump_force = 0, arrest_force = 0, jump_energy = 0, jump_period = 0, period_work = 0, tangential_force = 0, &
-         & velocity_slope = 0, heat(n_heat_results) = 0, conductances(n_conduction_results) = 0
+         & velocity_slope = 0, heat(n_heat_results) = 0, conductances(n_conduction_results) = 0, &
+         & full_stick_stiffness = 0, full_stick_load = 0, full_stick_approach = 0
    end type indenter_output_t
    type(indenter_output_t), parameter, public :: indenter_output = transfer(counting, indenter_output_t())
    integer, parameter, public :: n_indenter_results = storage_size(indenter_output)/storage_size(1)
@@ -258,7 +259,13 @@ contains
       r(indenter_output%loop_energy) = result_row(name='loop_energy', unit='J', &
          & long_name='energy that the jumps of a cycle of approach and retraction take')
       call set_peeling_results(r)
-      r(indenter_output%conductances(1):) = conduction_results(.false.)
+      r(indenter_output%conductances(1):indenter_output%conductances(n_conduction_results)) = conduction_results(.false.)
+      r(indenter_output%full_stick_stiffness) = result_row(name='full_stick_stiffness', unit='N/m', &
+         & long_name='contact stiffness if nothing slips on this contact')
+      r(indenter_output%full_stick_load) = result_row(name='full_stick_load', unit='N', &
+         & long_name='load of this contact radius if nothing slips while the load grows')
+      r(indenter_output%full_stick_approach) = result_row(name='full_stick_approach', unit='m', &
+         & long_name='approach of this contact radius if nothing slips while the load grows')
    end function get_indenter_results
 
    !> The results of what friction does to adhesion, and of heat.

@@ -15,7 +15,7 @@ module adfric_solid_contact_modulus
    implicit none (type, external)
    private
    public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus
-   public :: plane_strain_modulus, poisson_compliance_of, has_poisson_ratio
+   public :: plane_strain_modulus, poisson_compliance_of, dundurs_ratio_of, has_poisson_ratio
    public :: n_one_body, n_two_bodies, modulus_names
 
    !> Number of rows where one body is elastic, and where both may be.
@@ -84,6 +84,20 @@ contains
       if (is_set(values(second_young))) compliance = compliance &
          & + 2*values(second_poisson)*(1 + values(second_poisson))/values(second_young)
    end function poisson_compliance_of
+
+   !> Dundurs's beta of both bodies, by which pressure shears and shear presses. A contact modulus with Poisson's ratio is that of one
+   !> body on a rigid one.
+   pure real(dp) function dundurs_ratio_of(values) result(beta)
+      !> Values of the rows, with Poisson's ratio of each elastic body; shape `(n_two_bodies)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: compliance
+
+      beta = (1 - 2*values(poisson))/(2*(1 - values(poisson)))
+      if (is_set(values(contact)) .or. .not. is_set(values(second_young))) return
+      compliance = (1 - 2*values(poisson))*(1 + values(poisson))/values(young) &
+         & - (1 - 2*values(second_poisson))*(1 + values(second_poisson))/values(second_young)
+      beta = contact_modulus_of(values)*compliance/2
+   end function dundurs_ratio_of
 
    !> Is Poisson's ratio known, beside a contact modulus, too?
    pure logical function has_poisson_ratio(values)

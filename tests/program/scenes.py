@@ -49,7 +49,7 @@ LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
 
 
 # the kind of scene in each column of the table
-KINDS = (1, 2, 3, 4, 5, 6, 15, 16, 21, 17, 18, 19, 20, 13, 14, 7, 11, 8, 12, 9, 10)
+KINDS = (1, 2, 3, 4, 5, 22, 6, 15, 16, 21, 17, 18, 19, 20, 13, 14, 7, 11, 8, 12, 9, 10)
 
 
 def scene_of(surface, kind):
@@ -65,6 +65,7 @@ def scene_of(surface, kind):
             4: ELASTIC + adhesion + f"&friction shear_strength = 1e5 /\n&operating {load}{sliding} /\n",
             5: ELASTIC + f"&friction coulomb_coefficient = 0.3 /\n&operating {load}, {force} /\n",
             6: ELASTIC + "&friction coulomb_coefficient = 0.3 /\n&history loads = 1e-3, 1e-3, 1e-3, tangential_forces = 1e-4, -1e-4, 0.0 /\n",
+            22: ELASTIC + f"&friction coulomb_coefficient = 0.3 /\n&operating {load}, {force}, state = 'rolling' /\n",
             15: ELASTIC + adhesion + f"&history {path} /\n",
             16: ELASTIC.replace(" /", ", boundaries = 'free' /") + "&operating load = 1e-5 /\n",
             17: ON_LAYER + f"&operating {load} /\n", 18: ON_LAYER + adhesion + f"&operating {load} /\n",
