@@ -52,7 +52,8 @@ module adfric_describe_scene_solvers
       & 'cylinder relaxing shear press,slide hertz exact', &
       & 'cylinder relaxing adhesion,adhesion+shear press,slide adhesive_cylinder exact', &
       & 'wave_1d relaxing shear press,slide wave_1d exact', &
-      & 'wave_1d half_space adhesion press wave_1d_elastic numerical', &
+      & 'wave_1d half_space none,adhesion press wave_1d_elastic numerical', &
+      & 'wave_1d half_space coulomb press,tangential wave_1d_elastic numerical', &
       & 'wave_2d half_space none,adhesion press wave_2d_elastic numerical', &
       & 'wave_2d half_space shear,adhesion+shear press,slide wave_2d_elastic numerical', &
       & 'wave_2d half_space coulomb press,tangential wave_2d_elastic numerical', &
