@@ -109,7 +109,8 @@ AREAS = {
         one("lecture_wave_cuts", options="--cut y=0 y=x"), one("surface_elastic"), one("free_rough_tip"),
         one("theories_pressure", options="--y contact_fraction_wang_mueser mean_gap_wang_mueser"),
         one("spectrum_seeds", options="--y contact_fraction mean_gap"), one("spectrum_ensemble"),
-        one("contact_conductance", "contact_conductance_theory", options="--y electrical_conductance thermal_conductance")),
+        one("contact_conductance", "contact_conductance_theory", options="--y electrical_conductance thermal_conductance"),
+        one("depth_stresses", options="--y largest_von_mises_stress largest_shear_stress")),
     "Waves and rough surfaces: adhesion": (
         one("surface_adhesion_maps"), one("surface_work_map"), one("surface_stickiness"), one("surface_opening", options="--y pull_off_pressure contact_fraction"),
         one("surface_adhesion_friction"),

@@ -324,7 +324,9 @@ module adfric_describe_scene_rules
       & on_cells//' largest_von_mises_x,largest_von_mises_y - !stresses', &
       & on_cells//' largest_shear_stress,largest_shear_depth,largest_shear_x,largest_shear_y - !stresses', &
       & on_cells//' largest_stress_error - !all_depths', &
-      & on_cells//' yield_ratio - !yields', &
+      & on_cells//',hertz yield_ratio - !yields', &
+      & 'hertz yield_load - !yields', &
+      & 'hertz largest_von_mises_stress,largest_von_mises_depth - !stresses', &
       & 'wave_1d hysteresis_loss adhesion_hysteresis', &
       & 'wave_1d elastic_energy - slides', &
       & periodic//' friction_stress,friction_coefficient - !interface', &

@@ -40,10 +40,12 @@ module adfric_periodic_largest_stress
    end type largest_stress_t
 
    !> The largest stresses at one depth.
-   type :: level_t
+   type :: stressed_level_t
+      !> The depth, and the largest stress of each measure.
       real(dp) :: depth = 0, stress(n_measures) = 0
+      !> Indices of the cells, along x and y.
       integer :: cell(2, n_measures) = 1
-   end type level_t
+   end type stressed_level_t
 
    !> C of both measures, at nu = 1/2 and at nu = -1 [-], rounded up (`test_constants` integrates them).
    real(dp), parameter, public :: of_pressure(n_measures, 2) = reshape([5.317_dp, 2.929_dp, 7.527_dp, 4.236_dp], [n_measures, 2])
@@ -77,8 +79,8 @@ contains
       !> Shear stress of the field, for its least and largest value alone; not present: none.
       real(dp), intent(in), optional :: shear(:, :)
       real(dp), allocatable :: stress(:, :, :)
-      type(level_t), allocatable :: levels(:)
-      type(level_t) :: surface, below
+      type(stressed_level_t), allocatable :: levels(:)
+      type(stressed_level_t) :: surface, below
       real(dp) :: factor(n_measures), first
       integer :: k, n
 
@@ -121,7 +123,7 @@ contains
       integer, intent(in) :: part(2)
       type(largest_stress_t), intent(out) :: found
       real(dp), allocatable :: stress(:, :, :)
-      type(level_t) :: level
+      type(stressed_level_t) :: level
 
       associate (n_cells => field%n_cells())
          allocate (stress(n_cells(1), n_cells(2), n_stresses))
@@ -139,10 +141,10 @@ contains
       !> Workspace for the stresses.
       real(dp), intent(inout), contiguous :: stress(:, :, :)
       !> In: the first samples, from the surface down. Out: all.
-      type(level_t), allocatable, intent(inout) :: levels(:)
+      type(stressed_level_t), allocatable, intent(inout) :: levels(:)
       !> In: the largest of the first samples. Out: of all, with the error.
       type(largest_stress_t), intent(inout) :: found
-      type(level_t), allocatable :: finer(:)
+      type(stressed_level_t), allocatable :: finer(:)
       real(dp) :: bound(n_measures)
       integer :: k, n
       logical :: is_done
@@ -176,7 +178,7 @@ contains
 
    !> What no stress between two depths exceeds.
    pure function bound_between(upper, lower, factor) result(bound)
-      type(level_t), intent(in) :: upper, lower
+      type(stressed_level_t), intent(in) :: upper, lower
       !> B of both measures.
       real(dp), intent(in) :: factor(n_measures)
       real(dp) :: bound(n_measures)
@@ -197,7 +199,7 @@ contains
    !> Keep a level where it has more; of equal ones the first.
    pure subroutine take(found, level)
       type(largest_stress_t), intent(inout) :: found
-      type(level_t), intent(in) :: level
+      type(stressed_level_t), intent(in) :: level
       integer :: k
 
       do k = 1, n_measures
@@ -215,7 +217,7 @@ contains
       integer, intent(in) :: part(2)
       !> Workspace for the stresses.
       real(dp), intent(inout), contiguous :: stress(:, :, :)
-      type(level_t), intent(out) :: level
+      type(stressed_level_t), intent(out) :: level
       real(dp), allocatable :: measures(:, :, :)
       integer :: i, j, k
 
