@@ -84,7 +84,7 @@ AREAS = {
     "Hertz's contacts, punches and given loads": (
         one("hertz_axes"), one("hertz_ratio"), one("punch_flat"), one("punch_cylinder"), one("punch_wedge"), one("rigid_punch"),
         one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),
-        one("point_load")),
+        one("point_load"), one("rectangle_load", options="--y stress_zz stress_xx displacement_z")),
     "Fretting and partial slip": (
         one("hertz_slip"), one("hertz_hysteresis"), one("indenter_slip"), one("indenter_hysteresis"), one("indenter_fretting"),
         one("wave_1d_slip"), one("surface_slip")),

@@ -99,7 +99,7 @@ module adfric_describe_scene_rules
       & 'strip_load operating%tangential_traction traction%shear_stress', &
       & 'strip_load samples%shear_tractions traction%shear_stresses', &
       & 'strip_load samples% traction%', &
-      & 'strip_load operating% traction%']
+      & 'strip_load,rectangle_load operating% traction%']
 
    !> Results.
    character(*), parameter :: result_rules(*) = [character(160) :: &
@@ -320,6 +320,7 @@ module adfric_describe_scene_rules
       & 'wave_1d adhesive_friction_stress,hysteresis_loss - !adhesion', &
       & on_cells//' cells_per_zone - !adhesion', &
       & on_cells//' opening_loss - !opens', &
+      & 'spectrum_elastic largest_von_mises_x,largest_von_mises_y,largest_shear_x,largest_shear_y - ensemble', &
       & on_cells//' largest_von_mises_stress,largest_von_mises_depth - !stresses', &
       & on_cells//' largest_von_mises_x,largest_von_mises_y - !stresses', &
       & on_cells//' largest_shear_stress,largest_shear_depth,largest_shear_x,largest_shear_y - !stresses', &

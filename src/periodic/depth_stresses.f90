@@ -35,18 +35,24 @@ contains
       type(stress_field_t) :: field
       type(largest_stress_t) :: found
       type(error_t), allocatable :: error
-      integer :: part(2)
+      real(dp), allocatable :: stress(:, :, :)
+      integer :: part(2), failure
 
       associate (unit => surface%period(1))
          call new_stress_field(field, pressure, surface%period/unit, surface%is_quarter, poisson_ratio, error, shear, axis)
          is_found = .not. allocated(error)
          if (.not. is_found) return
+         associate (n_cells => field%n_cells())
+            allocate (stress(n_cells(1), n_cells(2), n_stresses), stat=failure)
+         end associate
+         is_found = failure == 0
+         if (.not. is_found) return
          ! below an even pressure alone the stresses of all quarters are alike
          part = merge(shape(pressure), field%n_cells(), .not. present(shear))
          if (has_depth(values)) then
-            call largest_at_depth(field, values(in%depth)/unit, part, found)
+            call largest_at_depth(field, values(in%depth)/unit, part, stress, found)
          else
-            call find_largest_stress(field, surface%period/unit, pressure, poisson_ratio, part, found, shear)
+            call find_largest_stress(field, surface%period/unit, pressure, poisson_ratio, part, stress, found, shear)
             results(out%search_error) = maxval(found%error)
          end if
       end associate
@@ -90,14 +96,15 @@ contains
       type(stress_field_t) :: field
       type(error_t), allocatable :: error
       real(dp), allocatable :: stress(:, :, :)
-      integer :: i, j
+      integer :: i, j, failure
 
       associate (unit => surface%period(1))
          call new_stress_field(field, pressure, surface%period/unit, surface%is_quarter, poisson_ratio, error, shear, axis)
          if (allocated(error)) return
          associate (n_cells => field%n_cells())
-            allocate (stress(n_cells(1), n_cells(2), n_stresses))
+            allocate (stress(n_cells(1), n_cells(2), n_stresses), stat=failure)
          end associate
+         if (failure /= 0) return
          call field%get_stresses(values(in%depth)/unit, stress)
       end associate
       do j = 1, size(maps, 2)

@@ -64,7 +64,7 @@ module adfric_periodic_largest_stress
 contains
 
    !> Find the largest stresses over all depths.
-   subroutine find_largest_stress(field, period, pressure, poisson_ratio, part, found, shear)
+   subroutine find_largest_stress(field, period, pressure, poisson_ratio, part, stress, found, shear)
       !> The half-space below the pressure.
       type(stress_field_t), intent(inout) :: field
       !> Periods along x and y.
@@ -75,17 +75,17 @@ contains
       real(dp), intent(in) :: poisson_ratio
       !> Cells along x and y, from the first ones, among which the largest stress is sought.
       integer, intent(in) :: part(2)
+      !> Workspace for the stresses; shape `(nx, ny, n_stresses)` of a whole period.
+      real(dp), intent(inout), contiguous :: stress(:, :, :)
       type(largest_stress_t), intent(out) :: found
       !> Shear stress of the field, for its least and largest value alone; not present: none.
       real(dp), intent(in), optional :: shear(:, :)
-      real(dp), allocatable :: stress(:, :, :)
       type(stressed_level_t), allocatable :: levels(:)
       type(stressed_level_t) :: surface, below
       real(dp) :: factor(n_measures), first
       integer :: k, n
 
       associate (n_cells => field%n_cells())
-         allocate (stress(n_cells(1), n_cells(2), n_stresses))
          first = minval(period/n_cells, mask=n_cells > 1)/2
       end associate
       factor = bound_factor(of_pressure, poisson_ratio)*(maxval(pressure) - minval(pressure))/2
@@ -114,20 +114,18 @@ contains
    end function longest_of
 
    !> The largest stresses at one depth.
-   subroutine largest_at_depth(field, depth, part, found)
+   subroutine largest_at_depth(field, depth, part, stress, found)
       !> The half-space below the pressure.
       type(stress_field_t), intent(inout) :: field
       !> The depth, in the unit of the periods.
       real(dp), intent(in) :: depth
       !> Cells along x and y, from the first ones, among which the largest stress is sought.
       integer, intent(in) :: part(2)
+      !> Workspace for the stresses; shape `(nx, ny, n_stresses)` of a whole period.
+      real(dp), intent(inout), contiguous :: stress(:, :, :)
       type(largest_stress_t), intent(out) :: found
-      real(dp), allocatable :: stress(:, :, :)
       type(stressed_level_t) :: level
 
-      associate (n_cells => field%n_cells())
-         allocate (stress(n_cells(1), n_cells(2), n_stresses))
-      end associate
       call set_level(field, depth, part, stress, level)
       call take(found, level)
    end subroutine largest_at_depth
