@@ -8,7 +8,7 @@ module adfric_periodic_depth_stresses
       & shear_of, von_mises_of
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_stress_field, only: new_stress_field, n_stresses, stress_field_t
-   use adfric_periodic_stress_rows, only: has_depth, in => stress_input, out => stress_output
+   use adfric_periodic_stress_rows, only: in => stress_input, out => stress_output, wants_search
    implicit none (type, external)
    private
    public :: store_stresses, fill_stress_maps
@@ -49,7 +49,7 @@ contains
          if (.not. is_found) return
          ! below an even pressure alone the stresses of all quarters are alike
          part = merge(shape(pressure), field%n_cells(), .not. present(shear))
-         if (has_depth(values)) then
+         if (.not. wants_search(values)) then
             call largest_at_depth(field, values(in%depth)/unit, part, stress, found)
          else
             call find_largest_stress(field, surface%period/unit, pressure, poisson_ratio, part, stress, found, shear)
@@ -59,7 +59,7 @@ contains
       call store_measure(of_von_mises, out%von_mises)
       call store_measure(of_shear, out%shear)
       ! what was given comes back to the last digit
-      if (has_depth(values)) results([out%von_mises(2), out%shear(2)]) = values(in%depth)
+      if (.not. wants_search(values)) results([out%von_mises(2), out%shear(2)]) = values(in%depth)
       if (is_set(values(in%strength))) results(out%yield_ratio) = results(out%von_mises(1))/values(in%strength)
 
    contains

@@ -54,12 +54,13 @@ contains
       wants_stresses = wants_search(values) .or. has_depth(values)
    end function wants_stresses
 
-   !> Is a search over all depths wanted?
+   !> Is a search over all depths wanted, by its switch, or by a yield strength without a depth?
    pure logical function wants_search(values)
       !> Values of the rows; shape `(n_stress_rows)`.
       real(dp), intent(in) :: values(:)
 
-      wants_search = is_set(values(stress_input%largest)) .and. values(stress_input%largest) > 0
+      wants_search = is_set(values(stress_input%strength)) .and. .not. has_depth(values)
+      if (is_set(values(stress_input%largest))) wants_search = wants_search .or. values(stress_input%largest) > 0
    end function wants_search
 
    !> Is a depth given?
@@ -83,14 +84,8 @@ contains
       character(*), parameter :: unbounded = 'where the stress at the surface has no largest value; give position_z'
       integer :: asked
 
-      if (.not. wants_stresses(values)) then
-         if (is_set(values(stress_input%strength))) call add(stress_input%strength, &
-            & 'has no meaning without &output largest_stresses or &position position_z')
-         return
-      end if
+      if (.not. wants_stresses(values)) return
       asked = merge(stress_input%largest, stress_input%depth, wants_search(values))
-      if (wants_search(values) .and. has_depth(values)) &
-         & call add(stress_input%largest, 'stands beside position_z; give one of them: all depths, or one')
       if (has_layer) call add(asked, 'stands beside a layer, in which stresses in depth are not solved')
       if (.not. has_ratio) call problems%add('solid', 'poisson_ratio', 'is missing [-]; the stresses in depth need it')
       if (.not. wants_search(values)) return
@@ -117,7 +112,6 @@ contains
          & 'largest von Mises stress in the solid, or at position_z')
       call set_measure(r(stress_output%shear(1):stress_output%shear(4)), 'largest_shear_stress', 'largest_shear', &
          & 'largest shear stress in the solid, or at position_z')
-      r(stress_output%von_mises(1))%is_main = .true.
       r(stress_output%search_error) = result_row(name='largest_stress_error', unit='-', &
          & long_name='bound of what the search in depth may have missed of either, over the largest one')
       r(stress_output%yield_ratio) = result_row(name='yield_ratio', unit='-', &

@@ -53,7 +53,7 @@ contains
          call require_one(variables, values, [in%load, in%approach], .true., problems)
       end if
       call check_current(variables, values, problems)
-      call check_stresses(variables, values, problems)
+      call check_stresses(values, problems)
       call check_radii(variables, values, problems)
       if (.not. is_sliding(values) .or. problems%count() > before) return
       if (.not. is_possible_cylinder(values, given)) call problems%add('operating', 'velocity', &
@@ -61,16 +61,11 @@ contains
    end subroutine check_hertz
 
    !> Add to `problems` what the largest stresses lack, or stand beside: they are those below a pressure alone.
-   subroutine check_stresses(variables, values, problems)
-      type(variable_t), intent(in) :: variables(:)
+   subroutine check_stresses(values, problems)
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
 
-      if (.not. wants_stresses(values)) then
-         if (is_set(values(in%yield_strength))) call problems%add(variables(in%yield_strength)%group, 'yield_strength', &
-            & 'has no meaning without &output largest_stresses')
-         return
-      end if
+      if (.not. wants_stresses(values)) return
       if (.not. is_set(values(in%poisson_ratio))) call problems%add('solid', 'poisson_ratio', &
          & 'is missing [-]; the stresses in depth need it')
       if (is_sliding(values)) call problems%add('output', 'largest_stresses', &
@@ -79,11 +74,12 @@ contains
          & 'stands beside &friction, whose shear stress has no closed form in depth; on cells partial slip has')
    end subroutine check_stresses
 
-   !> Are the largest stresses wanted?
+   !> Are the largest stresses wanted, by their switch or by a yield strength?
    pure logical function wants_stresses(values)
       real(dp), intent(in) :: values(:)
 
-      wants_stresses = is_set(values(in%largest_stresses)) .and. values(in%largest_stresses) > 0
+      wants_stresses = is_set(values(in%yield_strength))
+      if (is_set(values(in%largest_stresses))) wants_stresses = wants_stresses .or. values(in%largest_stresses) > 0
    end function wants_stresses
 
    !> Add to `problems` what is wrong with conduction, which a line contact does not have.

@@ -150,7 +150,7 @@ contains
          & long_name='change of load with approach; a line contact has none')
       r(hertz_output%conductances(1):hertz_output%conductances(n_conduction_results)) = conduction_results(.false.)
       r(hertz_output%von_mises) = result_row(name='largest_von_mises_stress', unit='Pa', &
-         & long_name='largest von Mises stress in the solid, or at position_z', is_main=.true.)
+         & long_name='largest von Mises stress in the solid, or at position_z')
       r(hertz_output%von_mises_depth) = result_row(name='largest_von_mises_depth', unit='m', long_name='its depth')
       r(hertz_output%yield_ratio) = result_row(name='yield_ratio', unit='-', &
          & long_name='largest von Mises stress over the yield strength; from 1 on the solid is not elastic')
