@@ -24,6 +24,8 @@ module adfric_plane_love_rectangle
    private
    public :: rectangle_field
 
+   !> Twice the digits: nearer corners cancel, too, where the rectangle is narrow.
+   integer, parameter :: qp = selected_real_kind(30)
    !> Distance from the middle beyond which point loads are summed, in the larger half-width.
    real(dp), parameter :: far = 6
 
@@ -41,7 +43,8 @@ contains
       real(dp), intent(out) :: stress(6)
       !> Receives the displacements times G/p [m].
       real(dp), intent(out) :: displacement(3)
-      real(dp) :: unit, s(6), u(3), x, y, sign_of
+      real(qp) :: s(6), u(3), x, y, total(6), moved(3)
+      real(dp) :: unit
       integer :: i, j
 
       unit = max(maxval(half_widths), maxval(abs(position)))
@@ -50,16 +53,19 @@ contains
       if (norm2(position/unit) > far*maxval(half_widths)/unit) then
          call sum_point_loads(half_widths/unit, poisson_ratio, position/unit, stress, displacement)
       else
+         total = 0
+         moved = 0
          do j = 1, -1, -2
             do i = 1, -1, -2
-               x = (position(1) + i*half_widths(1))/unit
-               y = (position(2) + j*half_widths(2))/unit
-               sign_of = i*j
-               call corner_field(x, y, position(3)/unit, poisson_ratio, s, u)
-               stress = stress + sign_of*s
-               displacement = displacement + sign_of*u
+               x = (real(position(1), qp) + i*real(half_widths(1), qp))/unit
+               y = (real(position(2), qp) + j*real(half_widths(2), qp))/unit
+               call corner_field(x, y, real(position(3), qp)/unit, real(poisson_ratio, qp), s, u)
+               total = total + i*j*s
+               moved = moved + i*j*u
             end do
          end do
+         stress = real(total, dp)/(2*pi)
+         displacement = real(moved, dp)/(4*pi)
       end if
       displacement = displacement*unit
    end subroutine rectangle_field
@@ -86,10 +92,10 @@ contains
    !> What a corner adds.
    pure subroutine corner_field(x, y, z, nu, s, u)
       !> X, Y and z from the corner.
-      real(dp), intent(in) :: x, y, z
-      real(dp), intent(in) :: nu
-      real(dp), intent(out) :: s(6), u(3)
-      real(dp) :: r, a_x, a_y, log_z, log_x, log_y, across_x, across_y
+      real(qp), intent(in) :: x, y, z
+      real(qp), intent(in) :: nu
+      real(qp), intent(out) :: s(6), u(3)
+      real(qp) :: r, a_x, a_y, log_z, log_x, log_y, across_x, across_y
 
       r = norm2([x, y, z])
       s = 0
@@ -112,17 +118,15 @@ contains
       s(4) = -((1 - 2*nu)*log_z + z/r)
       s(5) = x/r*share(z, y, z)
       s(6) = y/r*share(z, x, z)
-      s = s/(2*pi)
       u(1) = -(z*log_y + (1 - 2*nu)*(y*log_z + z*log_y + x*a_x))
       u(2) = -(z*log_x + (1 - 2*nu)*(x*log_z + z*log_x + y*a_y))
       u(3) = 2*(1 - nu)*(x*log_y + y*log_x) - (1 - 2*nu)*z*(a_x + a_y)
-      u = u/(4*pi)
    end subroutine corner_field
 
    !> A(X, Y), as one angle: tan A = X Y (R - z)/(X^2 R + z Y^2).
-   pure real(dp) function angle(x, y, z, r)
-      real(dp), intent(in) :: x, y, z, r
-      real(dp) :: along, across
+   pure real(qp) function angle(x, y, z, r)
+      real(qp), intent(in) :: x, y, z, r
+      real(qp) :: along, across
 
       across = x*y*((x*x + y*y)/(r + z))
       along = x*x*r + z*y*y
@@ -131,11 +135,11 @@ contains
    end function angle
 
    !> z X/(X^2 + z^2), or z^2/(X^2 + z^2); 0 where both vanish.
-   pure real(dp) function share(z, x, other)
-      real(dp), intent(in) :: z, x
+   pure real(qp) function share(z, x, other)
+      real(qp), intent(in) :: z, x
       !> What takes the part of X in the numerator; not present: X.
-      real(dp), intent(in), optional :: other
-      real(dp) :: distance
+      real(qp), intent(in), optional :: other
+      real(qp) :: distance
 
       share = 0
       distance = hypot(x, z)
@@ -145,8 +149,8 @@ contains
    end function share
 
    !> ln(R + Y); 0 where it is infinite, for its factors vanish there.
-   pure real(dp) function log_of(y, x, z, r)
-      real(dp), intent(in) :: y, x, z, r
+   pure real(qp) function log_of(y, x, z, r)
+      real(qp), intent(in) :: y, x, z, r
 
       log_of = 0
       if (y > 0) then

@@ -27,6 +27,9 @@ module adfric_plane_rectangle_load_model
    end type rectangle_load_output_t
    type(rectangle_load_output_t), parameter, public :: rectangle_load_output = transfer(counting, rectangle_load_output_t())
 
+   !> Largest ratio of the sides, at which corners still leave all digits.
+   real(dp), parameter :: longest = 1.0e12_dp
+
    !> The model `rectangle_load`.
    type, extends(field_model_t) :: rectangle_load_model_t
    contains
@@ -75,6 +78,10 @@ contains
 
       call require(self%variables, values, [rectangle_load_input%young_modulus, rectangle_load_input%poisson_ratio, &
          & rectangle_load_input%pressure, rectangle_load_input%half_width_x, rectangle_load_input%half_width_y], problems)
+      associate (sides => values(rectangle_load_input%half_width_x:rectangle_load_input%half_width_y))
+         if (maxval(sides) > longest*minval(sides)) call problems%add('operating', 'half_width_y', &
+            & 'and half_width_x differ by more than a factor of 1e12; a strip has no ends')
+      end associate
    end subroutine check_case
 
    !> See `field_model_t`.
