@@ -84,7 +84,7 @@ AREAS = {
     "Hertz's contacts, punches and given loads": (
         one("hertz_axes"), one("hertz_ratio"), one("punch_flat"), one("punch_cylinder"), one("punch_wedge"), one("rigid_punch"),
         one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),
-        one("point_load")),
+        one("point_load"), one("rectangle_load", options="--y stress_zz stress_xx displacement_z")),
     "Fretting and partial slip": (
         one("hertz_slip"), one("hertz_hysteresis"), one("indenter_slip"), one("indenter_hysteresis"), one("indenter_fretting"),
         one("wave_1d_slip"), one("surface_slip"),
@@ -111,7 +111,8 @@ AREAS = {
         one("theories_pressure", options="--y contact_fraction_wang_mueser mean_gap_wang_mueser"),
         one("spectrum_seeds", options="--y contact_fraction mean_gap"), one("spectrum_ensemble"),
         one("surface_hardness", options="--y contact_fraction plastic_fraction"),
-        one("contact_conductance", "contact_conductance_theory", options="--y electrical_conductance thermal_conductance")),
+        one("contact_conductance", "contact_conductance_theory", options="--y electrical_conductance thermal_conductance"),
+        one("depth_stresses", options="--y largest_von_mises_stress largest_shear_stress")),
     "Waves and rough surfaces: adhesion": (
         one("surface_adhesion_maps"), one("surface_work_map"), one("surface_stickiness"), one("surface_opening", options="--y pull_off_pressure contact_fraction"),
         one("surface_adhesion_friction"),

@@ -60,6 +60,7 @@ AREAS = {
         "Lines that slide over rubber": "docs/theory/line_sliding.md",
         "Friction of the interface": "docs/theory/interface.md",
         "Stiffness and conductance": "docs/theory/conductance.md",
+        "Stresses in depth": "docs/theory/depth.md",
         "Heat of sliding": "docs/theory/heat.md",
         "Sliding with adhesion": "docs/theory/adhesive_sliding.md",
         "Contact of periodic surfaces": "docs/theory/periodic_contact.md",

@@ -6,6 +6,7 @@ module adfric
    use adfric_plane_hertz_history_model, only: hertz_history_t, new_hertz_history
    use adfric_plane_hertz_model, only: hertz_model_t, new_hertz_model
    use adfric_plane_line_load_model, only: line_load_model_t, new_line_load_model
+   use adfric_plane_rectangle_load_model, only: new_rectangle_load_model, rectangle_load_model_t
    use adfric_plane_point_load_model, only: point_load_model_t, new_point_load_model
    use adfric_plane_punch_model, only: punch_model_t, new_punch_model
    use adfric_plane_strip_load_model, only: strip_load_model_t, new_strip_load_model
@@ -34,7 +35,7 @@ module adfric
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
       & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load adhesive_cylinder '// &
       & 'indenter_time adhesive_indenter_time surface_time adhesive_indenter_history wave_1d_elastic '// &
-      & 'attracted_indenter rough_theories free_surface spectrum_elastic'
+      & 'attracted_indenter rough_theories free_surface spectrum_elastic rectangle_load'
 
 contains
 
@@ -69,6 +70,7 @@ contains
       type(rough_theories_t), allocatable :: rough_theories
       type(strip_load_model_t), allocatable :: strip_load
       type(point_load_model_t), allocatable :: point_load
+      type(rectangle_load_model_t), allocatable :: rectangle_load
 
       select case (name)
       case ('wavy_sliding')
@@ -163,6 +165,10 @@ contains
          allocate (strip_load)
          call new_strip_load_model(strip_load)
          call move_alloc(strip_load, model)
+      case ('rectangle_load')
+         allocate (rectangle_load)
+         call new_rectangle_load_model(rectangle_load)
+         call move_alloc(rectangle_load, model)
       case ('point_load')
          allocate (point_load)
          call new_point_load_model(point_load)

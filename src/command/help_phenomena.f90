@@ -10,7 +10,7 @@ module adfric_command_help_phenomena
    !> Columns of the table: names, what it is, words of an input, shipped inputs, and pages of the documents.
    integer, parameter :: names = 1, meaning = 2, scene = 3, inputs = 4, pages = 5, n_columns = 5
    !> Number of rows of the table.
-   integer, parameter :: n_rows = 29
+   integer, parameter :: n_rows = 30
    !> One row for each phenomenon. Names, inputs and pages are separated by a blank; a name may stand in several rows.
    character(*), parameter :: table(n_columns, n_rows) = reshape([character(160) :: &
       & 'hertz', 'smooth bodies pressed together, without adhesion (Hertz)', &
@@ -84,6 +84,8 @@ module adfric_command_help_phenomena
       & '&surface kind = ''wave_1d''; &operating mean_pressure', 'wave_1d wave_1d_pressure', 'theory/waves', &
       & 'boussinesq cerruti', 'a point force on an elastic half-space (Boussinesq, Cerruti)', &
       & '&traction kind = ''point''; &operating load, tangential_force', 'point_load', 'theory/line_contacts', &
+      & 'love rectangle', 'a constant pressure on a rectangle of an elastic half-space (Love)', &
+      & '&traction kind = ''rectangle''; pressure, half_width_x, half_width_y', 'rectangle_load', 'theory/line_contacts', &
       & 'flamant', 'a line load on an elastic half-plane (Flamant)', &
       & '&traction kind = ''line''; &operating load, tangential_force', 'line_load', 'theory/line_contacts', &
       & 'roughness rough greenwood', 'rough surfaces: area, pressure and pull-off of measured or made heights', &

@@ -66,7 +66,7 @@ contains
          'The program finds the solver; adfric check says which. &job solver = ''NAME'' asks for one of several.'//newline// &
          'e: exact (closed forms, roots, integrals), n: numerical (cells), t: a statistical theory, -: no solver yet.'//newline &
          //newline//describe_table()//newline &
-         //'Given loads: &traction kind = ''line'', ''strip'' or ''point'' in place of &surface.'//newline//newline &
+         //'Given loads: &traction kind = ''line'', ''strip'', ''point'' or ''rectangle'' in place of &surface.'//newline//newline &
          //'Variables'//newline//describe_groups(models)//newline &
          //'Results, where they have a meaning'//newline//describe_results(models, '')
    end function describe_scenes

@@ -67,7 +67,10 @@ module adfric_describe_scene_facts
       & 'driven operating%base_displacement friction%law', &
       & 'pull_off output%pull_off', &
       & 'stiffness_wanted output%stiffness', &
-      & 'yields solid%hardness', &
+      & 'plastic solid%hardness', &
+      & 'stresses output%largest_stresses position%position_z solid%yield_strength', &
+      & 'all_depths output%largest_stresses solid%yield_strength', &
+      & 'yields solid%yield_strength', &
       & 'electrical solid%resistivity solid%second_resistivity', &
       & 'thermal solid%thermal_conductivity solid%second_thermal_conductivity', &
       & 'compared output%compare_branches', &

@@ -105,7 +105,7 @@ module adfric_describe_scene_rules
       & 'strip_load operating%tangential_traction traction%shear_stress', &
       & 'strip_load samples%shear_tractions traction%shear_stresses', &
       & 'strip_load samples% traction%', &
-      & 'strip_load operating% traction%']
+      & 'strip_load,rectangle_load operating% traction%']
 
    !> Results of surfaces known by their spectrum.
    character(*), parameter :: spectrum_rules(*) = [character(160) :: &
@@ -222,7 +222,7 @@ module adfric_describe_scene_rules
       & '* thermal_conductance - !thermal', &
       & on_cells//',free_surface contact_stiffness - !stiffness_wanted', &
       & on_cells//',free_surface stiffness_error - !stiffness_wanted !electrical !thermal', &
-      & on_cells//' plastic_fraction,mean_plastic_depth,plastic_work - !yields', &
+      & on_cells//' plastic_fraction,mean_plastic_depth,plastic_work - !plastic', &
       & 'sphere contact_stiffness - shear', &
       & 'hertz contact_stiffness - cylinder', &
       & 'wave_1d contact_stiffness - adhesion', &
@@ -338,6 +338,14 @@ module adfric_describe_scene_rules
       & 'wave_1d adhesive_friction_stress,hysteresis_loss - !adhesion', &
       & on_cells//' cells_per_zone - !adhesion', &
       & on_cells//' opening_loss - !opens', &
+      & 'spectrum_elastic largest_von_mises_x,largest_von_mises_y,largest_shear_x,largest_shear_y - ensemble', &
+      & on_cells//' largest_von_mises_stress,largest_von_mises_depth - !stresses', &
+      & on_cells//' largest_von_mises_x,largest_von_mises_y - !stresses', &
+      & on_cells//' largest_shear_stress,largest_shear_depth,largest_shear_x,largest_shear_y - !stresses', &
+      & on_cells//' largest_stress_error - !all_depths', &
+      & on_cells//',hertz yield_ratio - !yields', &
+      & 'hertz yield_load - !yields', &
+      & 'hertz largest_von_mises_stress,largest_von_mises_depth - !stresses', &
       & 'wave_1d hysteresis_loss adhesion_hysteresis', &
       & 'wave_1d elastic_energy - slides', &
       & periodic//' friction_stress,friction_coefficient - !interface', &

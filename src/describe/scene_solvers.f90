@@ -14,7 +14,7 @@ module adfric_describe_scene_solvers
    character(*), parameter :: known_surfaces = 'sphere paraboloid cone power flat_cone flat_paraboloid '// &
       & 'rounded_punch rounded_cone polynomial flat_punch ellipsoid cylinder line_punch wedge line_polynomial '// &
       & 'wave_1d wave_2d wave_product cosines profile heights spectrum'
-   character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer coating foundation'
+   character(*), parameter :: known_tractions = 'line strip point rectangle', known_extents = 'half_space layer coating foundation'
    !> Words of `&solid boundaries`: how a surface of given heights goes on beyond its map.
    character(*), parameter :: known_boundaries = 'periodic free periodic_x periodic_y'
    !> Words of `&solid curve_modulus`: which modulus a master curve is one of.
@@ -54,6 +54,7 @@ module adfric_describe_scene_solvers
       & 'cylinder relaxing adhesion,adhesion+shear press,slide adhesive_cylinder exact', &
       & 'wave_1d relaxing shear press,slide wave_1d exact', &
       & 'wave_1d half_space none,adhesion press wave_1d_elastic numerical', &
+      & 'wave_1d half_space coulomb press,tangential wave_1d_elastic numerical', &
       & 'wave_2d half_space none,adhesion press wave_2d_elastic numerical', &
       & 'wave_2d half_space shear,adhesion+shear press,slide wave_2d_elastic numerical', &
       & 'wave_2d half_space coulomb press,tangential wave_2d_elastic numerical', &
@@ -84,7 +85,8 @@ module adfric_describe_scene_solvers
       & 'spectrum layer,coating shear,adhesion+shear slide spectrum_elastic numerical', &
       & 'line half_space none press,tangential line_load exact', &
       & 'strip half_space none press strip_load exact', &
-      & 'point half_space none press,tangential point_load exact']
+      & 'point half_space none press,tangential point_load exact', &
+      & 'rectangle half_space none press rectangle_load exact']
    integer, parameter :: n_scenes = size(scenes)
 
    !> Length of the words of a scene.

@@ -29,7 +29,7 @@ module adfric_input_modern
    character(*), parameter :: kinds(*) = [character(30) :: 'sphere paraboloid', 'wave_1d wave_1d', 'wave_2d_elastic wave_2d', &
       & 'wave_1d_elastic wave_1d', &
       & 'surface_elastic heights', 'spectrum_elastic spectrum', 'rough_theories spectrum', 'adhesive_cylinder cylinder', &
-      & 'line_load line', 'strip_load strip', 'point_load point']
+      & 'line_load line', 'strip_load strip', 'point_load point', 'rectangle_load rectangle']
    !> Variables that name results.
    character(*), parameter :: naming_results = 'result ordinate'
    !> Width of an assignment in front of a comment.

@@ -14,7 +14,7 @@ module adfric_periodic_elastic_model
       & has_poisson_ratio, n_one_body, n_two_bodies, set_modulus_rows
    use adfric_interface_conduction_rows, only: check_conduction, conductances, has_conduction, n_conduction_results, &
       & n_conduction_rows, refuse_conduction, set_conduction_rows
-   use adfric_interface_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
+   use adfric_interface_coulomb_rows, only: along_x, check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
       & resolve_coulomb, set_coulomb_rows
    use adfric_interface_friction_law_rows, only: given_law_t, take_law_attribute, take_law_table
    use adfric_interface_shear_strength_rows, only: has_shear, n_shear_rows, p_shear_stress, set_shear_rows, &
@@ -29,6 +29,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_attracted_surface, only: attraction_in_units
    use adfric_periodic_area, only: relative_error_of
+   use adfric_periodic_depth_stresses, only: fill_stress_maps, store_stresses
    use adfric_periodic_elastic_interface, only: check_elastic_friction, has_law, n_friction_rows, n_motion_rows, &
       & has_friction, set_motion_rows, store_friction, store_left_out, tractions_of_friction
    use adfric_periodic_hardness_rows, only: check_turn, has_hardness, hardness_row, n_hardness_results, plastic_profile, &
@@ -40,6 +41,8 @@ module adfric_periodic_elastic_model
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
+   use adfric_periodic_stress_rows, only: check_stresses, has_depth, n_stress_profiles, n_stress_results, n_stress_rows, &
+      & set_stress_rows, stress_profiles, wants_stresses
    use adfric_periodic_chords, only: chord_fraction, level_fraction
    use adfric_periodic_variables, only: get_elastic_results, is_wanted, n_elastic_solid, pull_off_row, &
       & stiffness_row, in => periodic_input, out => periodic_output
@@ -73,6 +76,7 @@ module adfric_periodic_elastic_model
       procedure :: set_interface
       procedure :: finish_point
       procedure :: store_slip
+      procedure :: store_depth
       procedure :: count_profiles
       procedure :: fill_profiles
       procedure :: describe_doubts
@@ -113,8 +117,11 @@ contains
       associate (before => n_two_bodies + n_law_of_adhesion)
          call set_conduction_rows(solid(before + 1:before + n_conduction_rows))
          solid(before + n_punch_rows) = stiffness_row()
-         solid(before + n_punch_rows + 1) = hardness_row()
-         call set_coulomb_rows(solid(before + n_punch_rows + 2:before + n_punch_rows + 1 + n_coulomb_rows))
+         call set_stress_rows(solid(before + n_punch_rows + 1:before + n_punch_rows + n_stress_rows))
+         associate (last => before + n_punch_rows + n_stress_rows)
+            solid(last + 1) = hardness_row()
+            call set_coulomb_rows(solid(last + 2:last + 1 + n_coulomb_rows))
+         end associate
       end associate
       call set_layer_rows(solid(n_elastic_solid - n_layer_rows + 1:))
       associate (pull_off => n_elastic_solid - n_layer_rows - n_motion_rows)
@@ -126,9 +133,10 @@ contains
       deallocate (self%results)
       allocate (self%results, source=get_elastic_results())
       deallocate (self%profiles)
-      allocate (self%profiles(p_plastic_depth))
+      allocate (self%profiles(p_plastic_depth + n_stress_profiles))
       self%profiles(:p_shear_stress) = shear_profiles()
       self%profiles(p_plastic_depth) = plastic_profile()
+      self%profiles(p_plastic_depth + 1:) = stress_profiles()
    end subroutine set_elastic_tables
 
    !> Index of the switch of the pull-off.
@@ -169,12 +177,28 @@ contains
       end associate
    end function punch_values
 
+   !> Index before the rows of the stresses in depth.
+   pure integer function before_stresses(self)
+      class(elastic_model_t), intent(in) :: self
+
+      before_stresses = self%first_of_solid + n_two_bodies + n_law_of_adhesion + n_punch_rows - 1
+   end function before_stresses
+
+   !> Values of the rows of the stresses in depth.
+   pure function stress_values(self, values) result(stresses)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp) :: stresses(n_stress_rows)
+
+      stresses = values(before_stresses(self) + 1:before_stresses(self) + n_stress_rows)
+   end function stress_values
+
    !> Hardness [Pa]; unset where the solid does not yield.
    pure real(dp) function hardness_of(self, values) result(hardness)
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
 
-      hardness = values(self%first_of_solid + n_two_bodies + n_law_of_adhesion + n_punch_rows)
+      hardness = values(self%first_of_solid + n_two_bodies + n_law_of_adhesion + n_punch_rows + n_stress_rows)
    end function hardness_of
 
    !> Index of the mean pressure of a turn.
@@ -247,7 +271,8 @@ contains
       call check_friction(self, values, problems)
       associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, prescribed => self%before_prescribed)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, &
-            & has_coulomb(coulomb_values(self, values)) .or. needs_ratio_of_layer(layer_values(self, values)))
+            & has_coulomb(coulomb_values(self, values)) .or. needs_ratio_of_layer(layer_values(self, values)) &
+            & .or. wants_stresses(stress_values(self, values)))
          n_before = problems%count()
          associate (adhesion => adhesion_values(self, values))
             ! a solid that yields may have turned without adhesion
@@ -267,6 +292,9 @@ contains
       call check_law(self, values, problems)
       call check_layer(self, values, problems)
       call check_punch(self, values, problems)
+      call check_stresses(self%variables(before_stresses(self) + 1:before_stresses(self) + n_stress_rows), &
+         & stress_values(self, values), has_poisson_ratio(moduli_values(self, values)), has_layer(layer_values(self, values)), &
+         & has_attraction(adhesion_values(self, values)), has_friction(friction_values(self, values)), problems)
       if (problems%count() > 0) return
       if (lacks_poisson_ratio(self, values)) call problems%add('solid', 'poisson_ratio', &
          & 'is missing [-]; the tangential displacement needs it')
@@ -614,6 +642,58 @@ contains
    end subroutine store_punch
 
    !> See `periodic_model_t`.
+   subroutine store_depth(self, values, surface, solution, results, has_memory, slip)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solution of the point; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: without the stresses. Out: with them, if they are wanted; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Was there memory for them?
+      logical, intent(out) :: has_memory
+      !> Partial slip of the point, with stresses in E*; not present without.
+      type(periodic_slip_t), intent(in), optional :: slip
+      real(dp), allocatable :: shear(:, :)
+      integer :: axis
+
+      has_memory = .true.
+      if (.not. wants_stresses(stress_values(self, values))) return
+      axis = 1
+      ! an array that is not allocated is an argument that is not present
+      if (present(slip)) then
+         shear = slip%traction
+         axis = axis_of(self, values)
+      else if (has_friction(friction_values(self, values))) then
+         shear = tractions_of_friction(friction_values(self, values), self%given_law, surface%solid%modulus*solution%pressure, &
+            & .not. solution%gap > 0)/surface%solid%modulus
+      end if
+      call store_stresses(stress_values(self, values), surface, solution%pressure, ratio_of_stresses(self, values), &
+         & results(out%stresses(1):out%stresses(n_stress_results)), has_memory, shear, axis)
+   end subroutine store_depth
+
+   !> Axis of the shear stress: that of the tangential force, or x.
+   integer function axis_of(self, values) result(axis)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(coulomb_t) :: friction
+
+      axis = along_x
+      if (.not. has_coulomb(coulomb_values(self, values))) return
+      friction = friction_of(self, values)
+      axis = friction%axis
+   end function axis_of
+
+   !> Poisson's ratio of the body in which the stresses are [-].
+   pure real(dp) function ratio_of_stresses(self, values) result(ratio)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      ratio = values(self%first_of_solid + n_one_body - 1)
+   end function ratio_of_stresses
+
+   !> See `periodic_model_t`.
    subroutine store_slip(self, values, surface, slip, results)
       class(elastic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
@@ -645,6 +725,7 @@ contains
       if (has_friction(friction_values(self, values)) .or. has_coulomb(coulomb_values(self, values))) &
          & count_profiles = p_shear_stress
       if (has_hardness(hardness_of(self, values))) count_profiles = p_plastic_depth
+      if (has_depth(stress_values(self, values))) count_profiles = p_plastic_depth + n_stress_profiles
    end function count_profiles
 
    !> See `pointwise_model_t`: the maps of pressure and gap, and with friction that of the shear stress.
@@ -655,15 +736,24 @@ contains
       real(dp), intent(in) :: results(:)
       class(point_state_t), allocatable, intent(in) :: state
       type(profile_axis_t), intent(in) :: axes(:)
-      !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
+      !> Receives the maps of pressure [Pa], gap [m], shear stress [Pa], and of the stresses in depth; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
+      type(periodic_surface_t) :: surface
 
       call self%fill_contact_maps(values, results, state, axes, profiles)
-      if (size(profiles, 3) < p_shear_stress .or. has_coulomb(coulomb_values(self, values))) return
-      profiles(:, :, p_shear_stress) = 0
-      if (.not. has_friction(friction_values(self, values))) return
-      profiles(:, :, p_shear_stress) = tractions_of_friction(friction_values(self, values), self%given_law, profiles(:, :, 1), &
-         & .not. profiles(:, :, 2) > 0)
+      if (size(profiles, 3) < p_shear_stress) return
+      if (has_friction(friction_values(self, values))) then
+         profiles(:, :, p_shear_stress) = tractions_of_friction(friction_values(self, values), self%given_law, profiles(:, :, 1), &
+            & .not. profiles(:, :, 2) > 0)
+      else if (.not. (has_coulomb(coulomb_values(self, values)) .and. any(profiles(:, :, 1) > 0))) then
+         profiles(:, :, p_shear_stress) = 0
+      end if
+      if (size(profiles, 3) < p_plastic_depth) return
+      if (.not. has_hardness(hardness_of(self, values))) profiles(:, :, p_plastic_depth) = 0
+      if (.not. has_depth(stress_values(self, values))) return
+      call self%get_cells(values, surface)
+      call fill_stress_maps(stress_values(self, values), surface, profiles(:, :, 1), ratio_of_stresses(self, values), &
+         & profiles(:, :, p_shear_stress), axis_of(self, values), profiles(:, :, p_plastic_depth + 1:))
    end subroutine fill_profiles
 
    !> See `model_t`.

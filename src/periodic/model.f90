@@ -54,6 +54,7 @@ module adfric_periodic_model
       procedure :: set_interface
       procedure :: finish_point
       procedure :: store_slip
+      procedure :: store_depth
       procedure :: derive_solid
       procedure(check_surface_i), deferred :: check_surface
       procedure(get_cells_i), deferred :: get_cells
@@ -287,7 +288,7 @@ contains
       real(dp), intent(inout) :: counts(:)
       type(error_t), allocatable :: error
       type(periodic_goal_t) :: goal
-      logical :: is_known
+      logical :: is_known, has_memory
 
       if (.not. allocated(state)) allocate (periodic_state_t :: state)
       status = status_not_converged
@@ -324,8 +325,10 @@ contains
          call store(self, values, state%surface%solid, state%solution, results)
          call self%finish_point(values, state%surface, state%solution, results, error_estimate)
          if (allocated(state%slip)) call self%store_slip(values, state%surface, state%slip, results)
-         if (error_estimate <= 1) return
-         status = status_not_converged
+         has_memory = .true.
+         if (error_estimate <= 1) call self%store_depth(values, state%surface, state%solution, results, has_memory, state%slip)
+         if (error_estimate <= 1 .and. has_memory) return
+         status = merge(status_not_converged, status_out_of_memory, has_memory)
          error_estimate = 0
          results(:) = not_a_number()
       end select
@@ -429,6 +432,26 @@ contains
          & unused_results => results)
       end associate
    end subroutine store_slip
+
+   !> Store stresses in depth: none. A model may override it.
+   subroutine store_depth(self, values, surface, solution, results, has_memory, slip)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solution of the point; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: with the results of the contact. Out: with all; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Was there memory for them?
+      logical, intent(out) :: has_memory
+      !> Partial slip of the point; not present without.
+      type(periodic_slip_t), intent(in), optional :: slip
+
+      has_memory = .true.
+      associate (unused => self, unused_values => values, unused_surface => surface, unused_solution => solution, &
+         & unused_results => results, unused_slip => present(slip))
+      end associate
+   end subroutine store_depth
 
    !> The error of a solved point: that of the area of contact. A model may override it, and add results of its own.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)

@@ -16,6 +16,7 @@ module adfric_periodic_variables
    use adfric_interface_shear_strength_rows, only: n_shear_rows
    use adfric_periodic_hardness_rows, only: hardness_results, n_hardness_results
    use adfric_periodic_layer_rows, only: n_layer_rows
+   use adfric_periodic_stress_rows, only: n_stress_results, n_stress_rows, stress_results
    use adfric_describe_rows, only: number, switch, result_row, any_number
    use adfric_describe_table, only: variable_t, result_t
    implicit none (type, external)
@@ -32,7 +33,7 @@ module adfric_periodic_variables
    integer, parameter, public :: n_prescribed = storage_size(periodic_input)/storage_size(1)
    !> Number of the rows that the models on an elastic half-space share.
    integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_attraction_rows &
-      & + n_conduction_rows + 2 + n_coulomb_rows + n_shear_rows + 1 + n_law_rows + 2 + n_layer_rows
+      & + n_conduction_rows + 1 + n_stress_rows + 1 + n_coulomb_rows + n_shear_rows + 1 + n_law_rows + 2 + n_layer_rows
    integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_prescribed
 
    !> Results in the order of their rows; a component is the index of its row.
@@ -44,7 +45,7 @@ module adfric_periodic_variables
          & friction_coefficient = 0, friction_force = 0, stick_fraction = 0, tangential_displacement = 0, &
          & tangential_stiffness = 0, cycle_energy = 0, poisson_defect = 0, smooth_fraction = 0, smooth_friction = 0, &
          & velocity_slope = 0, coupling_left_out = 0, opening_loss = 0, contact_stiffness = 0, stiffness_error = 0, &
-         & conductances(n_conduction_results) = 0, impressions(n_hardness_results) = 0
+         & conductances(n_conduction_results) = 0, stresses(n_stress_results) = 0, impressions(n_hardness_results) = 0
    end type periodic_output_t
    type(periodic_output_t), parameter, public :: periodic_output = transfer(counting, periodic_output_t())
    integer, parameter, public :: n_periodic_results = periodic_output%contact_violation
@@ -161,9 +162,14 @@ contains
       r(periodic_output%contact_stiffness) = result_row(name='contact_stiffness', unit='Pa/m', &
          & long_name='slope of the mean pressure over the approach, with &output stiffness; none in full contact with a half-space')
       r(periodic_output%stiffness_error) = stiffness_error_row()
-      r(periodic_output%conductances(1):periodic_output%conductances(n_conduction_results)) = conduction_results(.true.)
+      associate (conductances => periodic_output%conductances)
+         r(conductances(1):conductances(n_conduction_results)) = conduction_results(.true.)
+         r(periodic_output%contact_stiffness:conductances(n_conduction_results))%is_counted = .true.
+      end associate
+      associate (stresses => periodic_output%stresses)
+         r(stresses(1):stresses(n_stress_results)) = stress_results()
+      end associate
       r(periodic_output%impressions(1):) = hardness_results()
-      r(periodic_output%contact_stiffness:)%is_counted = .true.
    end function get_elastic_results
 
    !> The last one of some results: of friction as a sum the slope over the velocity, of a coupling what is left out.

@@ -22,7 +22,7 @@ module adfric_plane_hertz_check
    use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
-   public :: check_hertz, check_radii, is_sliding, get_curvatures, steepest_edge
+   public :: check_hertz, check_radii, is_sliding, get_curvatures, steepest_edge, wants_stresses
 
 contains
 
@@ -47,6 +47,7 @@ contains
       if (.not. is_set(values(in%kind))) return
       call check_load(variables, values, problems)
       call check_current(variables, values, problems)
+      call check_stresses(values, problems)
       call check_radii(variables, values, problems)
       if (.not. is_sliding(values) .or. problems%count() > before) return
       if (.not. is_possible_cylinder(values, given)) call problems%add('operating', 'velocity', &
@@ -79,6 +80,28 @@ contains
          call require_one(variables, values, [in%load, others], .true., problems)
       end associate
    end subroutine check_load
+
+   !> Add to `problems` what the largest stresses lack, or stand beside: they are those below a pressure alone.
+   subroutine check_stresses(values, problems)
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. wants_stresses(values)) return
+      if (.not. is_set(values(in%poisson_ratio))) call problems%add('solid', 'poisson_ratio', &
+         & 'is missing [-]; the stresses in depth need it')
+      if (is_sliding(values)) call problems%add('output', 'largest_stresses', &
+         & 'stands beside &material, in which stresses in depth are not solved')
+      if (is_set(values(in%coefficient)) .or. has_interface(values(in%friction))) call problems%add('output', 'largest_stresses', &
+         & 'stands beside &friction, whose shear stress has no closed form in depth; on cells partial slip has')
+   end subroutine check_stresses
+
+   !> Are the largest stresses wanted, by their switch or by a yield strength?
+   pure logical function wants_stresses(values)
+      real(dp), intent(in) :: values(:)
+
+      wants_stresses = is_set(values(in%yield_strength))
+      if (is_set(values(in%largest_stresses))) wants_stresses = wants_stresses .or. values(in%largest_stresses) > 0
+   end function wants_stresses
 
    !> Add to `problems` what is wrong with conduction, which a line contact does not have.
    subroutine check_current(variables, values, problems)

@@ -18,13 +18,13 @@ module adfric_plane_hertz_model
    use adfric_plane_cylinder_interface, only: add_cylinder_interface, doubt_cylinder_heat, set_cylinder_tractions, &
       & velocity_that_heats_cylinder
    use adfric_plane_ellipse_interface, only: add_ellipse_interface, set_ellipse_tractions
-   use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
-   use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_pressure, ellipse_gap, ellipse_misfit
+   use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge, wants_stresses
+   use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_of_load, ellipse_pressure, ellipse_gap, ellipse_misfit
    use adfric_plane_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
    use adfric_plane_hertz_prescribed, only: line_load, prescribed_ellipse
    use adfric_plane_hertz_slip, only: add_ellipse_slip, add_line_slip, fill_rolling, find_slip, has_slip, hertz_slip_t, &
       & is_rolling, p_shear_stress, p_slip_ratio, slip_profiles, solve_rolling, tractions
-   use adfric_plane_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
+   use adfric_plane_hertz_unit, only: add_ellipse_von_mises, add_line_von_mises, find_unit_ellipse, find_unit_line, unit_contact_t
    use adfric_plane_hertz_variables, only: get_hertz_variables, get_hertz_results, kind_line, in => hertz_input, &
       & out => hertz_output
    use adfric_plane_sliding_cylinder_point, only: cylinder_point_t, solve_cylinder, get_cylinder_profiles, &
@@ -273,6 +273,7 @@ contains
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
+      type(line_contact_t) :: reference
       real(dp) :: misfit
       logical :: is_sustained
 
@@ -294,6 +295,11 @@ contains
          results([out%load, out%half_width, out%peak_pressure]) = [values(in%load), line%half_width, line%peak_pressure]
          results([out%mean_pressure, out%contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
          results([out%shear, out%shear_depth]) = [unit_contact%shear*line%peak_pressure, unit_contact%depth*line%half_width]
+         if (wants_stresses(values)) then
+            call add_line_von_mises(values(in%poisson_ratio), state%unit_contact)
+            reference = line_of_load(values(in%radius), modulus_of(values), 1.0_dp)
+            call store_von_mises(values, unit_contact, line%peak_pressure, line%half_width, 2, reference%peak_pressure, results)
+         end if
          misfit = line_misfit(line, values(in%load))
          error_estimate = max(error_estimate, misfit)
          results(out%violation) = max(misfit, unit_contact%violation)
@@ -307,6 +313,7 @@ contains
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
+      type(ellipse_t) :: reference
       real(dp) :: direction, misfit, punch
       logical :: is_sustained
 
@@ -333,6 +340,11 @@ contains
          results(out%contact_stiffness) = modulus_of(values)*punch
          call conductances(values(in%conduction(1):in%conduction(n_conduction_rows)), punch, &
             & results(out%conductances(1):out%conductances(n_conduction_results)))
+         if (wants_stresses(values)) then
+            call add_ellipse_von_mises(values(in%poisson_ratio), unit_contact)
+            call ellipse_of_load(a, b, modulus_of(values), 1.0_dp, unit_contact%shape, reference)
+            call store_von_mises(values, unit_contact, s%peak_pressure, s%major, 3, reference%peak_pressure, results)
+         end if
          if (.not. s%minor > 0) return
          if (is_set(values(in%poisson_ratio))) results([out%shear, out%shear_depth]) = [unit_contact%shear*s%peak_pressure, &
             & unit_contact%depth*s%major]
@@ -341,6 +353,26 @@ contains
          results(out%violation) = max(misfit, unit_contact%violation)
       end associate
    end subroutine solve_ellipse
+
+   !> Store the largest von Mises stress, and the load that makes it the yield strength.
+   pure subroutine store_von_mises(values, unit_contact, peak_pressure, half_width, power, pressure_of_one, results)
+      real(dp), intent(in) :: values(:)
+      !> The contact in units of its own, with its von Mises stress.
+      type(unit_contact_t), intent(in) :: unit_contact
+      !> Largest pressure [Pa] and half-width [m] of the contact; 0 without contact.
+      real(dp), intent(in) :: peak_pressure, half_width
+      !> Power of the peak pressure to which the load is proportional, and the peak pressure under a load of 1.
+      integer, intent(in) :: power
+      real(dp), intent(in) :: pressure_of_one
+      !> In: without these results. Out: with them.
+      real(dp), intent(inout) :: results(:)
+
+      results(out%von_mises) = unit_contact%von_mises*peak_pressure
+      if (peak_pressure > 0) results(out%von_mises_depth) = unit_contact%von_mises_depth*half_width
+      if (.not. is_set(values(in%yield_strength))) return
+      results(out%yield_ratio) = results(out%von_mises)/values(in%yield_strength)
+      results(out%yield_load) = (values(in%yield_strength)/unit_contact%von_mises/pressure_of_one)**power
+   end subroutine store_von_mises
 
    !> See `model_t`: the shear stress belongs to friction, and slip to rolling.
    pure integer function count_profiles(self, values)

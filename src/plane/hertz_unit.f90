@@ -10,11 +10,12 @@ module adfric_plane_hertz_unit
    use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, find_shape, ellipse_pressure, ellipse_gap, &
       & ellipse_axial_stress, ellipse_edge_shear
    use adfric_plane_hertz_line, only: line_contact_t, line_pressure, line_gap
-   use adfric_plane_largest_shear, only: axial_stress_t, find_largest_shear
+   use adfric_plane_largest_shear, only: axial_stress_t, find_largest_shear, find_largest_von_mises
    use adfric_plane_strip_tractions, only: hertz_strip_stress
    implicit none (type, external)
    private
    public :: unit_contact_t, find_unit_line, find_unit_ellipse
+   public :: add_line_von_mises, add_ellipse_von_mises
 
    !> Positions on each axis where the conditions of contact are checked, a third of them in it; how far they reach, in half-widths.
    integer, parameter :: n_positions = 24
@@ -28,6 +29,8 @@ module adfric_plane_hertz_unit
       type(ellipse_shape_t) :: shape
       !> Largest shear stress and its depth; 0 for an ellipse without nu.
       real(dp) :: shear = 0, depth = 0
+      !> Largest von Mises stress and its depth, where they have been asked for; below 0 before.
+      real(dp) :: von_mises = -1, von_mises_depth = 0
       !> Largest violation of the conditions of contact at some positions.
       real(dp) :: violation = 0
    contains
@@ -79,6 +82,39 @@ contains
       call solve_unit_ellipse(ratio, poisson_ratio, self)
       self%key = [ratio, poisson_ratio]
    end subroutine find_unit_ellipse
+
+   !> Find the largest von Mises stress of a unit contact along a line, once.
+   subroutine add_line_von_mises(poisson_ratio, self)
+      !> Poisson's ratio nu of plane strain [-].
+      real(dp), intent(in) :: poisson_ratio
+      !> In: the contact of this nu. Out: with its von Mises stress.
+      type(unit_contact_t), intent(inout) :: self
+
+      if (.not. self%von_mises < 0) return
+      call find_largest_von_mises(line_stress_t(poisson_ratio), 1.0_dp, self%von_mises_depth, self%von_mises)
+   end subroutine add_line_von_mises
+
+   !> Find the largest von Mises stress of a unit contact on an ellipse, once: on the axis, or for negative nu at the edge of the surface,
+   !> where there is shear alone.
+   subroutine add_ellipse_von_mises(poisson_ratio, self)
+      !> Poisson's ratio nu [-].
+      real(dp), intent(in) :: poisson_ratio
+      !> In: the contact of this nu, converged. Out: with its von Mises stress.
+      type(unit_contact_t), intent(inout) :: self
+      type(ellipse_t) :: s
+      real(dp) :: edge
+
+      if (.not. self%von_mises < 0) return
+      s%major = 1
+      s%minor = self%shape%axis_ratio
+      s%peak_pressure = 1
+      s%approach = s%minor*self%shape%f
+      call find_largest_von_mises(ellipse_stress_t(s, poisson_ratio), s%minor, self%von_mises_depth, self%von_mises)
+      edge = sqrt(3.0_dp)*ellipse_edge_shear(s, poisson_ratio)
+      if (.not. edge > self%von_mises) return
+      self%von_mises = edge
+      self%von_mises_depth = 0
+   end subroutine add_ellipse_von_mises
 
    !> Does the contact follow from these numbers, to the last bit? Then results do not depend on which points came before.
    pure logical function is_of(self, key)

@@ -11,7 +11,7 @@ module adfric_plane_hertz_variables
    use adfric_interface_total_friction, only: total_friction_results
    use adfric_solid_contact_modulus, only: set_modulus_rows
    use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
-   use adfric_describe_rows, only: choice, number, positive, result_row
+   use adfric_describe_rows, only: choice, number, positive, result_row, switch
    use adfric_describe_table, only: variable_t, result_t
    implicit none (type, external)
    private
@@ -25,7 +25,7 @@ module adfric_plane_hertz_variables
          & material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, load = 0, approach = 0, contact_half_width = 0, &
          & peak_pressure = 0, tangential_force = 0, tangential_axis = 0, creepage = 0, state = 0, coefficient = 0, &
          & friction(n_interface_rows) = 0, coupling = 0, &
-         & heat(n_heat_rows) = 0, conduction(n_conduction_rows) = 0
+         & heat(n_heat_rows) = 0, conduction(n_conduction_rows) = 0, largest_stresses = 0, yield_strength = 0
    end type hertz_input_t
    type(hertz_input_t), parameter, public :: hertz_input = transfer(counting, hertz_input_t())
    !> Indices of the words of `kind`.
@@ -42,7 +42,7 @@ module adfric_plane_hertz_variables
          & tangential_stiffness = 0, cycle_energy = 0, hysteretic_friction_force = 0, interfacial_friction_force = 0, &
          & interfacial_share = 0, velocity_slope = 0, largest_coupling = 0, smallest_stiffness_ratio = 0, &
          & coupling_left_out = 0, heat(n_heat_results) = 0, contact_stiffness = 0, conductances(n_conduction_results) = 0, &
-         & tangential_force = 0, creepage = 0
+         & tangential_force = 0, creepage = 0, von_mises = 0, von_mises_depth = 0, yield_ratio = 0, yield_load = 0
    end type hertz_output_t
    type(hertz_output_t), parameter, public :: hertz_output = transfer(counting, hertz_output_t())
    !> Number of results.
@@ -96,7 +96,11 @@ contains
       call set_law_rows(v(hertz_input%friction(n_shear_rows + 1):hertz_input%friction(n_interface_rows)))
       v(hertz_input%coupling) = coupling_row()
       call set_heat_rows(v(hertz_input%heat(1):hertz_input%heat(n_heat_rows)))
-      call set_conduction_rows(v(hertz_input%conduction(1):))
+      call set_conduction_rows(v(hertz_input%conduction(1):hertz_input%conduction(n_conduction_rows)))
+      v(hertz_input%largest_stresses) = switch(group='output', name='largest_stresses', &
+         & meaning='find the largest von Mises and shear stress in the solid, over all depths', default=.false.)
+      v(hertz_input%yield_strength) = positive(group='solid', name='yield_strength', unit='Pa', &
+         & meaning='von Mises stress at which the solid yields, for its ratio to the largest one')
    end function get_hertz_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -159,6 +163,12 @@ contains
          & long_name='force by which a cylinder that rolls drives the other body', is_main=.true.)
       r(hertz_output%creepage) = result_row(name='creepage', unit='-', &
          & long_name='how much faster a body turns than it rolls, as a share, with the sign of the force', is_main=.true.)
+      r(hertz_output%von_mises) = result_row(name='largest_von_mises_stress', unit='Pa', &
+         & long_name='largest von Mises stress in the solid, or at position_z')
+      r(hertz_output%von_mises_depth) = result_row(name='largest_von_mises_depth', unit='m', long_name='its depth')
+      r(hertz_output%yield_ratio) = result_row(name='yield_ratio', unit='-', &
+         & long_name='largest von Mises stress over the yield strength; from 1 on the solid is not elastic')
+      r(hertz_output%yield_load) = result_row(name='yield_load', unit=force, long_name='load at which the solid begins to yield')
    end function get_hertz_results
 
    !> The results of sliding.

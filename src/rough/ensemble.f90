@@ -10,6 +10,7 @@ module adfric_rough_ensemble
    use adfric_base_not_a_number, only: not_a_number
    use adfric_describe_rows, only: result_row
    use adfric_describe_table, only: result_t
+   use adfric_periodic_stress_rows, only: of_stress => stress_output
    use adfric_periodic_variables, only: n_elastic_results, out => periodic_output
    implicit none (type, external)
    private
@@ -65,9 +66,23 @@ contains
          & results(out%contact_violation) = maxval(members(out%contact_violation, :))
       if (n > 1) results(out%regime) = not_a_number()
       if (n > 1) call set_stiffness_error(members, results)
+      if (n > 1) call set_stresses(members, results)
       results(n_elastic_results + 1:n_elastic_results + n_spreads) = spreads(spread_of)
       results(n_elastic_results + n_spreads + 1:n_elastic_results + n_ensemble_rows) = spreads(spread_of)/sqrt(real(n, dp))
    end subroutine find_ensemble
+
+   !> Stresses in depth: positions along the surface have no mean, and the error of the search is that of the worst member.
+   pure subroutine set_stresses(members, results)
+      real(dp), intent(in) :: members(:, :)
+      !> In: with the means. Out: as said.
+      real(dp), intent(inout) :: results(:)
+
+      associate (before => out%stresses(1) - 1)
+         results(before + [of_stress%von_mises(3:), of_stress%shear(3:)]) = not_a_number()
+         if (all(ieee_is_finite(members(before + of_stress%search_error, :)))) &
+            & results(before + of_stress%search_error) = maxval(members(before + of_stress%search_error, :))
+      end associate
+   end subroutine set_stresses
 
    !> The error of the mean stiffness. That of a member counts over its own stiffness, and over the mean one by the part that it has; the
    !> conductances are in proportion to it.

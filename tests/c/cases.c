@@ -8,7 +8,7 @@ static void test_models(void)
 {
    int32_t n;
    CHECK_OK(adfric_model_count(&n));
-   CHECK(n == 24);
+   CHECK(n == 25);
    for (int32_t i = 0; i < n; i++) {
       adfric_model_info model;
       CHECK_OK(adfric_model(i, &model));

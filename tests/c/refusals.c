@@ -45,7 +45,7 @@ static void test_names(void)
    CHECK_REFUSED(adfric_variable("spere", 0, &variable), "&job model: unknown model, given 'spere'");
    CHECK_REFUSED(adfric_variable("sphere", -1, &variable), "there is no variable -1, allowed: 0 to 36");
    CHECK_REFUSED(adfric_result("sphere", 1000, &result), "there is no result 1000, allowed: 0 to ");
-   CHECK_REFUSED(adfric_model(24, &model), "there is no model 24, allowed: 0 to 23");
+   CHECK_REFUSED(adfric_model(25, &model), "there is no model 25, allowed: 0 to 24");
    CHECK_OK(adfric_open("sphere", &tip));
    CHECK_REFUSED(adfric_set_real(tip, "radios", 1), "unknown variable, given 'radios', allowed: units, radius, ");
    CHECK(strstr(adfric_message(), "; did you mean 'radius'?") != NULL);
