@@ -290,6 +290,7 @@ module adfric_describe_scene_rules
       & round//' jump_period stick_slip_period', &
       & round//' period_work - !spring', &
       & round//' period_work stick_slip_work', &
+      & 'hertz tangential_displacement,tangential_stiffness - cylinder', &
       & round//',hertz,'//periodic//' tangential_displacement - !tangential', &
       & 'hertz tangential_force,creepage,stick_fraction - relaxing', &
       & 'hertz stick_fraction stick_fraction rolls', &
@@ -322,6 +323,7 @@ module adfric_describe_scene_rules
       & 'hertz dissipation - !relaxing', &
       & 'surface_sliding dissipation - coupled layer', &
       & 'hertz largest_shear_stress,largest_shear_depth - slides', &
+      & 'hertz largest_shear_stress,largest_shear_depth - rolls', &
       & 'hertz_history major_axis_angle,axis_ratio - !ellipsoid', &
       & 'wave_1d adhesion_fraction,pull_off_penetration,jump_off_penetration,saturation_fold_pressure,order_margin - !adhesion', &
       & 'wave_1d adhesion_energy,pull_off_penetration,jump_off_penetration,hysteresis_loss - relaxing', &

@@ -190,6 +190,11 @@ contains
       if (is_set(values(in%tangential_force))) is_possible = friction_holds(abs(values(in%tangential_force)) &
          & /values(in%coefficient), load)
       slip%full_creepage = values(in%coefficient)*line%half_width/line%radius
+      if (is_possible .and. .not. slip%full_creepage > 0) then
+         ! without a load nothing is driven, whatever the creepage
+         results([out%tangential_force, out%creepage, out%dissipation, out%energy_imbalance]) = 0
+         if (is_set(values(in%creepage))) results(out%creepage) = values(in%creepage)
+      end if
       if (.not. (is_possible .and. slip%full_creepage > 0)) return
       friction = values(in%coefficient)*load
       if (is_set(values(in%tangential_force))) then

@@ -140,7 +140,7 @@ contains
       r(hertz_output%direction) = result_row(name='major_axis_angle', unit='rad', &
          & long_name='from the first principal direction of body 1 to the major axis')
       r(hertz_output%shear) = result_row(name='largest_shear_stress', unit='Pa', &
-         & long_name='largest shear stress in the solid; not sought, and no value, where a cylinder slides')
+         & long_name='largest shear stress in the solid by the pressure alone; no value where a cylinder slides or rolls')
       r(hertz_output%shear_depth) = result_row(name='largest_shear_depth', unit='m', long_name='its depth')
       r(hertz_output%violation) = result_row(name='contact_violation', unit='-', &
          & long_name='largest violation of g >= 0, p >= 0, g p = 0')
@@ -160,9 +160,9 @@ contains
          & long_name='change of load with approach; a line contact has none')
       r(hertz_output%conductances(1):hertz_output%conductances(n_conduction_results)) = conduction_results(.false.)
       r(hertz_output%tangential_force) = result_row(name='tangential_force', unit=force, &
-         & long_name='force by which a cylinder that rolls drives the other body', is_main=.true.)
+         & long_name='force by which a cylinder that rolls drives the other body')
       r(hertz_output%creepage) = result_row(name='creepage', unit='-', &
-         & long_name='how much faster a body turns than it rolls, as a share, with the sign of the force', is_main=.true.)
+         & long_name='how much faster a body turns than it rolls, as a share, with the sign of the force')
       r(hertz_output%von_mises) = result_row(name='largest_von_mises_stress', unit='Pa', &
          & long_name='largest von Mises stress in the solid, or at position_z')
       r(hertz_output%von_mises_depth) = result_row(name='largest_von_mises_depth', unit='m', long_name='its depth')
