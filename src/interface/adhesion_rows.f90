@@ -129,7 +129,7 @@ contains
       if (.not. is_set(values(turning_pressure))) return
       associate (row => rows(turning_pressure))
          if (.not. is_set(values(stress))) then
-            call problems%add(row%group, row%name, 'has no meaning without a stress of adhesion')
+            call problems%add(row%group, row%name, 'has no meaning without adhesion, or the hardness of a half-space')
          else if (nint(values(branch)) == branch_approach) then
             call problems%add(row%group, row%name, 'has no meaning for branch = ''approach'', which has not turned')
          end if

@@ -75,6 +75,8 @@ module adfric_periodic_contact
       integer :: n_rounds = 0, n_iterations = 0
       !> Adhesion; not allocated: none. `pressure` then has its tension added. A tension below 0 is a hardness.
       type(cohesion_t), allocatable :: cohesion
+      !> Hardness of a solid that has yielded [E*], in which residuals are measured; 0 of an elastic one.
+      real(dp) :: hardness = 0
       !> Depth of the impressions in a solid that yields, in the unit of `shape`; not allocated: it does not yield.
       real(dp), allocatable :: plastic_depth(:, :)
       !> Has the solid of the cell yielded? Not allocated: it does not yield.
@@ -259,7 +261,7 @@ contains
       ! surfaces that do not touch have no pressure but that of adhesion, which the tension takes away
       if (allocated(state%cohesion) .and. (state%has_fixed_mean .or. state%resists_mean)) &
          & state%pressure_scale = max(extremes%peak, state%cohesion%stress)
-      if (allocated(state%cohesion)) state%pressure_scale = max(state%pressure_scale, -state%cohesion%stress)
+      state%pressure_scale = max(state%pressure_scale, state%hardness)
       verdict%remaining = extremes%remaining
       if (extremes%overlap > tolerance*state%gap_scale) verdict%violation = state%cell_stiffness*extremes%overlap
       if (extremes%pull > tolerance*state%pressure_scale) verdict%violation = max(verdict%violation, extremes%pull)

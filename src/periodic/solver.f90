@@ -250,6 +250,7 @@ contains
       n_pairs = solution%n_pairs
       solution = periodic_solution_t()
       goal%mean_pressure = mean_pressure
+      if (any(depth > 0)) goal%hardness = hardness%pressure
       if (mean_pressure > 0) then
          call self%solve(shape + depth, goal, tolerance, solution)
       else

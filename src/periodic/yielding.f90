@@ -115,6 +115,7 @@ contains
          if (any(state%has_yielded)) then
             call solve_lowered(state, operator, gap_solver, shape, hardness, depth, tolerance)
          else
+            state%hardness = 0
             call solve_contact(state, operator, gap_solver, tolerance)
          end if
          if (operator%is_stopped()) state%is_converged = .false.
@@ -178,6 +179,7 @@ contains
       real(dp) :: yielded(size(shape, 1), size(shape, 2))
       integer :: k, n_before
 
+      state%hardness = hardness
       allocate (state%cohesion)
       call new_cohesion(state%cohesion, -hardness, 1.0_dp, operator%is_quarter)
       yielded = merge(1.0_dp, 0.0_dp, state%has_yielded)

@@ -253,6 +253,8 @@ contains
          & 'are those of a half-space, and there is a layer')
       if (allocated(goal%adhesion) .or. allocated(goal%attraction)) call problems%add('estimates', 'theories', &
          & 'stand beside adhesion, whose theories give pull-off alone; it comes without a seed')
+      if (allocated(goal%hardness)) call problems%add('estimates', 'theories', &
+         & 'stand beside a hardness, and are those of elastic solids')
    end subroutine check_solid
 
    !> Add to `problems` a period that is too short for the longest wave, and cells that are too few for the shortest one.

@@ -94,7 +94,7 @@ contains
       case ('-', '1', 'rad', 'degrees', 'K', 'mol', 'ohm', 'S', '')
          powers = 0
       case default
-         error stop 'search_units: no such unit'
+         error stop 'search_units: no such unit: '//name
       end select
    end function base_of
 
@@ -124,6 +124,8 @@ contains
       results = model%describe_results(values)
       unit = unit(:index(unit, ';') - 1)
       do i = 1, size(results)
+         ! a kind that is not drawn yet leaves both
+         if (index(results(i)%unit, ';') > 0) cycle
          if (results(i)%name == model%variables(position)%name) unit = results(i)%unit
       end do
    end function unit_in_case
