@@ -22,8 +22,8 @@ module search_draw
    !> How often a case is mended before it is given up.
    integer, parameter :: max_repairs = 60
    !> How often a case of a drawn spectrum begins anew, whose solid or interface is not to be mended, and one of a body whose cells
-   !> are too few for adhesion.
-   integer, parameter :: max_starts = 6
+   !> are too few for adhesion; and how often one of Hertz's, which has one of many prescribed quantities.
+   integer, parameter :: max_starts = 6, starts_of_hertz = 2
    !> Points of a block of neighbours.
    integer, parameter :: n_neighbours = 6
    !> Shares of cases with profiles; of numbers that are 0, or at a bound, or left at their default; of optional numbers that are
@@ -64,12 +64,14 @@ contains
       real(dp), allocatable :: values(:)
       type(drawn_data_t), allocatable :: data(:)
       type(sizes_t) :: sizes
-      integer :: trial
+      integer :: trial, most
 
+      most = merge(max_starts, 1, model%name == 'spectrum_elastic' .or. model%name == 'free_surface')
+      if (model%name == 'hertz') most = starts_of_hertz
       call draw_sizes(dice, sizes)
       call draw_data(model, dice, sizes%logarithm, data, is_drawn)
       if (.not. is_drawn) return
-      do trial = 1, merge(max_starts, 1, model%name == 'spectrum_elastic' .or. model%name == 'free_surface')
+      do trial = 1, most
          call draw_values(model, dice, sizes, values)
          if (model%name == 'spectrum_elastic') call draw_waves(model, dice, sizes, data, values)
          call mend_values(model, dice, sizes, values, is_drawn)
