@@ -33,6 +33,8 @@ from .spectrum_moments import moment
 CHANGE = 3.0**2 / np.log(10)
 # the slope beyond the last wave number is that over so large a factor before it, and at most the one of an exponent H = 0
 BEFORE_END, STEEP = np.sqrt(10), -2.0
+# the corner at STEEP is rounded over so large a part of the slope, so that the likelihood has a derivative
+ROUND = 0.03
 # factor up to which C goes on, and nodes of the integral between two wave numbers
 BEYOND, NODES = 1e4, 6
 # waves that stand for a bin of a line
@@ -207,11 +209,10 @@ def tail_slope(theta, x):
     """Slope of ln C over ln q beyond the last wave number, and how it depends on the unknowns."""
     k = max(0, min(len(x) - 2, int(np.searchsorted(x, x[-1] - np.log(BEFORE_END) + 1e-9)) - 1))
     slope = (theta[-1] - theta[k]) / (x[-1] - x[k])
+    below = (STEEP - slope) / ROUND
     change = np.zeros(len(x))
-    if slope > STEEP:
-        return STEEP, change
-    change[[-1, k]] = np.array([1.0, -1.0]) / (x[-1] - x[k])
-    return slope, change
+    change[[-1, k]] = np.array([1.0, -1.0]) / (x[-1] - x[k]) * np.exp(-np.logaddexp(0, -below))
+    return STEEP - ROUND * np.logaddexp(0, below), change
 
 
 def row_of(each, x):

@@ -236,6 +236,14 @@ class Isotropic(Imports):
             # twice the heights, four times the spectrum
             np.testing.assert_allclose(slope.sum(axis=1), 1, rtol=1e-9)
 
+    def test_line_that_ends_as_steep_as_allowed(self):
+        """The slope beyond the last wave is at most -2; the least of the likelihood of this line is there, and it is found."""
+        joined, each = self.spectrum_of(draw(128, 0.2, 1, 16, 26)[5], 128)
+        height, error = moments_of(joined)["root_mean_square_height"]
+        self.assertAlmostEqual(each.ends[1], 16, places=9)
+        q = np.geomspace(1, 16, 200)
+        self.assertLess(abs(height - numbers_of(q, density_of(q, 0.2, 1))["root_mean_square_height"]), 2 * error)
+
     def test_program_reads_the_table(self):
         """`adfric check` has the numbers of the file."""
         np.save("a.npy", draw(64, 0.8, 3, 16, 5))
