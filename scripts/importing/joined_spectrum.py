@@ -12,19 +12,29 @@ ordinates has the gamma distribution of mean m and shape n_i (Whittle's likeliho
     sum n_i (P_i/m_i + ln m_i) + (1/2) int (d^2 ln C/d(ln q)^2)^2 d(ln q)/k^2 .
 
 The second part says that slopes of ln C change by about 3 over a decade; it joins ranges without data, and matters little else.
+
+A window w makes of C its mean with the power |W|^2 as weights. To second order that is C + (B/2) C'' of a line, or (B/2) times the
+Laplacian of a map, with the mean square B of a wave number in |W|^2 along one axis. This is subtracted.
+
+A table is a density over the whole plane, a period has a lattice of waves. Each stands for an equal area. So those of the first ring
+stand for an annulus that begins before them. One more row, at its begin, gives the annulus the variance of the ring.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import brentq
 
 from .periodogram import PER_DECADE
 from .problems import NoSpectrum
+from .spectrum_moments import moment
 
 # by how much the slope of ln C over ln q may change, squared, over an interval 1 of ln q
 CHANGE = 3.0**2 / np.log(10)
 # the slope beyond the last wave number is that over so large a factor before it, and at most the one of an exponent H = 0
 BEFORE_END, STEEP = np.sqrt(10), -2.0
+# the corner at STEEP is rounded over so large a part of the slope, so that the likelihood has a derivative
+ROUND = 0.03
 # factor up to which C goes on, and nodes of the integral between two wave numbers
 BEYOND, NODES = 1e4, 6
 # waves that stand for a bin of a line
@@ -35,6 +45,8 @@ MOST_STEPS, SMALL = 200, 1e-11
 WHOLE = 1e-3
 # fewest bins of a spectrum
 FEWEST = 3
+# ln of the largest factor from the first wave of a period to the row before it, and the change by which that row is differentiated
+LARGEST, CHANGE_OF_ROW = np.log(1e3), 1e-4
 
 
 @dataclass
@@ -48,9 +60,11 @@ class Joined:
     covariance: np.ndarray
     # mean square of what is left over, in the errors of Gaussian surfaces
     scatter: float
-    # of each measurement: densities that its bins have by the spectrum, mean of the measured over these, and its error
+    # of each measurement: densities that its bins have by the spectrum and its window, mean of the measured over these, and its error
     models: list
     ratios: list
+    # the longest wave that was measured [m]; the table of a period begins before it
+    longest: float
 
     @property
     def error(self):
@@ -76,10 +90,52 @@ def join(measurements):
     free = max(1.0, len(data) - np.trace(np.linalg.solve(information + belief, information)))
     scatter = np.sum(weight * np.expm1(data - model) ** 2) / free
     covariance = np.linalg.inv(information / max(1.0, scatter) + belief)
+    # what windows mix in is taken out to first order, and half of it remains as a doubt common to all rows
+    mixed = np.linalg.solve(information + belief, slope.T @ (weight * leakage(measurements, model)))
+    theta, covariance = theta - mixed, covariance + np.outer(mixed, mixed) / 4
     ends = np.cumsum([len(each.density) for each in measurements])[:-1]
     models = np.split(np.exp(model), ends)
     ratios = [ratio_of(each, own) for each, own in zip(measurements, models)]
-    return Joined(np.exp(x), np.exp(theta), covariance, scatter, models, ratios)
+    rings = [each.ring for each in measurements if each.ring and each.ends[0] == first]
+    if rings:
+        ring = min(rings, key=lambda each: (each.begin, each.end))
+        x, theta, covariance = with_ring(ring, x, theta, covariance)
+    return Joined(np.exp(x), np.exp(theta), covariance, scatter, models, ratios, 2 * np.pi / first)
+
+
+def leakage(measurements, model):
+    """How much more than the spectrum the density behind a window is, over the spectrum: half the Laplacian times the blur."""
+    parts, begin = [], 0
+    for each in measurements:
+        own, begin = model[begin:begin + len(each.density)], begin + len(each.density)
+        middle = np.sum(each.shares * np.log(each.waves), axis=1)
+        s = np.gradient(own, middle) if len(own) > 1 else np.zeros(1)
+        parts.append(each.blur / 2 * np.exp(-2 * middle) * (s**2 if each.is_map else s * (s - 1)))
+    return np.concatenate(parts)
+
+
+def with_ring(ring, x, theta, covariance):
+    """The table with a row where the annulus of the first ring begins."""
+    begin, end = np.log(ring.begin), min(np.log(ring.end), x[-1])
+    points = np.concatenate([x[x < end - 1e-9], [end]])
+
+    def first_row(theta):
+        """ln C there, so that the annulus has the variance of the ring."""
+        behind = moment(0, np.exp(points), np.exp(np.interp(points, x, theta))) if end > x[0] else 0.0
+        before = ring.cell * np.exp(np.interp(np.log(ring.waves), x, theta)).sum() - behind
+
+        def excess(rise):
+            return moment(0, np.exp([begin, x[0]]), np.exp([theta[0] + rise, theta[0]])) - before
+
+        if excess(-LARGEST) > 0 or excess(LARGEST) < 0:
+            return theta[0] + LARGEST * (-1 if excess(-LARGEST) > 0 else 1)
+        return theta[0] + brentq(excess, -LARGEST, LARGEST, xtol=1e-13)
+
+    step = CHANGE_OF_ROW * np.eye(len(x))
+    # the rows behind the annulus do not matter
+    slope = [(first_row(theta + each) - first_row(theta - each)) / (2 * CHANGE_OF_ROW) for each in step[:len(points) + 1]]
+    change = np.vstack([np.append(slope, np.zeros(len(x) - len(slope))), np.eye(len(x))])
+    return np.append(begin, x), np.append(first_row(theta), theta), change @ covariance @ change.T
 
 
 def ratio_of(each, model):
@@ -153,11 +209,10 @@ def tail_slope(theta, x):
     """Slope of ln C over ln q beyond the last wave number, and how it depends on the unknowns."""
     k = max(0, min(len(x) - 2, int(np.searchsorted(x, x[-1] - np.log(BEFORE_END) + 1e-9)) - 1))
     slope = (theta[-1] - theta[k]) / (x[-1] - x[k])
+    below = (STEEP - slope) / ROUND
     change = np.zeros(len(x))
-    if slope > STEEP:
-        return STEEP, change
-    change[[-1, k]] = np.array([1.0, -1.0]) / (x[-1] - x[k])
-    return slope, change
+    change[[-1, k]] = np.array([1.0, -1.0]) / (x[-1] - x[k]) * np.exp(-np.logaddexp(0, -below))
+    return STEEP - ROUND * np.logaddexp(0, below), change
 
 
 def row_of(each, x):

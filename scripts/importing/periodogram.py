@@ -19,8 +19,10 @@ PER_DECADE, PARTS = 10, 16
 SAMPLES_OF_WAVE = 4
 # waves in the length of a part; the tilt that was removed, and the window, have changed longer ones
 WAVES_OF_PART = 2
-# a bin with so small a part of the largest density has no data but round-off
+# a wave or a bin with so small a part of the largest density has no data but round-off
 ROUND_OFF = 1e-20
+# the first ring of a period has waves up to so many times its lowest wave number, and a table of so many candidates at most
+RING, MOST_OF_RING = 1.26, 10**6
 
 
 @dataclass
@@ -48,6 +50,22 @@ class Periodogram:
     anisotropy_noise: float | None = None
     # what was subtracted from the heights
     trend: str = "none"
+    # the longest waves of a period, None of a part
+    ring: "Ring | None" = None
+    # mean square of a wave number along one axis in the power of the window [rad^2/m^2]
+    blur: float = 0.0
+
+
+@dataclass
+class Ring:
+    """The first waves of a period, a lattice of wave vectors, and the annulus whose area is that of their cells."""
+
+    # ends of the annulus [rad/m]
+    begin: float
+    end: float
+    # wave numbers [rad/m], and the area of the cell of each [rad^2/m^2]
+    waves: np.ndarray
+    cell: float
 
 
 def window_of(surface, word=None):
@@ -91,16 +109,43 @@ def periodogram_of(surface, name, shortest, reason, word=None):
     power = np.abs(np.fft.fftn(heights)) ** 2 / heights.size**2 * np.prod(np.array(surface.lengths) / (2 * np.pi))
     axes = [2 * np.pi * np.fft.fftfreq(n, step) for n, step in zip(surface.heights.shape, reversed(surface.spacing))]
     q = np.abs(axes[0]) if len(axes) == 1 else np.hypot(axes[0][:, None], axes[1][None, :])
-    # a wave at an end belongs to the range
-    is_taken = (q > first * (1 - 1e-9)) & (q < last * (1 + 1e-9))
-    if not last > first or not is_taken.any():
+    is_taken = is_between(q, first, last)
+    # what was filtered has no density: the range ends where the power does
+    has_power = is_taken & (power > ROUND_OFF * power[is_taken].max(initial=0.0))
+    if has_power.any():
+        first = first if q[has_power].min() <= q[is_taken].min() else q[has_power].min()
+        if q[has_power].max() < q[is_taken].max():
+            last, reason = q[has_power].max(), "shorter waves have no power"
+    if not last > first or not has_power.any():
         raise NoSpectrum(f"too few waves, between {2 * np.pi / first:.3g} m and {2 * np.pi / last:.3g} m")
+    is_taken = is_between(q, first, last)
     spread = np.mean(window**4)
     found = Periodogram(name, len(axes) == 2, *in_bins(q[is_taken], power[is_taken], first, last, spread), (first, last), word, reason)
+    if surface.is_periodic:
+        found.ring = first_ring(surface.lengths, first, last)
+    found.blur = sum(np.mean(np.gradient(window, step, axis=axis) ** 2) for axis, step in enumerate(reversed(surface.spacing))) / len(axes)
     if found.is_map:
         qx, qy = np.broadcast_arrays(axes[1][None, :], axes[0][:, None])
         found.anisotropy, found.anisotropy_noise = anisotropy_of(qx[is_taken], qy[is_taken], power[is_taken], spread)
     return found
+
+
+def is_between(q, first, last):
+    """Which waves are in the range; a wave at an end belongs to it."""
+    return (q > first * (1 - 1e-9)) & (q < last * (1 + 1e-9))
+
+
+def first_ring(lengths, first, last):
+    """The first ring of waves of a period; that of a line is the one of a square. None where it is too fine to matter."""
+    steps = 2 * np.pi / np.array([lengths[0], lengths[-1]])
+    most = np.floor(RING * first / steps)
+    if np.prod(2 * most + 1) > MOST_OF_RING:
+        return None
+    x, y = (step * np.arange(-n, n + 1) for step, n in zip(steps, most))
+    q, cell = np.hypot(x[:, None], y[None, :]), np.prod(steps)
+    waves = q[is_between(q, first, min(RING * first, last))]
+    longer = np.count_nonzero(q <= first * (1 - 1e-9))
+    return Ring(*np.sqrt(np.array([longer, longer + len(waves)]) * cell / np.pi), waves, cell)
 
 
 def in_bins(q, power, first, last, spread):

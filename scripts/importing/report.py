@@ -56,7 +56,7 @@ def surface_lines(given, source, surface, read, results):
 
 def spectrum_rows(joined, periodograms):
     """What the table says of a power spectrum: its waves, and numbers with their errors."""
-    longest, shortest = (2 * np.pi / joined.wave_numbers[end] for end in (0, -1))
+    longest, shortest = joined.longest, 2 * np.pi / joined.wave_numbers[-1]
     one = periodograms[0]
     rows = [("power spectrum", f"waves of {shortest:.4g} to {longest:.4g} m"
              + (f", window {one.window}, shortest: {one.reason}" if len(periodograms) == 1 else ""))]

@@ -3,9 +3,6 @@
 
 from .spectrum_options import read_command_line
 
-# a measurement contradicts the others where it is off by so many errors of a Gaussian surface, and by so large a part
-ERRORS, PART = 4.0, 0.2
-
 
 def main(arguments):
     """Join measurements; return the exit status: 0, 2 for bad input or options, 3 for files that cannot be read or written."""
@@ -16,6 +13,7 @@ def main(arguments):
 
 def import_files(given, arguments):
     """Read and join: the lines to show, remarks, and the bytes of the file and the picture."""
+    from .disagreement import check_agreement
     from .joined_spectrum import join
     from .periodogram import periodogram_of
     from .problems import BadInput, NoSpectrum
@@ -37,23 +35,21 @@ def import_files(given, arguments):
         periodograms.append(found)
     if not periodograms:
         raise BadInput("no measurement has waves enough for a power spectrum")
+    remarks += check_agreement(periodograms) + gaps(periodograms)
     joined = join(periodograms)
     contents = [image_of_spectrum(joined, periodograms, file_attributes("import_spectrum", given.files, arguments, "heights"))]
     if given.picture:
         from .spectrum_picture import draw_joined
 
         contents.append(draw_joined(joined, periodograms, given.output.name))
-    return joined_lines(given, joined, periodograms), remarks + contradictions(joined, periodograms), contents
+    return joined_lines(given, joined, periodograms), remarks, contents
 
 
-def contradictions(joined, periodograms):
-    """A line for each measurement that is far from the joined spectrum, and for a range in which there are no data."""
+def gaps(periodograms):
+    """A line for each range in which there are no data."""
     import numpy as np
 
     remarks = []
-    for each, (ratio, error) in zip(periodograms, joined.ratios):
-        if abs(ratio - 1) > max(ERRORS * error, PART):
-            remarks.append(f"{each.name}: its spectrum is {ratio:.2g} times the joined one in the mean: are units, tilt and reliable range right?")
     ends = sorted(each.ends for each in periodograms)
     last = ends[0][1]
     for begin, end in ends[1:]:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measurements of one surface: files of scripts/import_surface, and containers of contact.engineering."""
 
+import hashlib
 import io
 import zipfile
 from contextlib import redirect_stderr, redirect_stdout
@@ -43,6 +44,9 @@ def read_measurements(given):
                                "files of instruments")
         except OSError as problem:
             raise FileFailure(f"{path}: cannot read: {problem.strerror or first_line(problem)}") from None
+    if not found:
+        raise BadInput(f"{given.files[0]}: there is no measurement in it")
+    number_names(found)
     names = [each.name for each in found]
     for name in given.leave_out:
         if name not in names:
@@ -50,7 +54,30 @@ def read_measurements(given):
     found = [each for each in found if each.name not in given.leave_out]
     if not found:
         raise BadInput("--leave-out: no measurement is left")
+    refuse_same(found)
     return found
+
+
+def number_names(found):
+    """Give measurements of one name a number behind it, so that each can be meant."""
+    names = [each.name for each in found]
+    seen = {}
+    for each, name in zip(found, names):
+        if names.count(name) > 1:
+            seen[name] = seen.get(name, 0) + 1
+            each.name = f"{name} ({seen[name]})"
+
+
+def refuse_same(found):
+    """Refuse a measurement that is there twice: its errors would shrink without reason."""
+    first = {}
+    for each in found:
+        heights = each.surface.heights.data
+        key = heights.shape, each.surface.spacing, hashlib.sha256(np.ascontiguousarray(heights).tobytes()).digest()
+        if key in first:
+            raise BadInput(f"{first[key]} and {each.name} have the same heights: one measurement counts once; give one of them, or --leave-out "
+                           f"'{each.name}'")
+        first[key] = each.name
 
 
 def read_imported(path):
@@ -84,6 +111,8 @@ def read_container(path, given):
 
 def choose(names, wanted, path):
     """Index of the surface that is meant."""
+    if not names:
+        raise BadInput(f"{path}: there is no surface in it")
     if wanted is None and len(names) == 1:
         return 0
     if wanted is None or wanted not in names:
