@@ -33,6 +33,8 @@ function(adfric_set_flags target)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANGUAGE:Fortran>:-std=f2018 -Wall -Wextra -pedantic -Wimplicit-interface>
     $<$<COMPILE_LANGUAGE:C>:-std=c11 -Wall -Wextra -pedantic>
+    # with less optimisation compilers see less of what is set before it is read
+    $<$<AND:$<BOOL:${ADFRIC_QUICK}>,$<COMPILE_LANGUAGE:Fortran>>:-Wno-maybe-uninitialized>
     $<$<BOOL:${ADFRIC_WARNINGS_AS_ERRORS}>:-Werror>)
   adfric_add_sanitizers(${target})
 endfunction()
