@@ -22,11 +22,11 @@ contains
 
    !> e^x K_0(x).
    pure real(dp) function scaled_k0(x)
-      !> Argument, > 0.
+      !> Argument, > 0; 0 is a product that was too small for a number, and counts as the least one.
       real(dp), intent(in) :: x
 
-      if (has_asserts) call assert(x > 0, 'scaled_k0: x > 0')
-      scaled_k0 = gsl_sf_bessel_k0_scaled(x)
+      if (has_asserts) call assert(x >= 0, 'scaled_k0: x >= 0')
+      scaled_k0 = gsl_sf_bessel_k0_scaled(max(x, tiny(x)))
    end function scaled_k0
 
    !> e^x K_1(x).
