@@ -22,8 +22,8 @@ module search_draw
    !> How often a case is mended before it is given up.
    integer, parameter :: max_repairs = 60
    !> How often a case of a drawn spectrum begins anew, whose solid or interface is not to be mended, and one of a body whose cells
-   !> are too few for adhesion; and how often one of Hertz's, which has one of many prescribed quantities.
-   integer, parameter :: max_starts = 6, starts_of_hertz = 2
+   !> are too few for adhesion; how often one of Hertz's, which has one of many prescribed quantities, and one of an elastic surface.
+   integer, parameter :: max_starts = 6, starts_of_hertz = 2, starts_of_surfaces = 3
    !> Points of a block of neighbours.
    integer, parameter :: n_neighbours = 6
    !> Shares of cases with profiles; of numbers that are 0, or at a bound, or left at their default; of optional numbers that are
@@ -68,6 +68,7 @@ contains
 
       most = merge(max_starts, 1, model%name == 'spectrum_elastic' .or. model%name == 'free_surface')
       if (model%name == 'hertz') most = starts_of_hertz
+      if (model%name == 'wave_2d_elastic' .or. model%name == 'surface_elastic') most = starts_of_surfaces
       call draw_sizes(dice, sizes)
       call draw_data(model, dice, sizes%logarithm, data, is_drawn)
       if (.not. is_drawn) return
