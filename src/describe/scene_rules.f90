@@ -216,7 +216,7 @@ module adfric_describe_scene_rules
       & 'rough_theories thermal_conductance_bush_gibson_thomas,thermal_conductance_greenwood_elliptic - !thermal', &
       & 'rough_theories thermal_conductance_nayak_sphere - !thermal']
 
-   !> Results.
+   !> Those of all others.
    character(*), parameter :: other_rules(*) = [character(160) :: &
       & '* electrical_conductance - !electrical', &
       & '* thermal_conductance - !thermal', &
@@ -375,6 +375,7 @@ module adfric_describe_scene_rules
       & heats//' contact_temperature,flash_temperature,peak_flash_temperature - !heat', &
       & heats//' background_temperature_rise - !heat', &
       & heats//' thermal_gain,thermal_states,heat_share,bulk_heat,interface_heat - !heat']
+   !> Results; in two lists, since a statement goes on over 255 lines at most.
    character(*), parameter :: result_rules(*) = [spectrum_rules, other_rules]
 
    !> Profiles.

@@ -34,19 +34,12 @@ contains
       integer, intent(in), optional :: axis
       type(stress_field_t) :: field
       type(largest_stress_t) :: found
-      type(error_t), allocatable :: error
       real(dp), allocatable :: stress(:, :, :)
-      integer :: part(2), failure
+      integer :: part(2)
 
+      call begin_field(field, stress, surface, pressure, poisson_ratio, is_found, shear, axis)
+      if (.not. is_found) return
       associate (unit => surface%period(1))
-         call new_stress_field(field, pressure, surface%period/unit, surface%is_quarter, poisson_ratio, error, shear, axis)
-         is_found = .not. allocated(error)
-         if (.not. is_found) return
-         associate (n_cells => field%n_cells())
-            allocate (stress(n_cells(1), n_cells(2), n_stresses), stat=failure)
-         end associate
-         is_found = failure == 0
-         if (.not. is_found) return
          ! below an even pressure alone the stresses of all quarters are alike
          part = merge(shape(pressure), field%n_cells(), .not. present(shear))
          if (.not. wants_search(values)) then
@@ -81,6 +74,32 @@ contains
 
    end subroutine store_stresses
 
+   !> The stresses below a pressure, with lengths in periods along x, and the workspace for those of one depth.
+   subroutine begin_field(field, stress, surface, pressure, poisson_ratio, is_found, shear, axis)
+      type(stress_field_t), intent(out) :: field
+      !> Receives the workspace; shape `(nx, ny, n_stresses)` of a whole period.
+      real(dp), allocatable, intent(out) :: stress(:, :, :)
+      type(periodic_surface_t), intent(in) :: surface
+      real(dp), intent(in) :: pressure(:, :)
+      real(dp), intent(in) :: poisson_ratio
+      !> Was there memory?
+      logical, intent(out) :: is_found
+      !> Shear stress on the solid, in the unit of the pressure, and its axis; not present: none.
+      real(dp), intent(in), optional :: shear(:, :)
+      integer, intent(in), optional :: axis
+      type(error_t), allocatable :: error
+      integer :: failure
+
+      call new_stress_field(field, pressure, surface%period/surface%period(1), surface%is_quarter, poisson_ratio, error, shear, &
+         & axis)
+      is_found = .not. allocated(error)
+      if (.not. is_found) return
+      associate (n_cells => field%n_cells())
+         allocate (stress(n_cells(1), n_cells(2), n_stresses), stat=failure)
+      end associate
+      is_found = failure == 0
+   end subroutine begin_field
+
    !> The maps of a depth.
    subroutine fill_stress_maps(values, surface, pressure, poisson_ratio, shear, axis, maps)
       !> Values of the rows, with a depth; shape `(n_stress_rows)`.
@@ -94,19 +113,13 @@ contains
       !> In: NaN. Out: the maps, NaN without memory; shape `(nx, ny, n_stress_profiles)`.
       real(dp), intent(inout) :: maps(:, :, :)
       type(stress_field_t) :: field
-      type(error_t), allocatable :: error
       real(dp), allocatable :: stress(:, :, :)
-      integer :: i, j, failure
+      integer :: i, j
+      logical :: is_found
 
-      associate (unit => surface%period(1))
-         call new_stress_field(field, pressure, surface%period/unit, surface%is_quarter, poisson_ratio, error, shear, axis)
-         if (allocated(error)) return
-         associate (n_cells => field%n_cells())
-            allocate (stress(n_cells(1), n_cells(2), n_stresses), stat=failure)
-         end associate
-         if (failure /= 0) return
-         call field%get_stresses(values(in%depth)/unit, stress)
-      end associate
+      call begin_field(field, stress, surface, pressure, poisson_ratio, is_found, shear, axis)
+      if (.not. is_found) return
+      call field%get_stresses(values(in%depth)/surface%period(1), stress)
       do j = 1, size(maps, 2)
          do i = 1, size(maps, 1)
             maps(i, j, 1) = von_mises_of(stress(i, j, :))

@@ -229,8 +229,6 @@ contains
       type(periodic_solution_t), intent(out) :: solution
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t) :: goal
-      real(dp), allocatable :: depth(:, :)
-      real(dp) :: full_pressure, n_pairs
 
       call check_shape(self, shape, error)
       if (allocated(error)) return
@@ -243,25 +241,42 @@ contains
          call self%set_touch(shape, 0.0_dp, solution)
          solution%plastic_depth = 0*shape
       end if
-      if (.not. mean_pressure < goal%mean_pressure) call raise_area(solution, hardness%pressure)
-      if (solution%status /= contact_solved .or. .not. mean_pressure < goal%mean_pressure) return
+      if (solution%status == contact_solved .and. mean_pressure < goal%mean_pressure) &
+         & call unload(self, shape, mean_pressure, hardness%pressure, tolerance, solution)
+      call raise_area(solution, hardness%pressure)
+   end subroutine solve_yielding
+
+   !> Solve under a lighter load with the impressions of a heavier one.
+   subroutine unload(self, shape, mean_pressure, hardness, tolerance, solution)
+      class(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      !> The lighter load, and the hardness [E*].
+      real(dp), intent(in) :: mean_pressure, hardness
+      real(dp), intent(in) :: tolerance
+      !> In: under the heavier load. Out: under the lighter one.
+      type(periodic_solution_t), intent(inout) :: solution
+      type(contact_state_t) :: goal
+      real(dp), allocatable :: depth(:, :), impressed(:, :)
+      real(dp) :: full_pressure, n_pairs
+
       call move_alloc(solution%plastic_depth, depth)
+      allocate (impressed, source=shape + depth)
       full_pressure = solution%full_pressure
       n_pairs = solution%n_pairs
       solution = periodic_solution_t()
       goal%mean_pressure = mean_pressure
-      if (any(depth > 0)) goal%hardness = hardness%pressure
+      if (any(depth > 0)) goal%hardness = hardness
       if (mean_pressure > 0) then
-         call self%solve(shape + depth, goal, tolerance, solution)
+         call self%solve(impressed, goal, tolerance, solution)
       else
-         call self%set_touch(shape + depth, minval(shape + depth), solution)
+         call self%set_touch(impressed, minval(impressed), solution)
          solution%area%error = 0
       end if
       solution%full_pressure = full_pressure
       solution%n_pairs = solution%n_pairs + n_pairs
       call move_alloc(depth, solution%plastic_depth)
-      call raise_area(solution, hardness%pressure)
-   end subroutine solve_yielding
+   end subroutine unload
 
    !> No area is less than the load over the hardness; cells at the perimeter, which bear the hardness, are counted for less.
    pure subroutine raise_area(solution, hardness)

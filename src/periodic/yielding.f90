@@ -47,25 +47,14 @@ contains
       type(periodic_operator_t), intent(inout) :: operator
       !> Largest pressure that the solid bears [E*].
       real(dp), intent(in) :: hardness
-      integer, parameter :: most_halvings = 60
-      real(dp) :: pressure(size(state%shape, 1), size(state%shape, 2)), low, high, level
-      integer :: k
+      real(dp) :: pressure(size(state%shape, 1), size(state%shape, 2)), level
 
       allocate (state%has_yielded(size(state%shape, 1), size(state%shape, 2)), source=.false.)
       call operator%apply_stiffness(state%shape, pressure)
       if (hardness > very_soft*maxval(pressure)) return
-      low = minval(state%shape)
-      high = maxval(state%shape)
-      do k = 1, most_halvings
-         level = (low + high)/2
-         if (count(state%shape < level)*hardness < state%mean_pressure*size(state%shape)) then
-            low = level
-         else
-            high = level
-         end if
-      end do
-      state%has_yielded(:, :) = state%shape < low
-      state%gap(:, :) = state%shape - low
+      level = level_of_load(state, hardness, state%shape, minval(state%shape), maxval(state%shape))
+      state%has_yielded(:, :) = state%shape < level
+      state%gap(:, :) = state%shape - level
       state%is_open(:, :) = .true.
    end subroutine guess_yield
 
@@ -140,28 +129,50 @@ contains
       type(contact_state_t), intent(inout) :: state
       !> Largest pressure that the solid bears [E*].
       real(dp), intent(in) :: hardness
-      integer, parameter :: most_halvings = 60
-      real(dp) :: deep, shallow, level, most
-      integer :: k
+      real(dp) :: level
 
-      most = state%mean_pressure*size(state%gap)/hardness
-      if (count(state%has_yielded) < most) return
-      deep = minval(state%gap) - (maxval(state%shape) - minval(state%shape))
-      shallow = maxval(state%gap)
-      do k = 1, most_halvings
-         level = (deep + shallow)/2
-         if (count(state%has_yielded .and. state%gap < level) < most) then
-            deep = level
-         else
-            shallow = level
-         end if
-      end do
-      where (state%has_yielded .and. .not. state%gap < deep)
+      if (carries_less(state, hardness, state%has_yielded)) return
+      level = level_of_load(state, hardness, merge(state%gap, huge(level), state%has_yielded), &
+         & minval(state%gap) - (maxval(state%shape) - minval(state%shape)), maxval(state%gap))
+      where (state%has_yielded .and. .not. state%gap < level)
          state%has_yielded = .false.
          state%is_open = .false.
          state%gap = 0
       end where
    end subroutine limit_to_load
+
+   !> Do cells carry less than the load if they bear the hardness?
+   pure logical function carries_less(state, hardness, cells)
+      type(contact_state_t), intent(in) :: state
+      real(dp), intent(in) :: hardness
+      logical, intent(in) :: cells(:, :)
+
+      carries_less = count(cells) < state%mean_pressure*size(cells)/hardness
+   end function carries_less
+
+   !> The highest level below which cells carry less than the load, to round-off.
+   pure real(dp) function level_of_load(state, hardness, map, low, high) result(level)
+      type(contact_state_t), intent(in) :: state
+      real(dp), intent(in) :: hardness
+      !> Where each cell stands; shape of the cells.
+      real(dp), intent(in) :: map(:, :)
+      !> Levels between which it lies.
+      real(dp), intent(in) :: low, high
+      integer, parameter :: most_halvings = 60
+      real(dp) :: above, middle
+      integer :: k
+
+      level = low
+      above = high
+      do k = 1, most_halvings
+         middle = (level + above)/2
+         if (carries_less(state, hardness, map < middle)) then
+            level = middle
+         else
+            above = middle
+         end if
+      end do
+   end function level_of_load
 
    !> Solve the contact with the hardness as the pressure of cells that have yielded.
    subroutine solve_lowered(state, operator, gap_solver, shape, hardness, depth, tolerance)

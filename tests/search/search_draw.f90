@@ -66,9 +66,16 @@ contains
       type(sizes_t) :: sizes
       integer :: trial, most
 
-      most = merge(max_starts, 1, model%name == 'spectrum_elastic' .or. model%name == 'free_surface')
-      if (model%name == 'hertz') most = starts_of_hertz
-      if (model%name == 'wave_2d_elastic' .or. model%name == 'surface_elastic') most = starts_of_surfaces
+      select case (model%name)
+      case ('spectrum_elastic', 'free_surface')
+         most = max_starts
+      case ('wave_2d_elastic', 'surface_elastic')
+         most = starts_of_surfaces
+      case ('hertz')
+         most = starts_of_hertz
+      case default
+         most = 1
+      end select
       call draw_sizes(dice, sizes)
       call draw_data(model, dice, sizes%logarithm, data, is_drawn)
       if (.not. is_drawn) return
