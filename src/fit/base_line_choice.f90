@@ -17,7 +17,7 @@ module adfric_fit_base_line_choice
    use adfric_fit_course, only: course_t
    use adfric_fit_estimate, only: solve_best
    use adfric_fit_minima, only: minima_limit
-   use adfric_fit_problem, only: fit_t
+   use adfric_fit_problem, only: fit_t, copy_fit
    use adfric_fit_solution, only: solution_t, fit_solved, fit_not_converged
    implicit none (type, external)
    private
@@ -40,10 +40,10 @@ contains
       !> The estimates; those of the answer.
       type(solution_t), intent(inout) :: solution
       type(choice_t) :: best, other
-      type(choice_t), allocatable :: others(:)
+      type(choice_t) :: others(n_thresholds + 2)
       type(marks_t) :: marks
       logical :: wants(size(fit%data_sets))
-      integer :: i
+      integer :: i, n_others
 
       wants = wants_marks(fit)
       if (.not. any(wants) .or. course%minima%n < 1) return
@@ -51,43 +51,53 @@ contains
       call find_marks(best, wants, marks)
       if (.not. marks%is_known) return
       if (solution%points_beyond_fold == 0 .and. marks%gain < minima_limit*course%variance) return
-      allocate (others(0))
+      n_others = 0
       call descend(best, wants)
       do i = 1, n_thresholds
-         other%fit = fit
+         call copy_fit(fit, other%fit)
          call set_threshold(other%fit, wants, real(i, dp)/(n_thresholds + 1))
          other%fit%n_starts = few_starts
-         call try(other, wants, others, best)
+         call try(other, wants, others, n_others, best)
       end do
       call find_marks(best, wants, marks)
       do i = 1, 2
-         other%fit = marks%least
-         if (i == 2) other%fit = marks%largest
+         if (i == 1) call copy_fit(marks%least, other%fit)
+         if (i == 2) call copy_fit(marks%largest, other%fit)
          call start_at(other%fit, best%solution)
-         call try(other, wants, others, best)
+         call try(other, wants, others, n_others, best)
       end do
       call search_again(fit, best)
-      call judge(fit, wants, others, best)
+      call judge(fit, wants, others(:n_others), best)
       marked%data_sets = best%fit%data_sets
       course = best%course
       solution = best%solution
    end subroutine settle_base_lines
 
    !> Fit with other marks, and keep the answer.
-   subroutine try(other, wants, others, best)
+   subroutine try(other, wants, others, n_others, best)
       type(choice_t), intent(inout) :: other
       !> The data sets that are marked here.
       logical, intent(in) :: wants(:)
-      !> All answers; this one is added.
-      type(choice_t), allocatable, intent(inout) :: others(:)
+      !> All answers and their number; this one is added.
+      type(choice_t), intent(inout) :: others(:)
+      integer, intent(inout) :: n_others
       type(choice_t), intent(inout) :: best
 
       call solve(other)
       if (other%course%minima%n < 1) return
       call descend(other, wants)
-      others = [others, other]
-      if (is_better(other, best)) best = other
+      n_others = n_others + 1
+      call copy_choice(other, others(n_others))
+      if (is_better(other, best)) call copy_choice(other, best)
    end subroutine try
+
+   !> Copy an answer: once for all, since each copy of so many parts takes a compiler long.
+   subroutine copy_choice(from, to)
+      type(choice_t), intent(in) :: from
+      type(choice_t), intent(inout) :: to
+
+      to = from
+   end subroutine copy_choice
 
    !> Let a search begin where another one ended.
    subroutine start_at(fit, solution)
@@ -105,13 +115,13 @@ contains
       type(choice_t) :: other
 
       if (best%fit%n_starts == fit%n_starts) return
-      other%fit = best%fit
+      call copy_fit(best%fit, other%fit)
       other%fit%n_starts = fit%n_starts
       other%fit%frees = fit%frees
       call solve(other)
-      best%fit = other%fit
+      call copy_fit(other%fit, best%fit)
       if (other%course%minima%n < 1) return
-      if (.not. is_better(best, other)) best = other
+      if (.not. is_better(best, other)) call copy_choice(other, best)
    end subroutine search_again
 
    !> Say that there is no answer, where others are as good as the best one.
@@ -216,24 +226,24 @@ contains
       do i = 1, most_steps
          call find_marks(self, wants, marks)
          if (.not. marks%gain > same_cost*self%course%variance) return
-         other%fit = marks%best
+         call copy_fit(marks%best, other%fit)
          call start_at(other%fit, self%solution)
          call solve(other)
          if (.not. other%solution%chi2 < self%solution%chi2) return
-         self = other
+         call copy_choice(other, self)
       end do
    end subroutine descend
 
    !> The same fit without adhesion, if adhesion is sought and the model has a theory without it.
    subroutine remove_adhesion(fit, other, is_known)
       type(fit_t), intent(in) :: fit
-      type(fit_t), intent(out) :: other
+      type(fit_t), intent(inout) :: other
       logical, intent(out) :: is_known
       character(:), allocatable :: word
       logical :: is_adhesion(size(fit%frees))
       integer :: k, theory
 
-      other = fit
+      call copy_fit(fit, other)
       is_adhesion = .false.
       is_known = .false.
       theory = fit%model%solver_index_of('model', 'theory')

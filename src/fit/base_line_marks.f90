@@ -13,7 +13,7 @@ module adfric_fit_base_line_marks
    use adfric_fit_minima, only: minima_limit
    use adfric_fit_objective, only: objective_t, new_objective, most_rows_of
    use adfric_fit_order, only: order_of
-   use adfric_fit_problem, only: fit_t, data_set_t
+   use adfric_fit_problem, only: fit_t, data_set_t, copy_fit
    use adfric_fit_solution, only: solution_t
    implicit none (type, external)
    private
@@ -53,9 +53,9 @@ contains
       logical :: is_valid(2)
       integer :: k
 
-      marks%best = self%fit
-      marks%least = self%fit
-      marks%largest = self%fit
+      call copy_fit(self%fit, marks%best)
+      call copy_fit(self%fit, marks%least)
+      call copy_fit(self%fit, marks%largest)
       call evaluate_all(self, wants, .true., contact, is_valid(1))
       call evaluate_all(self, wants, .false., apart, is_valid(2))
       marks%is_known = all(is_valid)
@@ -86,7 +86,7 @@ contains
       real(dp) :: cost
       integer :: k, n
 
-      trial = self%fit
+      call copy_fit(self%fit, trial)
       do k = 1, size(wants)
          if (.not. wants(k)) cycle
          associate (data => trial%data_sets(k))

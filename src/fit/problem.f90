@@ -18,7 +18,7 @@ module adfric_fit_problem
    use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
-   public :: free_t, data_set_t, event_t, fit_t
+   public :: free_t, data_set_t, event_t, fit_t, copy_fit
    public :: n_nuisances, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, &
       & nuisance_spring_stiffness, nuisance_tilt, nuisance_drift_rate, nuisance_names
    public :: loss_gauss, loss_huber, loss_soft_l1, loss_cauchy, loss_names
@@ -138,5 +138,17 @@ module adfric_fit_problem
       !> Are curves, bands, profiles and theories wanted beside the estimates? A stack leaves them out.
       logical :: wants_curves = .true.
    end type fit_t
+
+contains
+
+   !> Copy a fit: once for all, since each copy of so many parts takes a compiler long.
+   subroutine copy_fit(from, to)
+      !> What is copied.
+      type(fit_t), intent(in) :: from
+      !> Receives the copy.
+      type(fit_t), intent(inout) :: to
+
+      to = from
+   end subroutine copy_fit
 
 end module adfric_fit_problem
