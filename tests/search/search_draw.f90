@@ -23,7 +23,7 @@ module search_draw
    integer, parameter :: max_repairs = 60
    !> How often a case of a drawn spectrum begins anew, whose solid or interface is not to be mended, and one of a body whose cells
    !> are too few for adhesion; how often one of Hertz's, which has one of many prescribed quantities, and one of an elastic surface.
-   integer, parameter :: max_starts = 6, starts_of_hertz = 2, starts_of_surfaces = 3
+   integer, parameter :: max_starts = 6, starts_of_some = 3
    !> Points of a block of neighbours.
    integer, parameter :: n_neighbours = 6
    !> Shares of cases with profiles; of numbers that are 0, or at a bound, or left at their default; of optional numbers that are
@@ -69,10 +69,8 @@ contains
       select case (model%name)
       case ('spectrum_elastic', 'free_surface')
          most = max_starts
-      case ('wave_2d_elastic', 'surface_elastic')
-         most = starts_of_surfaces
-      case ('hertz')
-         most = starts_of_hertz
+      case ('wave_2d_elastic', 'surface_elastic', 'hertz')
+         most = starts_of_some
       case default
          most = 1
       end select
