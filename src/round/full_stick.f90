@@ -60,8 +60,11 @@ contains
       real(dp), intent(in) :: from_left, from_right
       real(dp) :: logarithm, rest
 
-      logarithm = log1p(-from_right)
-      if (from_left < 0.5_dp) logarithm = log(from_left)
+      if (from_left < 0.5_dp) then
+         logarithm = log(from_left)
+      else
+         logarithm = log1p(-from_right)
+      end if
       ! 1 - t; of small exponents almost all t are 0
       rest = 1
       if (logarithm/700 > -self%exponent) rest = -expm1(logarithm/self%exponent)
