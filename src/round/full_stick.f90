@@ -9,6 +9,7 @@
 !> So the load is C c times that without friction. C is that of every shape, as each step of load is one of a flat punch. One body on
 !> a rigid one has C = (1 - nu) ln(3 - 4 nu)/(1 - 2 nu).
 module adfric_round_full_stick
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
@@ -86,7 +87,8 @@ contains
       is_found = .true.
       associate (bodies => values(in%contact_modulus:in%second_poisson_ratio))
          if (case%theory /= theory_none .or. .not. has_poisson_ratio(bodies)) return
-         ! bodies that are apart
+         ! without an approach, and bodies that are apart
+         if (ieee_is_nan(results(out%approach))) return
          if (results(out%approach) < 0) return
          beta = dundurs_ratio_of(bodies)
       end associate
