@@ -169,7 +169,7 @@ contains
       do piece = self%free%count, 1, -1
          call get_part(self, piece, self%free%ends(1, piece), 0.0_dp, part)
          if (piece == self%free%count) meets_axis = part%meets(1)
-         if (is_reached(part)) exit
+         if (reached_by(part) >= 1) exit
          begin = part%depth(n_nodes)
          load = load + part%load
       end do
@@ -182,20 +182,25 @@ contains
          high = max(2*begin, self%depth_size*epsilon(1.0_dp))
          do k = 1, most_doublings
             call get_part(self, piece, high, begin, part)
-            if (is_reached(part)) exit
+            if (reached_by(part) >= 1) exit
             high = 2*high
          end do
       end if
       do k = 1, most_halvings
          touch%position = (low + high)/2
          call get_part(self, piece, touch%position, begin, part)
-         if (is_reached(part)) then
+         if (reached_by(part) >= 1) then
             high = touch%position
          else
             low = touch%position
          end if
          if (abs(high - low) <= 4*epsilon(1.0_dp)*abs(high)) exit
       end do
+      ! a load without digits goes in steps, and the one below what is asked for may be none at all
+      if (reached_by(part) < 0.5_dp) then
+         touch%position = high
+         call get_part(self, piece, high, begin, part)
+      end if
       touch%piece = piece
       touch%depth = part%depth(n_nodes)
       touch%radius = part%radius(n_nodes)
@@ -204,12 +209,12 @@ contains
 
    contains
 
-      !> Is a contact that ends where a part does as large as asked for?
-      pure logical function is_reached(of)
+      !> The larger sum of a contact that ends where a part does; 1 is asked for.
+      pure real(dp) function reached_by(of) result(reached)
          type(free_part_t), intent(in) :: of
 
-         is_reached = maxval(by_rise*(of%meets(n_nodes) - meets_axis) + by_load*(load + of%load)) >= 1
-      end function is_reached
+         reached = maxval(by_rise*(of%meets(n_nodes) - meets_axis) + by_load*(load + of%load))
+      end function reached_by
 
    end subroutine find_touch
 
