@@ -48,7 +48,6 @@ contains
       real(dp), intent(out) :: displacement(3)
       real(qp) :: s(6), u(3), x, y, total(6), moved(3), largest(6)
       real(dp) :: unit
-      logical :: at_corner
       integer :: i, j
 
       unit = max(maxval(half_widths), maxval(abs(position)))
@@ -60,12 +59,10 @@ contains
          total = 0
          moved = 0
          largest = 1
-         at_corner = .false.
          do j = 1, -1, -2
             do i = 1, -1, -2
                x = (real(position(1), qp) + i*real(half_widths(1), qp))/unit
                y = (real(position(2), qp) + j*real(half_widths(2), qp))/unit
-               at_corner = at_corner .or. .not. norm2([x, y, real(position(3), qp)]) > 0
                call corner_field(x, y, real(position(3), qp)/unit, real(poisson_ratio, qp), s, u)
                total = total + i*j*s
                moved = moved + i*j*u
@@ -74,11 +71,18 @@ contains
          end do
          where (abs(total) <= round_off*largest) total = 0
          stress = real(total, dp)/(2*pi)
-         if (at_corner) stress(4) = not_a_number()
+         if (is_corner(half_widths, position)) stress(4) = not_a_number()
          displacement = real(moved, dp)/(4*pi)
       end if
       displacement = displacement*unit
    end subroutine rectangle_field
+
+   !> Is a position a corner of the rectangle?
+   pure logical function is_corner(half_widths, position)
+      real(dp), intent(in) :: half_widths(2), position(3)
+
+      is_corner = .not. any(abs([abs(position(:2)) - half_widths, position(3)]) > 0)
+   end function is_corner
 
    !> The field of the point loads at the nodes of Gauss's rules.
    pure subroutine sum_point_loads(half_widths, nu, position, stress, displacement)
