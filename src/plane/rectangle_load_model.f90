@@ -4,6 +4,7 @@ module adfric_plane_rectangle_load_model
    use adfric_base_kinds, only: dp
    use adfric_base_counting, only: counting
    use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
    use adfric_plane_love_rectangle, only: rectangle_field
    use adfric_plane_spatial_load, only: n_spatial, spatial_input_t, spatial_load_t, store_field
    use adfric_describe_check, only: require
@@ -61,7 +62,8 @@ contains
       call require(self%variables, values, [in%young_modulus, in%poisson_ratio, in%pressure, in%half_width_x, in%half_width_y], &
          & problems)
       associate (sides => values(in%half_width_x:in%half_width_y))
-         if (maxval(sides) > longest*minval(sides)) call problems%add('operating', 'half_width_y', &
+         if (.not. all(is_set(sides))) return
+         if (maxval(sides)/longest > minval(sides)) call problems%add('operating', 'half_width_y', &
             & 'and half_width_x differ by more than a factor of 1e12; a strip has no ends')
       end associate
    end subroutine check_case
