@@ -18,6 +18,7 @@ module adfric_command_fit_check
    use adfric_fit_stack_model, only: stack_model_t
    use adfric_input_fit, only: fit_input_t
    use adfric_input_fit_points, only: point_counts_t
+   use adfric_round_timed_history, only: doubt_turns
    implicit none (type, external)
    private
    public :: describe_fit
@@ -52,10 +53,32 @@ contains
             lines = lines//pad('', name_width)//describe_points(details%loaded%counts(g), group%x_unit, group%y_unit)//newline
             lines = lines//other_lines(model%fit, model%fit%data_sets(g))
             lines = lines//pad('', name_width)//describe_errors(model, details, g)//newline
-            lines = lines//nuisance_line(set)
+            lines = lines//nuisance_line(set)//noise_line(model%fit, model%fit%data_sets(g))
          end associate
       end do
    end function data_lines
+
+   !> A line where the history of the points has noise that nothing smooths.
+   function noise_line(fit, set) result(line)
+      type(fit_t), intent(in) :: fit
+      type(data_set_t), intent(in) :: set
+      character(:), allocatable :: line
+      integer, allocatable :: curves(:)
+      integer :: smoothing, k
+
+      line = ''
+      if (.not. allocated(set%prescribed)) return
+      smoothing = fit%model%index_of('history', 'smoothing')
+      if (smoothing > 0) then
+         if (is_set(fit%base(smoothing))) return
+      end if
+      curves = number_curves(set)
+      do k = 1, maxval(curves)
+         line = doubt_turns(pack(set%prescribed, curves == k))
+         if (len(line) > 0) line = 'warning: '//line
+         if (len(line) > 0) return
+      end do
+   end function noise_line
 
    !> The further variables of the points, and how many curves these are.
    function other_lines(fit, set) result(lines)

@@ -350,16 +350,18 @@ contains
       type(model_box_t), intent(in) :: models(:)
       !> Name of the variable in the language of scenes, with its group.
       character(*), intent(in) :: name
-      character(:), allocatable :: words, word
+      character(:), allocatable :: words, word, old_names
       type(variable_t) :: row
       integer :: m, i, k
 
       words = ''
       word = ''
+      old_names = renamed_to(name(index(name, '%') + 1:))
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)
             if (models(m)%model%variables(i)%kind /= kind_choice) cycle
             row = models(m)%model%variables(i)
+            if (row%name /= name(index(name, '%') + 1:) .and. .not. has_word(old_names, row%group//'%'//row%name)) cycle
             if (likely_name_of(models(m)%model%name, row%group//'%'//row%name) /= name) cycle
             call rename_words(models(m)%model%name, '', row)
             do k = 1, count_words(row%choices)

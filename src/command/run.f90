@@ -2,6 +2,7 @@
 !> `adfric run` and `adfric fit`: solve every point of an input, or fit every curve, and write the results file.
 module adfric_command_run
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
+   use adfric_base_kinds, only: dp
    use adfric_base_printable, only: shell_word
    use adfric_base_text, only: newline, show_count
    use adfric_base_watch, only: watch_t
@@ -29,6 +30,7 @@ module adfric_command_run
    use adfric_run_refinement, only: refine_together
    use adfric_run_run, only: run_t
    use adfric_run_summary, only: run_summary_t
+   use adfric_system_clock, only: wall_clock
    use adfric_system_files, only: kind_of_path, path_file, target_of, id_of_file, is_same, remove_file
    use adfric_system_interruption, only: signal_name, signal_watch_t
    implicit none (type, external)
@@ -53,6 +55,7 @@ contains
       type(error_t), allocatable :: error
       type(signal_watch_t), target :: signals
       class(watch_t), pointer :: watch
+      real(dp) :: start
       logical :: is_complete
 
       call open_input(command%subject, merge(fit_only, run_only, command%name == 'fit'), run, details, outcome)
@@ -76,8 +79,9 @@ contains
          ! a signal ends a point that takes long, too; it is solved again later
          watch => signals
          call run%model%obey(watch)
+         start = wall_clock()
          call run%model%prepare()
-         call solve_case(command, world, run, progress, summary, error)
+         call solve_case(command, world, run, wall_clock() - start, progress, summary, error)
          call run%model%release()
          nullify (watch)
          call run%model%obey(watch)

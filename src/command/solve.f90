@@ -4,6 +4,7 @@ module adfric_command_solve
    use hdf5, only: hid_t
    use omp_lib, only: omp_get_max_threads
    use adfric_base_error, only: error_t
+   use adfric_base_kinds, only: dp
    use adfric_command_line, only: command_t
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_output_names, only: partial_name
@@ -26,11 +27,13 @@ module adfric_command_solve
 contains
 
    !> Solve every point that is not solved yet, and write the results. Only the first process names and completes the file.
-   subroutine solve_case(command, world, run, progress, summary, error)
+   subroutine solve_case(command, world, run, seconds_before, progress, summary, error)
       type(command_t), intent(in) :: command
       !> The processes that solve the run together.
       type(world_t), intent(inout) :: world
       class(run_t), intent(in) :: run
+      !> What it took before the first point, such as the search of a fit [s].
+      real(dp), intent(in) :: seconds_before
       !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
       !> Summary of all processes; the points that were solved before count in the first of them alone.
@@ -50,6 +53,7 @@ contains
          call solve_together(world, run, results, list, progress, summary, error)
       end if
       if (world%is_first()) then
+         summary%wall_seconds = summary%wall_seconds + seconds_before
          call summary%merge(before)
          if (summary%n_points == list%blocks%n_points()) summary%signal = 0
          call end_file(results, summary, error)

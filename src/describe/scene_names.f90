@@ -235,16 +235,33 @@ contains
       character(*), intent(in) :: rule
       !> Name of the solver, and name in its language, of a variable with its group.
       character(*), intent(in) :: solver, name
-      character(:), allocatable :: from
+      integer :: first, behind
 
-      is_for = .false.
-      ! most rules are for something else: a glance is enough
-      if (index(rule, name(:scan(name//'%', '%') - 1)) == 0) return
-      from = get_word(rule, 2)
-      ! a group stands for all its variables
-      is_for = is_of(from, name) .or. index(name, from) == 1 .and. from(len(from):) == '%'
-      if (is_for) is_for = is_of(get_word(rule, 1), solver)
+      ! the second word of the rule, without a copy, since most rules are for something else
+      first = behind_word(rule, 1) + 1
+      behind = behind_word(rule, first)
+      associate (from => rule(first:behind - 1))
+         if (rule(behind - 1:behind - 1) == '%') then
+            ! a group stands for all its variables
+            is_for = index(name, from) == 1
+         else
+            is_for = index(from, name) > 0
+            if (is_for) is_for = is_of(from, name)
+         end if
+      end associate
+      if (is_for) is_for = is_of(rule(:first - 2), solver)
    end function is_for
+
+   !> Index of the blank behind a word.
+   pure integer function behind_word(rule, first) result(behind)
+      character(*), intent(in) :: rule
+      !> Index of the first letter of the word.
+      integer, intent(in) :: first
+
+      do behind = first, len(rule)
+         if (rule(behind:behind) == ' ') return
+      end do
+   end function behind_word
 
    !> What a rule calls something that it is for.
    pure function name_by(rule, name) result(new_name)

@@ -417,9 +417,9 @@ module adfric_describe_scene_rules
       & 'position%position_z depth of the point below the surface', &
       & 'solid%young_modulus Young''s modulus; with relaxation that of long times', &
       & 'solid%poisson_ratio Poisson''s ratio', &
-      & 'adhesion%work_of_adhesion work to part a unit of area: stress times range', &
-      & 'adhesion%adhesion_stress tension between the surfaces where their gap is within the range', &
-      & 'adhesion%adhesion_range largest gap with adhesion', &
+      & 'adhesion%work_of_adhesion work to part a unit of area: stress times range by Dugdale''s law', &
+      & 'adhesion%adhesion_stress largest tension between the surfaces', &
+      & 'adhesion%adhesion_range range of the law of adhesion: by Dugdale''s law the largest gap with adhesion', &
       & 'adhesion%theory theory of adhesion; auto: without a range JKR, with one Maugis and Dugdale''s or its limit', &
       & 'adhesion%theory_tolerance largest error of the theory that auto may choose', &
       & 'operating%approach approach of the body from first touch of the undisturbed surface', &

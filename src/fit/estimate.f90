@@ -41,7 +41,8 @@ contains
       call search_minima(course, fit)
       call refine_minima(course)
       if (course%minima%n < 1) then
-         solution%reason = 'the model has no value at any start'
+         solution%reason = 'the model has no value at some point, whatever the start; are all points in its range, '// &
+            & 'such as times within a path?'
          return
       end if
       call take_minima(course, solution)

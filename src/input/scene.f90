@@ -400,7 +400,8 @@ contains
          percent = index(name, '%')
          if (percent == 0 .or. has_word(names_of_scene, name)) cycle
          group = name(:percent - 1)
-         name = name(percent + 1:)
+         ! a member of a list is known where the list is
+         name = name(percent + 1:index(name//'(', '(') - 1)
          is_known = .false.
          text = 'unknown variable (adfric help scenes)'
          do m = 1, count_words(known_models)

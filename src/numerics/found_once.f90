@@ -17,7 +17,7 @@ module adfric_numerics_found_once
    public :: found_once_t, search_t
 
    !> Numbers that belong to a key, at most.
-   integer, parameter :: most_answers = 4
+   integer, parameter :: most_answers = 5
    !> Threads that seek at the same time and are waited for; what more of them find is not kept.
    integer, parameter :: most_seekers = 128
    !> Entries of a table that is used for the first time, and positions in which they are looked for.

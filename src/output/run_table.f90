@@ -136,16 +136,26 @@ contains
       !> Smallest and largest value in the unit of the result; the smallest one is above the largest one if there is no value.
       real(dp), intent(in) :: lowest, highest
       character(:), allocatable :: line
-      character(32) :: buffer
 
       line = pad(words_of(result%name), name_width - 12)
       if (lowest > highest) then
          line = line//'no value'//newline
          return
       end if
-      write (buffer, '(es12.5, a, es12.5)') lowest, ' to ', highest
-      line = line//trim(buffer)//' '//result%unit//newline
+      line = line//six_digits(lowest)//' to '//six_digits(highest)//' '//result%unit//newline
    end function range_line
+
+   !> A number with six digits, whose exponent has two digits or three.
+   pure function six_digits(x) result(text)
+      real(dp), intent(in) :: x
+      character(:), allocatable :: text
+      character(13) :: buffer
+
+      ! an exponent of three digits would take the letter away
+      write (buffer, '(es12.5)') x
+      if (index(buffer, 'E') == 0) write (buffer, '(es13.5e3)') x
+      text = trim(buffer)
+   end function six_digits
 
    !> Line with the duration of the run.
    function time_line(summary) result(line)

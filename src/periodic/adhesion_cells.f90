@@ -15,7 +15,8 @@ module adfric_periodic_adhesion_cells
       & regime_saturated_adhesion
    implicit none (type, external)
    private
-   public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, error_of_edge, few_cells
+   public :: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, error_of_edge, error_of_pull_off
+   public :: few_cells
    public :: regime_of, sees_pull_off, tension_outside
 
    !> Cells per zone below which there is a doubt, and below which edges of adhesion are those of the cells.
@@ -126,6 +127,18 @@ contains
       if (cells >= least_cells) error = error_of_cell/min(cells, cells**2)
    end function error_of_edge
 
+   !> Relative error of a pull-off, 0 where none was sought or found.
+   pure real(dp) function error_of_pull_off(solution, cells) result(error)
+      type(periodic_solution_t), intent(in) :: solution
+      !> Cells per zone.
+      real(dp), intent(in) :: cells
+
+      error = 0
+      if (.not. solution%pull_off < huge(1.0_dp)) return
+      error = solution%pull_off_error
+      if (error > 1) error = min(error_of_edge(cells), 1.0_dp)
+   end function error_of_pull_off
+
    !> Zones of adhesion that the cells do not see, in a line; empty if there is nothing to say.
    function doubt_zone(law, surface) result(text)
       type(adhesion_law_t), intent(in) :: law
@@ -138,10 +151,13 @@ contains
       if (.not. law%stress > 0) return
       associate (n => cells_per_zone(law, surface))
          if (n >= few_cells) return
-         write (line, '(a, es8.1, 2a)') 'a short zone of adhesion has', n, ' cells: pull-off and branches are ', &
-            & trim(merge('those of the cells          ', 'out of reach: no such answer', n >= least_cells))
+         write (line, '(a, es8.1, a)') 'warning: a short zone of adhesion has', n, ' cells; '
+         if (n >= least_cells) then
+            text = trim(line)//' with more of them pull-off, and the loads at which contacts jump, will be others'//new_line('a')
+         else
+            text = trim(line)//' with fewer than 0.5 no state with an edge of adhesion is given'//new_line('a')
+         end if
       end associate
-      text = trim(line)//new_line('a')
    end function doubt_zone
 
    !> Have stress and range sizes with which a surface can be solved?

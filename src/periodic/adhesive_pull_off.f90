@@ -28,6 +28,8 @@ module adfric_periodic_adhesive_pull_off
       real(dp) :: n_pairs = 0
       !> Has it been found?
       logical :: is_found = .false.
+      !> How far below the load is that has no state, relative to it: what the search leaves open.
+      real(dp) :: margin = 0
    end type periodic_pull_off_t
 
    !> Relative error that is small enough, and by how much more a tension is that must have no state.
@@ -108,6 +110,7 @@ contains
          else if (pull_off%mean_pressure < 0 .or. k == most_loads) then
             return
          end if
+         if (pull_off%mean_pressure < 0) pull_off%margin = (pull_off%mean_pressure - without)/abs(pull_off%mean_pressure)
          is_near = pull_off%mean_pressure - without <= max(1.1_dp*reach*abs(pull_off%mean_pressure), least_part*adhesion%stress)
          pull_off%is_found = pull_off%is_found .or. is_near
          if (is_near) then

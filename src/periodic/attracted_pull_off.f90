@@ -8,6 +8,7 @@
 !> found where a load without one lies no more than `beyond` below.
 module adfric_periodic_attracted_pull_off
    use adfric_base_kinds, only: dp
+   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t
    use adfric_periodic_attracted_contact, only: solve_attracted_contact
    use adfric_periodic_attracted_surface, only: periodic_attraction_t
    use adfric_periodic_attraction_cells, only: attraction_cells_t
@@ -27,16 +28,14 @@ module adfric_periodic_attracted_pull_off
 contains
 
    !> Find the pull-off.
-   subroutine find_attracted_pull_off(solver, shape, attraction, tolerance, pull_off, is_found)
+   subroutine find_attracted_pull_off(solver, shape, attraction, tolerance, pull_off)
       type(periodic_solver_t), intent(inout) :: solver
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
       !> The law; the branch is the adhered one, or the one after the turn.
       type(periodic_attraction_t), intent(in) :: attraction
       real(dp), intent(in) :: tolerance
-      !> Mean pressure [E*], at most 0.
-      real(dp), intent(out) :: pull_off
-      logical, intent(out) :: is_found
+      type(periodic_pull_off_t), intent(out) :: pull_off
       type(attraction_cells_t) :: cells
       type(contact_state_t) :: state
       real(dp), allocatable :: start(:, :)
@@ -46,8 +45,6 @@ contains
 
       cells%law = attraction%law
       if (allocated(attraction%part)) cells%part = attraction%part
-      pull_off = 0
-      is_found = .false.
       associate (operator => solver%grids(size(solver%grids))%operator)
          if (attraction%has_turned) then
             state%shape = shape
@@ -86,9 +83,10 @@ contains
             end if
             ! nothing pulls
             if (lowest > 0) return
-            pull_off = lowest
-            is_found = lowest - without <= beyond*abs(lowest) .or. abs(without) <= least_part*largest
-            if (is_found .and. lowest - undecided <= wanted_error*abs(lowest)) return
+            pull_off%mean_pressure = lowest
+            pull_off%margin = (lowest - without)/max(abs(lowest), least_part*largest)
+            pull_off%is_found = lowest - without <= beyond*abs(lowest) .or. abs(without) <= least_part*largest
+            if (pull_off%is_found .and. lowest - undecided <= wanted_error*abs(lowest)) return
             if (k == 1) then
                load = -largest*(1 - wanted_error/2)
             else if (lowest - undecided <= wanted_error*abs(lowest)) then

@@ -25,7 +25,7 @@ module adfric_periodic_elastic_model
    use adfric_describe_rows, only: positive
    use adfric_describe_table, only: profile_axis_t, variable_t
    use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, are_sizes_possible, cells_per_zone, derive_zone, doubt_zone, &
-      & error_of_edge, regime_of, sees_pull_off, tension_outside
+      & error_of_edge, error_of_pull_off, regime_of, sees_pull_off, tension_outside
    use adfric_periodic_adhesive_solver, only: adhesion_in_units
    use adfric_periodic_attracted_surface, only: attraction_in_units
    use adfric_periodic_area, only: relative_error_of
@@ -352,6 +352,8 @@ contains
             & //'solved on elastic solids')
          if (is_set(values(prescribed + in%penetration))) call refuse('stands beside penetration; what has yielded is certain ' &
             & //'under a mean_pressure')
+         if (wants_stresses(stress_values(self, values))) call refuse('stands beside stresses in depth, which are those of an '// &
+            & 'elastic solid')
       end associate
 
    contains
@@ -614,6 +616,7 @@ contains
          if (solution%pull_off < huge(1.0_dp)) results(out%pull_off_pressure) = modulus*solution%pull_off
          if (any(solution%share > 0) .and. any(solution%share < 1)) &
             & error_estimate = max(error_estimate, error_of_edge(results(out%cells_per_zone)))
+         error_estimate = max(error_estimate, error_of_pull_off(solution, results(out%cells_per_zone)))
       end associate
    end subroutine finish_point
 
@@ -777,6 +780,7 @@ contains
 
       text = ''
       if (has_friction(friction_values(self, values))) text = doubt_coupling(poisson_ratio_of(self, values))
+      if (has_hardness(hardness_of(self, values))) text = text//doubt_yielding(self, values)
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
       if (has_layer(layer_values(self, values))) text = text//'a state of adhesion on a layer or coating is a state, but '// &
@@ -785,6 +789,17 @@ contains
       call self%set_solid(values, surface)
       text = text//doubt_zone(law, surface)
    end function doubt_interface
+
+   !> A load that no surface carries; else nothing.
+   pure function doubt_yielding(self, values) result(text)
+      class(elastic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      if (values(self%before_prescribed + in%mean_pressure) >= hardness_of(self, values)) text = text// &
+         & 'mean_pressure is not below the hardness, which is the most that a surface carries: there is no equilibrium'//newline
+   end function doubt_yielding
 
    !> See `periodic_model_t`: the contact modulus, and lengths of adhesion.
    function derive_solid(self, values, surface) result(derived)
@@ -800,10 +815,10 @@ contains
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
       if (has_layer(layer_values(self, values))) then
-         call derive_zone(derived, law, surface, 'length l of a short zone of adhesion, pi E h0/(4 p0) with E of waves of the '// &
+         call derive_zone(derived, law, surface, 'length l of a short zone of adhesion, pi E w/(4 p0^2) with E of waves of the '// &
             & 'wave number 2/l, at most the period')
       else
-         call derive_zone(derived, law, surface, 'length of a short zone of adhesion, pi E* h0/(4 p0)')
+         call derive_zone(derived, law, surface, 'length of a short zone of adhesion, pi E* w/(4 p0^2)')
       end if
    end function derive_solid
 

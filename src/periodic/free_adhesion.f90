@@ -357,8 +357,7 @@ contains
             call double_map(self, fields(k), depth_beyond(self, fields(k), law%dugdale, .true., 0.0_dp), doubled, is_beyond)
             mean_law = law%on_cells(area, .not. is_beyond)
             if (allocated(law%attraction)) then
-               call find_attracted_pull_off(self%grids(k)%solver, doubled, mean_law%attraction, tolerance, &
-                  & pull_off%mean_pressure, pull_off%is_found)
+               call find_attracted_pull_off(self%grids(k)%solver, doubled, mean_law%attraction, tolerance, pull_off)
             else if (associated(pull_offs)) then
                call get_pull_off(pull_offs, self%grids(k)%solver, doubled, &
                   & [self%lengths, merge(1.0_dp, 0.0_dp, self%is_periodic)], mean_law%dugdale, tolerance, pull_off, error)
@@ -368,7 +367,8 @@ contains
             if (allocated(error)) return
             if (.not. pull_off%is_found) return
             if (k == n) adhesion%pull_off = pull_off%mean_pressure*area
-            if (k < n) adhesion%pull_off_error = safety*abs(pull_off%mean_pressure*area - adhesion%pull_off)
+            if (k < n) adhesion%pull_off_error = max(safety*abs(pull_off%mean_pressure*area - adhesion%pull_off), &
+               & found(1)%margin*abs(adhesion%pull_off))
          end associate
       end do
    end subroutine seek_pull_off

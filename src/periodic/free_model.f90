@@ -380,7 +380,7 @@ contains
       if (.not. law%stress > 0) return
       call self%given%get_cells(values(in%heights:in%rms_height), surface)
       call set_free_solid(values, surface)
-      call derive_zone(derived, law, surface, 'length of a short zone of adhesion, pi E* h0/(4 p0)')
+      call derive_zone(derived, law, surface, 'length of a short zone of adhesion, pi E* w/(4 p0^2)')
    end function derive_quantities
 
    !> See `model_t`.

@@ -142,7 +142,7 @@ contains
       r(free_output%pull_off_load) = result_row(name='pull_off_load', unit='N', &
          & long_name='least load of the adhered branch, with &output pull_off', is_main=.true.)
       r(free_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
-         & long_name='length pi E* h0/(4 p0) of a short zone of adhesion over that of a cell')
+         & long_name='length pi E* w/(4 p0^2) of a short zone of adhesion over that of a cell')
       r(free_output%tilt_x) = result_row(name='tilt_x', unit='-', &
          & long_name='slope by which the body has turned down along x, of one that may tilt')
       r(free_output%tilt_y) = result_row(name='tilt_y', unit='-', &

@@ -18,6 +18,7 @@ module adfric_periodic_point
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_contact_punch, only: find_contact_punch
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
+   use adfric_periodic_grids, only: coarsen, halve
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_near_contact, only: solve_near_contact
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
@@ -32,6 +33,8 @@ module adfric_periodic_point
 
    !> Largest difference of a cell's share of two solutions of one state; rounds end within 1e-5.
    real(dp), parameter :: same_share = 1.0e-3_dp
+   !> Change of a pull-off from the grid of half the cells that counts as its error, for safety.
+   real(dp), parameter :: safety = 1.25_dp
 
    !> A kernel at another velocity.
    type :: near_kernel_t
@@ -105,8 +108,8 @@ module adfric_periodic_point
       logical :: is_quarter = .false.
       !> Numbers from which its kernel was made; none for an elastic half-space.
       real(dp), allocatable :: kernel_numbers(:)
-      !> The solver, with its transforms and buffers.
-      type(periodic_solver_t), allocatable :: solver
+      !> The solver, with its transforms and buffers, and that of half the cells; the latter is made where a pull-off is sought.
+      type(periodic_solver_t), allocatable :: solver, half
    end type periodic_memory_t
 
 contains
@@ -270,8 +273,6 @@ contains
       type(periodic_solution_t), intent(out) :: solution
       type(error_t), allocatable, intent(out) :: error
       type(periodic_attraction_t) :: attraction
-      real(dp) :: pull_off
-      logical :: is_found
 
       attraction = goal%attraction%in_length(surface%period(1))
       associate (solver => memory%solver, shape_in_periods => surface%shape/surface%period(1))
@@ -290,9 +291,8 @@ contains
                & solution, error)
          end if
          if (allocated(error) .or. .not. goal%wants_pull_off) return
-         call find_attracted_pull_off(solver, shape_in_periods, attraction, goal%tolerance, pull_off, is_found)
+         call add_pull_off(goal, memory, shape_in_periods, solution, error, attraction=attraction)
       end associate
-      if (is_found) solution%pull_off = pull_off
    end subroutine solve_attracted
 
    !> Solve a point with adhesion, and find its pull-off if it is wanted and not known.
@@ -305,7 +305,6 @@ contains
       type(periodic_solution_t), intent(out) :: solution
       type(error_t), allocatable, intent(out) :: error
       type(periodic_adhesion_t) :: adhesion, branch
-      type(periodic_pull_off_t) :: pull_off
       type(periodic_solution_t) :: other, without
       real(dp), allocatable :: shape_in_periods(:, :)
       real(dp) :: value
@@ -333,16 +332,95 @@ contains
          if (allocated(error)) return
          solution%branches = compare(solution, other)
       end if
-      if (.not. goal%wants_pull_off) return
-      if (associated(goal%pull_offs)) then
-         call get_pull_off(goal%pull_offs, memory%solver, shape_in_periods, [memory%period, memory%kernel_numbers], adhesion, &
+      if (goal%wants_pull_off) call add_pull_off(goal, memory, shape_in_periods, solution, error, adhesion=adhesion)
+   end subroutine solve_adhesive
+
+   !> Find the pull-off, and its error from the grid of half the cells: the contact that comes off is smaller than the one under load.
+   subroutine add_pull_off(goal, memory, shape, solution, error, adhesion, attraction)
+      type(periodic_goal_t), intent(in) :: goal
+      type(periodic_memory_t), intent(inout) :: memory
+      !> Gap of the undeformed surfaces [periods along x].
+      real(dp), intent(in) :: shape(:, :)
+      !> Receives the pull-off and its error.
+      type(periodic_solution_t), intent(inout) :: solution
+      type(error_t), allocatable, intent(out) :: error
+      !> The law, one of both.
+      type(periodic_adhesion_t), intent(in), optional :: adhesion
+      type(periodic_attraction_t), intent(in), optional :: attraction
+      type(periodic_adhesion_t), allocatable :: half_adhesion
+      type(periodic_attraction_t), allocatable :: half_attraction
+      type(periodic_pull_off_t) :: pull_off, of_half
+      real(dp), allocatable :: half_shape(:, :)
+      real(dp) :: change
+
+      call seek_pull_off(goal, memory, memory%solver, shape, adhesion, attraction, pull_off, error)
+      if (allocated(error) .or. .not. pull_off%is_found) return
+      solution%pull_off = pull_off%mean_pressure
+      call prepare_half(goal, memory, error)
+      if (allocated(error) .or. .not. allocated(memory%half)) return
+      allocate (half_shape, source=halve(shape, memory%is_quarter))
+      half_shape(:, :) = half_shape - minval(half_shape)
+      if (present(adhesion)) then
+         allocate (half_adhesion, source=adhesion)
+         if (allocated(adhesion%part)) half_adhesion%part = coarsen(adhesion%part)
+      else
+         allocate (half_attraction, source=attraction)
+         if (allocated(attraction%part)) half_attraction%part = coarsen(attraction%part)
+      end if
+      call seek_pull_off(goal, memory, memory%half, half_shape, half_adhesion, half_attraction, of_half, error)
+      if (allocated(error)) return
+      solution%pull_off_error = 1
+      if (.not. of_half%is_found) return
+      change = safety*abs(of_half%mean_pressure - pull_off%mean_pressure)
+      solution%pull_off_error = pull_off%margin
+      if (change > 0) solution%pull_off_error = max(pull_off%margin, change/max(change, abs(pull_off%mean_pressure)))
+   end subroutine add_pull_off
+
+   !> Find the pull-off on one grid, or look it up.
+   subroutine seek_pull_off(goal, memory, solver, shape, adhesion, attraction, pull_off, error)
+      type(periodic_goal_t), intent(in) :: goal
+      type(periodic_memory_t), intent(in) :: memory
+      type(periodic_solver_t), intent(inout) :: solver
+      !> Gap of the undeformed surfaces [periods along x].
+      real(dp), intent(in) :: shape(:, :)
+      !> The law, one of both.
+      type(periodic_adhesion_t), intent(in), optional :: adhesion
+      type(periodic_attraction_t), intent(in), optional :: attraction
+      type(periodic_pull_off_t), intent(out) :: pull_off
+      type(error_t), allocatable, intent(out) :: error
+
+      if (present(attraction)) then
+         call find_attracted_pull_off(solver, shape, attraction, goal%tolerance, pull_off)
+      else if (associated(goal%pull_offs)) then
+         call get_pull_off(goal%pull_offs, solver, shape, [memory%period, memory%kernel_numbers], adhesion, &
             & goal%tolerance, pull_off, error)
       else
-         call find_pull_off(memory%solver, shape_in_periods, adhesion, goal%tolerance, pull_off, error)
+         call find_pull_off(solver, shape, adhesion, goal%tolerance, pull_off, error)
       end if
-      if (allocated(error)) return
-      if (pull_off%is_found) solution%pull_off = pull_off%mean_pressure
-   end subroutine solve_adhesive
+   end subroutine seek_pull_off
+
+   !> A solver of half the cells, where they can be halved.
+   subroutine prepare_half(goal, memory, error)
+      type(periodic_goal_t), intent(in) :: goal
+      !> With the solver of all cells.
+      type(periodic_memory_t), intent(inout) :: memory
+      type(error_t), allocatable, intent(out) :: error
+      integer :: k
+
+      if (size(memory%solver%grids) < 2) return
+      if (.not. allocated(memory%half)) then
+         allocate (memory%half)
+         call new_periodic_solver(memory%half, memory%solver%kernel, max(memory%n_cells/2, 1), memory%period, &
+            & memory%is_quarter, error)
+         if (allocated(error)) then
+            deallocate (memory%half)
+            return
+         end if
+      end if
+      do k = 1, size(memory%half%grids)
+         memory%half%grids(k)%operator%watch => goal%watch
+      end do
+   end subroutine prepare_half
 
    !> Solve on a branch what the goal prescribes.
    subroutine solve_branch(solver, shape, goal, value, adhesion, solution, error)
@@ -419,6 +497,7 @@ contains
 
       if (is_kept(surface, memory)) return
       memory%n_cells = 0
+      if (allocated(memory%half)) deallocate (memory%half)
       if (allocated(memory%solver)) deallocate (memory%solver)
       allocate (memory%solver)
       call make(surface, solver=memory%solver, error=error)

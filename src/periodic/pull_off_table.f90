@@ -30,7 +30,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(search_t) :: search
       real(dp), allocatable :: parts(:)
-      real(dp) :: found(4)
+      real(dp) :: found(5)
       logical :: is_known
 
       found = 0
@@ -44,7 +44,7 @@ contains
          & adhesion%opening, tolerance, solid, parts, real(size(shape, 1), dp), &
          & merge(1.0_dp, 0.0_dp, solver%grids(1)%operator%is_quarter)], shape, found, is_known, search)
       if (is_known) then
-         pull_off = periodic_pull_off_t(found(1), found(2), found(3), found(4) > 0)
+         pull_off = periodic_pull_off_t(found(1), found(2), found(3), found(4) > 0, found(5))
          return
       end if
       call find_pull_off(solver, shape, adhesion, tolerance, pull_off, error)
@@ -52,7 +52,7 @@ contains
          call table%give_up(search)
       else
          call table%keep(search, [pull_off%mean_pressure, pull_off%penetration, pull_off%n_pairs, &
-            & merge(1.0_dp, 0.0_dp, pull_off%is_found)])
+            & merge(1.0_dp, 0.0_dp, pull_off%is_found), pull_off%margin])
       end if
    end subroutine get_pull_off
 

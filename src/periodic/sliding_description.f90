@@ -46,7 +46,7 @@ contains
       if (nint(values(in%kind)) /= kind_heights) call add_derived(derived, 'cells', '-', 'cells along a period of a wave', &
          & real(cells_of(values), dp), 'cells')
       if (.not. law%stress > 0) return
-      call derive_zone(derived, law, surface, 'length of a short zone of adhesion on the relaxed solid, pi E0 h0/(4 p0)')
+      call derive_zone(derived, law, surface, 'length of a short zone of adhesion on the relaxed solid, pi E0 w/(4 p0^2)')
       call get_spectrum(of_solid(:n_spectrum_rows), spectrum, prony)
       call add_derived(derived, 'margin_of_order', '-', 'where >= 0, the branches bound all states on a half-plane', &
          & order_margin_of(prony%moduli/prony%relaxed, prony%times))

@@ -5,7 +5,8 @@ module adfric_periodic_sliding_results
    use adfric_base_not_a_number, only: not_a_number
    use adfric_interface_adhesion_rows, only: adhesion_law_t
    use adfric_solid_order_margin, only: order_margin_of
-   use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, cells_per_zone, error_of_edge, few_cells, regime_of
+   use adfric_periodic_adhesion_cells, only: adhesion_fraction_of, cells_per_zone, error_of_edge, error_of_pull_off, few_cells, &
+      & regime_of
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_contact_centre, only: contact_centre
    use adfric_periodic_coupled_kernel, only: coupled_kernel_t
@@ -129,6 +130,7 @@ contains
       if (solution%branches /= branches_unknown) results(sliding_output%branches_differ) = &
          & merge(1, 0, solution%branches == branches_differ)
       if (solution%pull_off < huge(1.0_dp)) results(sliding_output%pull_off_pressure) = solid%modulus*solution%pull_off
+      error_estimate = max(error_estimate, error_of_pull_off(solution, results(sliding_output%cells_per_zone)))
       if (.not. allocated(solution%share)) return
       if (.not. (any(solution%share > 0) .and. any(solution%share < 1))) return
       associate (n => results(sliding_output%cells_per_zone))

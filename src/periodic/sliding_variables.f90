@@ -164,7 +164,7 @@ contains
          & long_name='share of the area in adhesion without contact')
       r(sliding_output%adhesion_fraction)%is_counted = .true.
       r(sliding_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
-         & long_name='length pi E0 h0/(4 p0) of a short zone of adhesion on the relaxed solid over that of a cell')
+         & long_name='length pi E0 w/(4 p0^2) of a short zone of adhesion on the relaxed solid over that of a cell')
       r(sliding_output%friction_without_adhesion) = result_row(name='friction_stress_without_adhesion', unit='Pa', &
          & long_name='friction over nominal area of the same load and velocity without adhesion')
       r(sliding_output%adhesive_friction_stress) = result_row(name='adhesive_friction_stress', unit='Pa', &

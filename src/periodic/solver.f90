@@ -77,6 +77,9 @@ module adfric_periodic_solver
       real(dp) :: opening_loss = 0
       !> Pull-off, where it was sought and found [E*]; else the largest number.
       real(dp) :: pull_off = huge(1.0_dp)
+      !> Its relative error, from the grid of half the cells and what the search leaves open; the largest number where there is no such
+      !> grid.
+      real(dp) :: pull_off_error = huge(1.0_dp)
       !> Friction in full contact on these cells, along x and along y [E*].
       real(dp) :: full_friction(2) = 0
       !> Friction on these cells.

@@ -139,7 +139,7 @@ contains
          & long_name='energy of adhesion over nominal area, 0 far apart')
       r(periodic_output%pull_off_pressure) = pull_off_pressure_row()
       r(periodic_output%cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
-         & long_name='length of a short zone of adhesion over that of a cell; pi E* h0/(4 p0) on a half-space')
+         & long_name='length of a short zone of adhesion over that of a cell; pi E* w/(4 p0^2) on a half-space')
       r(periodic_output%friction_stress) = result_row(name='friction_stress', unit='Pa', &
          & long_name='friction force over nominal area, of a shear strength, with the sign of the velocity if there is one')
       r(periodic_output%friction_coefficient) = result_row(name='friction_coefficient', unit='-', &

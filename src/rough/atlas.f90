@@ -97,11 +97,11 @@ contains
       call find_band(quantity_area, 1, pressure, spectrum%nayak_parameter(), least, largest, is_known)
       write (numbers(1), '(es9.2)') pressure
       if (.not. is_known) then
-         text = 'p/(E g) ='//numbers(1)//': theories were compared with surface_elastic for p/(E g) from 0.003 to 1.2 '// &
+         text = 'p/(E g) ='//numbers(1)//': theories were compared with contact on cells for p/(E g) from 0.003 to 1.2 '// &
             & 'and Nayak''s parameter from 1.5 to 118 alone'//newline
          return
       end if
-      text = 'ratio to surface_elastic at p/(E g) ='//trim(numbers(1))//', of 12 self-affine spectra:'//newline
+      text = 'ratio to contact on cells at p/(E g) ='//trim(numbers(1))//', of 12 self-affine spectra:'//newline
       do quantity = 1, n_quantities
          do share = 1, n_shares
             if (share == share_yang_persson .and. abs(constant - compared_constant) > same) cycle

@@ -16,7 +16,7 @@ module adfric_round_timed_history
    use adfric_round_timed_path, only: timed_control_t, timed_leg_t
    implicit none (type, external)
    private
-   public :: timed_lists_t, set_history_rows, check_history, doubt_noise, doubt_swing, get_legs, steps_of_leg
+   public :: timed_lists_t, set_history_rows, check_history, doubt_noise, doubt_turns, doubt_swing, get_legs, steps_of_leg
    public :: largest_prescribed, n_given_legs
    public :: adheres, has_power_law, pressing_alone, pressing_under, top_row
 
@@ -313,14 +313,22 @@ contains
       real(dp), intent(in) :: values(:)
       type(timed_lists_t), intent(in) :: lists
       character(:), allocatable :: text
+
+      text = ''
+      if (.not. (is_set(values(timed_input%path)) .or. is_set(values(timed_input%smoothing)))) &
+         & text = doubt_turns(list_of(lists, given_list(values)))
+   end function doubt_noise
+
+   !> A line where a history turns so often that it has noise; else nothing.
+   pure function doubt_turns(list) result(text)
+      !> What is prescribed, in the order of the times.
+      real(dp), intent(in) :: list(:)
+      character(:), allocatable :: text
       integer, parameter :: most_turns = 50
-      real(dp), allocatable :: list(:)
       real(dp) :: last
       integer :: k, n
 
       text = ''
-      if (is_set(values(timed_input%path)) .or. is_set(values(timed_input%smoothing))) return
-      list = list_of(lists, given_list(values))
       n = 0
       last = 0
       do k = 2, size(list)
@@ -329,8 +337,9 @@ contains
          last = sign(1.0_dp, list(k) - list(k - 1))
       end do
       if (n > most_turns) text = 'the list of the history turns '//show_count(n)//' times, and each turn is an unloading or a '// &
-         & 'loading, also one of noise; history%smoothing takes straight legs in place of noise of a given size'//new_line('a')
-   end function doubt_noise
+         & 'loading, also one of noise, which takes long; history%smoothing, about five standard deviations of the noise, '// &
+         & 'takes straight legs in its place'//new_line('a')
+   end function doubt_turns
 
    !> A line where an oscillation is no small one, whose edge swings; else nothing.
    pure function doubt_swing(values) result(text)

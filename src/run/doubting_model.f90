@@ -4,7 +4,8 @@
 module adfric_run_doubting_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_describe_doubt, only: doubt_estimate_above_tenth, doubt_name, find_doubt, n_doubts, not_measured
+   use adfric_describe_doubt, only: doubt_beyond_yield, doubt_estimate_above_tenth, doubt_name, find_doubt, &
+      & n_doubts, not_measured
    use adfric_describe_model, only: model_t
    use adfric_describe_profile_receiver, only: profile_receiver_t
    use adfric_describe_status, only: status_solved
@@ -17,6 +18,8 @@ module adfric_run_doubting_model
 
    !> A model with one result more.
    type, extends(wrapped_model_t) :: doubting_model_t
+      !> Index of the result that says how far the solid is from its yield strength; 0 where there is none.
+      integer :: yield_ratio = 0
    contains
       procedure :: solve_block
       procedure :: solve_block_and_profiles
@@ -45,6 +48,9 @@ contains
       end select
       allocate (doubting)
       call doubting%wrap(model)
+      do k = 1, size(doubting%inner%results)
+         if (doubting%inner%results(k)%name == 'yield_ratio') doubting%yield_ratio = k
+      end do
       call append_doubt(doubting%inner%results, doubting%results)
       call move_alloc(doubting, model)
    end subroutine let_doubt
@@ -108,6 +114,7 @@ contains
          measures = not_measured
          call self%inner%measure(values(:, i), results(:n - 1, i), measures)
          measures(doubt_estimate_above_tenth) = error_estimate(i)
+         if (self%yield_ratio > 0) measures(doubt_beyond_yield) = results(self%yield_ratio, i)
          results(n, i) = find_doubt(measures)
       end do
    end subroutine add_doubts
