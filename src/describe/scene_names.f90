@@ -102,7 +102,8 @@ contains
 
       meaning = of_solver
       do i = 1, size(meanings)
-         if (index(meanings(i), name//' ') == 1) meaning = trim(meanings(i)(len(name) + 2:))
+         if (behind_word(meanings(i), 1) /= len(name) + 1) cycle
+         if (meanings(i)(:len(name)) == name) meaning = trim(meanings(i)(len(name) + 2:))
       end do
    end function meaning_of
 
@@ -241,11 +242,12 @@ contains
       first = behind_word(rule, 1) + 1
       behind = behind_word(rule, first)
       associate (from => rule(first:behind - 1))
-         if (rule(behind - 1:behind - 1) == '%') then
+         if (iachar(rule(behind - 1:behind - 1)) == iachar('%')) then
             ! a group stands for all its variables
             is_for = index(name, from) == 1
          else
-            is_for = index(from, name) > 0
+            is_for = len(from) >= len(name)
+            if (is_for) is_for = index(from, name) > 0
             if (is_for) is_for = is_of(from, name)
          end if
       end associate
@@ -258,8 +260,9 @@ contains
       !> Index of the first letter of the word.
       integer, intent(in) :: first
 
+      ! a comparison with ' ' itself would take a library's procedure for each letter
       do behind = first, len(rule)
-         if (rule(behind:behind) == ' ') return
+         if (iachar(rule(behind:behind)) == iachar(' ')) return
       end do
    end function behind_word
 
