@@ -113,7 +113,8 @@ contains
       call set_measure(r(stress_output%shear(1):stress_output%shear(4)), 'largest_shear_stress', 'largest_shear', &
          & 'largest shear stress in the solid, or at position_z')
       r(stress_output%search_error) = result_row(name='largest_stress_error', unit='-', &
-         & long_name='bound of what the search in depth may have missed of either, over the largest one')
+         & long_name='bound of what the search in depth may have missed of either, over the largest one; what cells leave '// &
+         & 'is not in it')
       r(stress_output%yield_ratio) = result_row(name='yield_ratio', unit='-', &
          & long_name='largest von Mises stress over the yield strength; from 1 on the solid is not elastic')
    end function stress_results

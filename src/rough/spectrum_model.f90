@@ -252,7 +252,7 @@ contains
       if (allocated(surface%solid%kernel)) call problems%add('estimates', 'theories', &
          & 'are those of a half-space, and there is a layer')
       if (allocated(goal%adhesion) .or. allocated(goal%attraction)) call problems%add('estimates', 'theories', &
-         & 'stand beside adhesion, whose theories give pull-off alone; it comes without a seed')
+         & 'stand beside adhesion, of which they give the pull-off alone; leave them out, or the seed for that')
       if (allocated(goal%hardness)) call problems%add('estimates', 'theories', &
          & 'stand beside a hardness, and are those of elastic solids')
    end subroutine check_solid

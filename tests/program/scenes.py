@@ -196,7 +196,7 @@ class Scenes(Runs):
             found = re.findall(pattern, (SOURCE/source).read_text(), re.MULTILINE)
             self.assertTrue(found, source)
             self.assertEqual([], [name for name in found if not re.search(rf"^##.*\b{name}`", pages[f"docs/reference/{file}.md"], re.MULTILINE)])
-        self.assertEqual(12, len(re.findall(r"^\| -?\d \| ", pages["docs/reference/status.md"].split("## Status of a point")[1], re.MULTILINE)))
+        self.assertEqual(13, len(re.findall(r"^\| -?\d \| ", pages["docs/reference/status.md"].split("## Status of a point")[1], re.MULTILINE)))
         self.assertEqual([], re.findall(r"^- `\w+`:.*$", pages["docs/reference/results.md"], re.MULTILINE))
         page, _ = self.run_program("help", "scenes")
         names = [name for _, variables in read_variables(page) for name, _, _ in variables]
