@@ -26,6 +26,43 @@ TWO_OF_THREE = "give two of work_of_adhesion, adhesion_stress and adhesion_range
 
 
 class Hints(Runs):
+    def test_beyond_yield(self):
+        """A point whose stress is not below the yield strength is doubted, one below is not."""
+        for strength, doubt in ((1e12, 0), (1e3, 5)):
+            self.write(f"&job output = 'y.h5' /\n{WAVE}\n&solid contact_modulus = 1e9, poisson_ratio = 0.3, yield_strength = {strength} /\n"
+                       "&operating mean_pressure = 1e6 /\n&output largest_stresses = .true. /\n".replace("wave_1d", "wave_2d"))
+            printed, _ = self.run_program("run", "--force", "run.nml")
+            with h5py.File(self.folder/"y.h5") as file:
+                self.assertEqual(doubt, int(file["doubt"][()].squeeze()))
+                self.assertEqual(doubt == 5, file["yield_ratio"][()].squeeze() >= 1)
+            self.assertEqual(doubt == 5, "beyond yield" in printed)
+
+    def test_beyond_hardness(self):
+        """A load that no surface carries is told before the run."""
+        said = self.said(WAVE.replace("wave_1d", "wave_2d"), "&solid contact_modulus = 1e9, hardness = 1e7 /", "&operating mean_pressure = 1e7 /")
+        self.assertIn("mean_pressure is not below the hardness", said)
+
+    def test_lists_without_a_history(self):
+        """Members of a list are known where the list is: what lacks is the history."""
+        self.write("time,load\n0.1,1e-9\n0.2,2e-9\n0.3,1e-9\n", "t.csv")
+        self.write(f"&job output = 'f.h5' /\n{ROUND}\n{RUBBER}\n&data file = 't.csv', abscissa = 'time', ordinate = 'load' /\n"
+                   "&free variable = 'solid%moduli(1)' /\n")
+        _, errors = self.run_program("check", "run.nml", status=2)
+        self.assertNotIn("unknown variable", errors)
+
+    def test_noise_of_a_fit(self):
+        """Noise in the history of measured points is pointed out, unless it is smoothed."""
+        times = np.linspace(1e-3, 0.4, 300)
+        noise = 1e-8*np.random.default_rng(1).standard_normal(300)
+        approach = 1e-6*(1 - abs(times/0.2 - 1)) + noise
+        self.write("time,z,load\n" + "".join(f"{t},{z},{max(z, 0)**1.5}\n" for t, z in zip(times, approach)), "t.csv")
+        fit = (f"&job output = 'f.h5' /\n{ROUND}\n&solid moduli = 1e6, relaxation_times = 0.1 /\n&data file = 't.csv', abscissa = 'time', "
+               "ordinate = 'load', variables = 'approaches', variable_columns = 'z' /\n&free variable = 'modulus' /\n")
+        for group, is_noisy in (("", True), ("&history smoothing = 5e-8 /\n", False)):
+            self.write(fit + group)
+            printed, _ = self.run_program("check", "run.nml")
+            self.assertEqual(is_noisy, "warning: the list of the history turns" in printed)
+
     def said(self, *groups, command="check", status=0, name="run.nml"):
         """Both outputs of a command on an input of these groups."""
         self.write("\n".join(groups) + "\n", name)
