@@ -1,13 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Lists of all models, groups, variables, results and units, from the tables of the models.
 module adfric_command_help_lists
-   use adfric_base_words, only: count_words, get_word, has_word, pad
+   use adfric_base_words, only: count_words, get_word, pad
    use adfric_base_text, only: newline
    use adfric_command_help_entries, only: entries_t
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows
    use adfric_input_vocabulary, only: common_groups
    use adfric_describe_model, only: model_t
-   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of, renamed_to
+   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of, may_become, &
+      & renamed_to
    use adfric_describe_table, only: result_t, common_results, variable_t
    use adfric_run_conversion, only: is_counted_over_area, unit_over_area
    implicit none (type, external)
@@ -194,10 +195,7 @@ contains
       do m = 1, size(models)
          do i = 1, size(models(m)%model%results)
             associate (row => models(m)%model%results(i))
-               ! a glance spares most of them the rules
-               if (row%name /= wanted) then
-                  if (.not. has_word(old_names, row%name)) cycle
-               end if
+               if (.not. may_become(row%name, row%name, wanted, old_names)) cycle
                if (likely_result_of(models(m)%model%name, row%name) /= wanted) cycle
                given = row%unit
             end associate

@@ -9,7 +9,7 @@ module adfric_command_help_scenes
    use adfric_describe_vocabulary, only: order_of_scenes
    use adfric_describe_scene_messages, only: with_phrases
    use adfric_describe_scene_names, only: likely_name_of, likely_result_of, likely_unit_of, long_name_of, meaning_of, &
-      & rename_words, renamed_to
+      & may_become, rename_words, renamed_to
    use adfric_describe_scene_shapes, only: list_shapes
    use adfric_describe_scene_solvers, only: accuracy_of_scene, known_curves, known_extents, known_surfaces, known_tractions, &
       word_length
@@ -332,8 +332,8 @@ contains
          m = 1 + modulo(k, size(models))
          do i = 1, size(models(m)%model%results)
             associate (row => models(m)%model%results(i))
-               if (len(wanted) > 0 .and. row%name /= wanted) then
-                  if (.not. has_word(old_names, row%name)) cycle
+               if (len(wanted) > 0) then
+                  if (.not. may_become(row%name, row%name, wanted, old_names)) cycle
                end if
                name = likely_result_of(models(m)%model%name, row%name)
                if (has_word(names, name) .or. len(wanted) > 0 .and. name /= wanted) cycle
@@ -361,7 +361,7 @@ contains
          do i = 1, size(models(m)%model%variables)
             if (models(m)%model%variables(i)%kind /= kind_choice) cycle
             row = models(m)%model%variables(i)
-            if (row%name /= name(index(name, '%') + 1:) .and. .not. has_word(old_names, row%group//'%'//row%name)) cycle
+            if (.not. may_become(row%name, row%group//'%'//row%name, name(index(name, '%') + 1:), old_names)) cycle
             if (likely_name_of(models(m)%model%name, row%group//'%'//row%name) /= name) cycle
             call rename_words(models(m)%model%name, '', row)
             do k = 1, count_words(row%choices)

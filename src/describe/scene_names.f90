@@ -10,7 +10,7 @@ module adfric_describe_scene_names
    implicit none (type, external)
    private
    public :: rename_tables, rename_words, likely_name_of, likely_result_of, likely_unit_of, long_name_of, meaning_of, &
-      & words_of_rules, added_word, renamed_to
+      & words_of_rules, added_word, renamed_to, may_become
 
 contains
 
@@ -291,6 +291,17 @@ contains
          if (index(result_rules(i), ' '//name//' ') > 0) names = names//' '//get_word(result_rules(i), 2)
       end do
    end function renamed_to
+
+   !> May rules call something by a name? A glance that spares most rows the rules.
+   pure logical function may_become(old_name, with_group, name, old_names)
+      !> Name in the language of the solver, and that with its group, if it is one of a variable.
+      character(*), intent(in) :: old_name, with_group
+      !> Name in the language of scenes, without a group, and what `renamed_to` says of it.
+      character(*), intent(in) :: name, old_names
+
+      may_become = old_name == name
+      if (.not. may_become) may_become = has_word(old_names, with_group)
+   end function may_become
 
    !> What a scene probably calls a variable, with its group, before its facts are known.
    pure function likely_name_of(solver, name) result(new_name)

@@ -151,7 +151,7 @@ contains
       if (.not. law%stress > 0) return
       associate (n => cells_per_zone(law, surface))
          if (n >= few_cells) return
-         write (line, '(a, es8.1, a)') 'hint: a short zone of adhesion has', n, ' cells; '
+         write (line, '(a, es8.1, a)') 'hint: a short zone of adhesion has', n, ' cells;'
          if (n >= least_cells) then
             text = trim(line)//' with more of them pull-off, and the loads at which contacts jump, will be others'//new_line('a')
          else

@@ -30,6 +30,8 @@ module adfric_periodic_adhesive_pull_off
       logical :: is_found = .false.
       !> How far below the load is that has no state, relative to it: what the search leaves open.
       real(dp) :: margin = 0
+   contains
+      procedure :: error_beside
    end type periodic_pull_off_t
 
    !> Relative error that is small enough, and by how much more a tension is that must have no state.
@@ -41,6 +43,8 @@ module adfric_periodic_adhesive_pull_off
    integer, parameter :: most_loads = 40, most_steps = 60
    !> Attempts of Newton's method between states that enclose the lowest one, at most, but for one.
    integer, parameter :: most_failures = 5
+   !> Change from the grid of half the cells that counts as error, for safety.
+   real(dp), parameter :: safety = 1.25_dp
    !> Part of the stress below which a pull-off is none.
    real(dp), parameter :: least_part = 1.0e-6_dp
    !> The first step of the mean gap, in units of the range of the undeformed gap, the growth of the next, and the smallest one.
@@ -129,6 +133,20 @@ contains
          end if
       end do
    end subroutine find_pull_off
+
+   !> Relative error of a pull-off: what cells leave of it, and what its search leaves open. It is 1 where half the cells have none.
+   pure real(dp) function error_beside(self, of_half) result(error)
+      class(periodic_pull_off_t), intent(in) :: self
+      !> The pull-off of the grid of half the cells.
+      type(periodic_pull_off_t), intent(in) :: of_half
+      real(dp) :: change
+
+      error = 1
+      if (.not. of_half%is_found) return
+      change = safety*abs(of_half%mean_pressure - self%mean_pressure)
+      error = self%margin
+      if (change > 0) error = max(error, change/max(change, abs(self%mean_pressure)))
+   end function error_beside
 
    !> Open the mean gap from a state, to the lowest load on the way.
    subroutine go_down(solver, state, tolerance, pull_off)

@@ -13,9 +13,8 @@ module adfric_periodic_free_adhesion
    use adfric_base_error, only: error_t
    use adfric_base_watch, only: watch_t
    use adfric_numerics_found_once, only: found_once_t
-   use adfric_periodic_adhesive_pull_off, only: find_pull_off, periodic_pull_off_t
+   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
-   use adfric_periodic_attracted_pull_off, only: find_attracted_pull_off
    use adfric_periodic_attracted_surface, only: solve_attracted_layer, solve_attracted_load
    use adfric_periodic_area, only: area_of_cells, area_t, refine_area, scatter_of_runs
    use adfric_periodic_chords, only: beside_body, chord_fraction
@@ -23,7 +22,7 @@ module adfric_periodic_free_adhesion
    use adfric_periodic_free_kernel, only: free_kernel_t, new_free_kernel
    use adfric_periodic_free_solver, only: change_error, free_field_t, free_solution_t, grids_for_error, set_fields
    use adfric_periodic_grids, only: n_grids_of
-   use adfric_periodic_pull_off_table, only: get_pull_off
+   use adfric_periodic_pull_off_table, only: seek_on_grid
    use adfric_periodic_solver, only: contact_not_converged, contact_out_of_range, contact_solved, new_periodic_solver, &
       & periodic_solution_t, periodic_solver_t
    implicit none (type, external)
@@ -33,8 +32,6 @@ module adfric_periodic_free_adhesion
    !> How often the cells beyond the body are laid deeper, and by which factor.
    integer, parameter :: most_depths = 12
    real(dp), parameter :: deeper = 4
-   !> Change from the grid of half the cells that counts as error of the pull-off, for safety.
-   real(dp), parameter :: safety = 1.25_dp
    !> Depth of the cells beyond the body in ranges: a triangle between cells of the body and of none is in range in that part alone.
    real(dp), parameter :: ranges_beyond = 1000
 
@@ -68,7 +65,9 @@ module adfric_periodic_free_adhesion
       real(dp) :: energy = 0
       !> Least load of the adhered branch [E* times the square of the unit of length], where it was sought and found; else the
       !> largest number.
-      real(dp) :: pull_off = huge(1.0_dp), pull_off_error = huge(1.0_dp)
+      real(dp) :: pull_off = huge(1.0_dp)
+      !> Its relative error; 1 where half the cells have none.
+      real(dp) :: pull_off_error = 1
       !> Has the contact an edge of adhesion on the cells?
       logical :: has_edge = .false.
       !> Is there no state with contact under the load?
@@ -356,19 +355,12 @@ contains
          associate (pull_off => found(n - k + 1))
             call double_map(self, fields(k), depth_beyond(self, fields(k), law%dugdale, .true., 0.0_dp), doubled, is_beyond)
             mean_law = law%on_cells(area, .not. is_beyond)
-            if (allocated(law%attraction)) then
-               call find_attracted_pull_off(self%grids(k)%solver, doubled, mean_law%attraction, tolerance, pull_off)
-            else if (associated(pull_offs)) then
-               call get_pull_off(pull_offs, self%grids(k)%solver, doubled, &
-                  & [self%lengths, merge(1.0_dp, 0.0_dp, self%is_periodic)], mean_law%dugdale, tolerance, pull_off, error)
-            else
-               call find_pull_off(self%grids(k)%solver, doubled, mean_law%dugdale, tolerance, pull_off, error)
-            end if
+            call seek_on_grid(pull_offs, self%grids(k)%solver, doubled, [self%lengths, merge(1.0_dp, 0.0_dp, self%is_periodic)], &
+               & tolerance, mean_law%dugdale, mean_law%attraction, pull_off, error)
             if (allocated(error)) return
             if (.not. pull_off%is_found) return
             if (k == n) adhesion%pull_off = pull_off%mean_pressure*area
-            if (k < n) adhesion%pull_off_error = max(safety*abs(pull_off%mean_pressure*area - adhesion%pull_off), &
-               & found(1)%margin*abs(adhesion%pull_off))
+            if (k < n) adhesion%pull_off_error = found(1)%error_beside(pull_off)
          end associate
       end do
    end subroutine seek_pull_off

@@ -86,7 +86,7 @@ contains
       error = 0
       if (state%adhesion%has_edge) error = error_of_edge(cells_per_zone(law, state%surface))
       if (state%adhesion%pull_off < huge(1.0_dp) .and. state%adhesion%pull_off < 0 .and. error <= 1) &
-         & error = max(error, ratio_of(state%adhesion%pull_off_error, state%adhesion%pull_off))
+         & error = max(error, state%adhesion%pull_off_error)
    end function error_of_adhesion
 
    !> Relative error of area, and of load or approach, whichever is not given.

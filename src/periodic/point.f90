@@ -9,10 +9,9 @@ module adfric_periodic_point
    use adfric_interface_coulomb_rows, only: coulomb_t
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
-   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_layer, solve_adhesive_load
    use adfric_periodic_attracted_penetration, only: solve_attracted_penetration
-   use adfric_periodic_attracted_pull_off, only: find_attracted_pull_off
    use adfric_periodic_attracted_surface, only: periodic_attraction_t, solve_attracted_layer, solve_attracted_load
    use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t
@@ -22,7 +21,7 @@ module adfric_periodic_point
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_near_contact, only: solve_near_contact
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
-   use adfric_periodic_pull_off_table, only: get_pull_off
+   use adfric_periodic_pull_off_table, only: seek_on_grid
    use adfric_periodic_slip, only: periodic_slip_t, solve_slip
    use adfric_periodic_solver, only: branches_agree, branches_differ, branches_unknown, contact_not_converged, &
       & contact_out_of_range, contact_solved, hardness_t, periodic_solver_t, periodic_solution_t, new_periodic_solver
@@ -33,8 +32,6 @@ module adfric_periodic_point
 
    !> Largest difference of a cell's share of two solutions of one state; rounds end within 1e-5.
    real(dp), parameter :: same_share = 1.0e-3_dp
-   !> Change of a pull-off from the grid of half the cells that counts as its error, for safety.
-   real(dp), parameter :: safety = 1.25_dp
 
    !> A kernel at another velocity.
    type :: near_kernel_t
@@ -150,14 +147,11 @@ contains
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: unit
-      integer :: k
 
       unit = surface%period(1)
       call prepare(surface, memory, error)
       if (allocated(error)) return
-      do k = 1, size(memory%solver%grids)
-         memory%solver%grids(k)%operator%watch => goal%watch
-      end do
+      call let_watch(goal%watch, memory%solver)
       if (allocated(goal%attraction)) then
          call solve_attracted(surface, goal, memory, solution, error)
       else if (allocated(goal%adhesion)) then
@@ -351,9 +345,9 @@ contains
       type(periodic_attraction_t), allocatable :: half_attraction
       type(periodic_pull_off_t) :: pull_off, of_half
       real(dp), allocatable :: half_shape(:, :)
-      real(dp) :: change
 
-      call seek_pull_off(goal, memory, memory%solver, shape, adhesion, attraction, pull_off, error)
+      call seek_on_grid(goal%pull_offs, memory%solver, shape, [memory%period, memory%kernel_numbers], goal%tolerance, adhesion, &
+         & attraction, pull_off, error)
       if (allocated(error) .or. .not. pull_off%is_found) return
       solution%pull_off = pull_off%mean_pressure
       call prepare_half(goal, memory, error)
@@ -367,37 +361,10 @@ contains
          allocate (half_attraction, source=attraction)
          if (allocated(attraction%part)) half_attraction%part = coarsen(attraction%part)
       end if
-      call seek_pull_off(goal, memory, memory%half, half_shape, half_adhesion, half_attraction, of_half, error)
-      if (allocated(error)) return
-      solution%pull_off_error = 1
-      if (.not. of_half%is_found) return
-      change = safety*abs(of_half%mean_pressure - pull_off%mean_pressure)
-      solution%pull_off_error = pull_off%margin
-      if (change > 0) solution%pull_off_error = max(pull_off%margin, change/max(change, abs(pull_off%mean_pressure)))
+      call seek_on_grid(goal%pull_offs, memory%half, half_shape, [memory%period, memory%kernel_numbers], goal%tolerance, &
+         & half_adhesion, half_attraction, of_half, error)
+      if (.not. allocated(error)) solution%pull_off_error = pull_off%error_beside(of_half)
    end subroutine add_pull_off
-
-   !> Find the pull-off on one grid, or look it up.
-   subroutine seek_pull_off(goal, memory, solver, shape, adhesion, attraction, pull_off, error)
-      type(periodic_goal_t), intent(in) :: goal
-      type(periodic_memory_t), intent(in) :: memory
-      type(periodic_solver_t), intent(inout) :: solver
-      !> Gap of the undeformed surfaces [periods along x].
-      real(dp), intent(in) :: shape(:, :)
-      !> The law, one of both.
-      type(periodic_adhesion_t), intent(in), optional :: adhesion
-      type(periodic_attraction_t), intent(in), optional :: attraction
-      type(periodic_pull_off_t), intent(out) :: pull_off
-      type(error_t), allocatable, intent(out) :: error
-
-      if (present(attraction)) then
-         call find_attracted_pull_off(solver, shape, attraction, goal%tolerance, pull_off)
-      else if (associated(goal%pull_offs)) then
-         call get_pull_off(goal%pull_offs, solver, shape, [memory%period, memory%kernel_numbers], adhesion, &
-            & goal%tolerance, pull_off, error)
-      else
-         call find_pull_off(solver, shape, adhesion, goal%tolerance, pull_off, error)
-      end if
-   end subroutine seek_pull_off
 
    !> A solver of half the cells, where they can be halved.
    subroutine prepare_half(goal, memory, error)
@@ -405,7 +372,6 @@ contains
       !> With the solver of all cells.
       type(periodic_memory_t), intent(inout) :: memory
       type(error_t), allocatable, intent(out) :: error
-      integer :: k
 
       if (size(memory%solver%grids) < 2) return
       if (.not. allocated(memory%half)) then
@@ -417,10 +383,20 @@ contains
             return
          end if
       end if
-      do k = 1, size(memory%half%grids)
-         memory%half%grids(k)%operator%watch => goal%watch
-      end do
+      call let_watch(goal%watch, memory%half)
    end subroutine prepare_half
+
+   !> Let a watch say when the work of a solver ends.
+   subroutine let_watch(watch, solver)
+      !> The watch; null: nobody ends it.
+      class(watch_t), pointer, intent(in) :: watch
+      type(periodic_solver_t), intent(inout) :: solver
+      integer :: k
+
+      do k = 1, size(solver%grids)
+         solver%grids(k)%operator%watch => watch
+      end do
+   end subroutine let_watch
 
    !> Solve on a branch what the goal prescribes.
    subroutine solve_branch(solver, shape, goal, value, adhesion, solution, error)

@@ -8,12 +8,40 @@ module adfric_periodic_pull_off_table
    use adfric_numerics_found_once, only: found_once_t, search_t
    use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
+   use adfric_periodic_attracted_pull_off, only: find_attracted_pull_off
+   use adfric_periodic_attracted_surface, only: periodic_attraction_t
    use adfric_periodic_solver, only: periodic_solver_t
    implicit none (type, external)
    private
-   public :: get_pull_off
+   public :: get_pull_off, seek_on_grid
 
 contains
+
+   !> The pull-off of a surface on one grid by any law, from the table where there is one.
+   subroutine seek_on_grid(table, solver, shape, solid, tolerance, adhesion, attraction, pull_off, error)
+      !> The table of Dugdale's law, which receives what had to be found; null: none. Other laws have none.
+      type(found_once_t), pointer, intent(in) :: table
+      type(periodic_solver_t), intent(inout) :: solver
+      !> Gap of the undeformed surfaces in the middles of the cells [periods along x].
+      real(dp), intent(in) :: shape(:, :)
+      !> Periods, and the numbers from which the kernel of the solid is made.
+      real(dp), intent(in) :: solid(:)
+      real(dp), intent(in) :: tolerance
+      !> Dugdale's law; of no meaning beside another one.
+      type(periodic_adhesion_t), intent(in), optional :: adhesion
+      !> Another law.
+      type(periodic_attraction_t), intent(in), optional :: attraction
+      type(periodic_pull_off_t), intent(out) :: pull_off
+      type(error_t), allocatable, intent(out) :: error
+
+      if (present(attraction)) then
+         call find_attracted_pull_off(solver, shape, attraction, tolerance, pull_off)
+      else if (associated(table)) then
+         call get_pull_off(table, solver, shape, solid, adhesion, tolerance, pull_off, error)
+      else
+         call find_pull_off(solver, shape, adhesion, tolerance, pull_off, error)
+      end if
+   end subroutine seek_on_grid
 
    !> The pull-off of a surface, from the table if it stands there.
    subroutine get_pull_off(table, solver, shape, solid, adhesion, tolerance, pull_off, error)

@@ -338,7 +338,7 @@ contains
       end do
       if (n > most_turns) text = 'the list of the history turns '//show_count(n)//' times, and each turn is an unloading or a '// &
          & 'loading, also one of noise, which takes long; history%smoothing, about five standard deviations of the noise, '// &
-         & 'takes straight legs in its place'//new_line('a')
+         & 'draws straight legs through it'//new_line('a')
    end function doubt_turns
 
    !> A line where an oscillation is no small one, whose edge swings; else nothing.
