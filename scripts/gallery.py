@@ -71,8 +71,8 @@ AREAS = {
         one("stick_slip", options="--y tangential_force contact_radius edge_slip"), one("sphere_pull_off_edge"),
         one("sphere_sample"), one("sphere_uncertain")),
     "Fits of measured data": (
-        one("fit_friction"), one("fit_force_distance"), one("fit_map"), one("force_map"), one("fit_soft_sample"), one("fit_velocity"),
-        one("fit_interface"), one("fit_interface_all"), one("fit_johnson1997_fig5")),
+        one("fit_friction"), one("fit_force_distance"), one("fit_map"), one("force_map"), one("fit_soft_sample"), one("fit_cell"),
+        one("fit_velocity"), one("fit_interface"), one("fit_interface_all"), one("fit_johnson1997_fig5")),
     "Tips and punches of any shape": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_polynomial"),
         one("indenter_rounded_punch"), one("indenter_rounded_cone"), one("indenter_flat_cone"), one("indenter_pull_off"),
@@ -80,7 +80,8 @@ AREAS = {
         one("indenter_peeling", options="--y contact_radius tangential_displacement")),
     "Soft samples in time": (
         one("soft_dwell"), one("soft_creep"), one("soft_oscillation"),
-        one("soft_pull_off", options="--y pull_off_load pull_off_approach"), one("rough_ageing")),
+        one("soft_pull_off", options="--y pull_off_load pull_off_approach"),
+        one("soft_dwell_adhesion", options="--y pull_off_load pull_off_approach"), one("rough_ageing")),
     "Hertz's contacts, punches and given loads": (
         one("hertz_axes"), one("hertz_ratio"), one("punch_flat"), one("punch_cylinder"), one("punch_wedge"), one("rigid_punch"),
         one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),

@@ -36,6 +36,8 @@ except ImportError:
 MOST_MARKED = 30
 # of several files with the same curves
 LINES, MARKS = ("-", "--", ":", "-."), "os^Dv"
+# limits of a pull-off in time, each with its dashes
+TIMED_LIMITS = {"relaxed_pull_off_load": ":", "frozen_pull_off_load": "--", "glassy_pull_off_load": "-."}
 # what ends a word of a title
 BREAKS = " ,;:("
 
@@ -71,6 +73,8 @@ def draw_chosen(runs, x_name, y_names, table):
         if y_name in points:
             panel.plot(points[x_name] * scales[x_name][0], points[y_name] * scales[y_name][0], "o", color=MISSED, markersize=4,
                        fillstyle="none", label=literal(table.stem))
+        if y_name == "pull_off_load" and len(runs) == 1:
+            _draw_timed_limits(panel, runs[0], x_name, scales)
         _finish_panel(panel, runs, x_name, y_name, scales)
     handles, labels = panels[0].get_legend_handles_labels()
     if len(labels) > 1:
@@ -134,6 +138,21 @@ def _draw_run(panel, results, names, scales, look):
                          np.moveaxis(doubted, k, -1)[curve.index][order])
         draw_curve(panel, x[order] * scales[x_name][0], y[order] * scales[y_name][0], find_jumps(results, k, curve.index),
                    way_of(results), label=label or "_", **style)
+
+
+def _draw_timed_limits(panel, results, x_name, scales):
+    """Beside the pull-off loads of a single curve those of the relaxed, the frozen and the instantaneous solid, as far as there are."""
+    if [axis.name for axis in results.several] != [x_name]:
+        return
+    x = results.values(x_name).ravel()
+    order = np.argsort(x)
+    for name, dashes in TIMED_LIMITS.items():
+        limit = results.values(name).ravel() if name in results.fields else np.full(x.size, np.nan)
+        if np.isfinite(limit).any():
+            panel.plot(x[order] * scales[x_name][0], limit[order] * scales["pull_off_load"][0], color="0.5", linestyle=dashes, linewidth=1,
+                       label=name.split("_")[0])
+    if len(panel.lines) > 1:
+        panel.lines[0].set_label("in time")
 
 
 def _finish_panel(panel, runs, x_name, y_name, scales):

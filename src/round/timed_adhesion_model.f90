@@ -96,6 +96,8 @@ contains
       type(problems_t), intent(inout) :: problems
       type(checks_t) :: c
       type(setting_t) :: setting
+      ! largest number of cells that a message tells
+      real(dp), parameter :: most_shown = 1.0e9_dp
       real(dp) :: own(size(values))
       integer :: before
       logical :: is_found
@@ -117,12 +119,15 @@ contains
          return
       end if
       associate (needed => setting%largest%adhesion_radius/setting%cell*fewest_per_zone/setting%per_zone)
-         call c%add(n_timed_variables + adhesion_input%cells, 'are '//show_number(setting%per_zone)//' in the zone of '// &
-            & 'adhesion, which needs 6; give '//show_count(ceiling(min(needed, 1.0e9_dp)))//' or more', &
-            & setting%per_zone < fewest_per_zone .and. values(n_timed_variables + adhesion_input%cells) > 0)
-         call c%add(n_timed_variables + adhesion_input%work_of_adhesion, 'has so short a range that its zone needs '// &
-            & show_number(needed)//' cells up to the edge, and '//show_count(most_cells)//' are the most; give a longer range', &
-            & needed > most_cells)
+         if (needed > most_cells) then
+            call c%add(n_timed_variables + adhesion_input%work_of_adhesion, 'has so short a range that its zone needs '// &
+               & show_count(ceiling(min(needed, most_shown)))//trim(merge(' or more', '        ', needed > most_shown))// &
+               & ' cells up to the edge, and '//show_count(most_cells)//' are the most; give a longer range')
+         else
+            call c%add(n_timed_variables + adhesion_input%cells, 'are '//show_number(aint(100*setting%per_zone)/100)// &
+               & ' in the zone of adhesion, which needs 6; give '//show_count(ceiling(needed))//' or more', &
+               & setting%per_zone < fewest_per_zone .and. values(n_timed_variables + adhesion_input%cells) > 0)
+         end if
       end associate
    end subroutine check_values
 

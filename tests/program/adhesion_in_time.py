@@ -316,6 +316,10 @@ class AdhesionInTime(SolverRuns):
         self.refuse(scene.replace("modulus = 0.75", "modulus = 0"), "modulus")
         self.refuse(scene.replace("adhesion_stress = 0.5", "adhesion_stress = 1e3"), "has so short a range")
         self.refuse(scene.replace("&numerics ", "&numerics cells = 5, "), "which needs 6; give")
+        # cells that no number would do are no second problem
+        self.refuse(scene.replace("adhesion_stress = 0.5", "adhesion_stress = 1e3").replace("&numerics ", "&numerics cells = 64, "),
+                    "has so short a range")
+        self.refuse(scene.replace("adhesion_stress = 0.5", "adhesion_stress = 1e9"), "needs 1000000000 or more cells")
         self.refuse(scene.replace(history, "&history times = 0, 1, 2, approaches = 0, 1 /\n"), "has 2 values, and times has 3")
         self.refuse(scene.replace("triangle", "sine").replace("approach_rate = 1", "approach_rate = 1, frequency = 1, "
                                                               "oscillation_amplitude = 0.1"), "'sine'")

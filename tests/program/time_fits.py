@@ -50,6 +50,26 @@ class TimeFits(Runs):
         """An input is refused in one line with these words."""
         self.refuse_in_line("fit", text, words)
 
+    def test_cell(self):
+        """The cell of the guide: its power law is found, one arm is refuted, two are not."""
+        text = (REFERENCE.parents[1] / "inputs/fit_cell.nml").read_text()
+        text = text.replace("'fit_cell.csv'", f"'{REFERENCE.parents[1] / 'inputs/fit_cell.csv'}'").replace("fit_cell.h5", "run.h5")
+        found, _ = self.answer(text)
+        self.assertLess(abs(found["power_law_modulus"] / 800 - 1), 2 * found["power_law_modulus_error"] / 800)
+        self.assertLess(abs(found["power_law_exponent"] - 0.15), 2 * found["power_law_exponent_error"])
+        self.assertLess(abs(found["contact_point"] - 0.4e-6), 2 * found["contact_point_error"])
+        sums = [found["chi2"]]
+        bare = "\n\n".join(part for part in text.split("\n\n") if "power_law" not in part)
+        arms = "&solid moduli = {}, relaxation_times = {} /\n"
+        free = "&free variable = 'modulus' /\n" + "".join(f"&free variable = 'solid%{name}({{0}})' /\n" for name in ("moduli", "relaxation_times"))
+        for moduli, times in (("500", "0.1"), ("500, 300", "0.03, 0.5")):
+            count = len(moduli.split(","))
+            own = free.format(1) + "".join(free.split("\n", 1)[1].format(k) for k in range(2, count + 1))
+            found, _ = self.answer(bare + arms.format(moduli, times) + own)
+            sums.append(found["chi2"])
+        for chi2, wanted in zip(sums, (507, 3790, 555)):
+            self.assertLess(abs(chi2 / wanted - 1), 2e-3)
+
     def test_reference(self):
         """The sets of an independent program, with and without drift."""
         for name, (chi2, answers) in SETS.items():
