@@ -18,7 +18,7 @@ module adfric_periodic_adhesive_contact
    use adfric_periodic_adhesive_relaxation, only: relaxation_t, new_relaxation, relax
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact
    use adfric_periodic_gap_solver, only: gap_solver_t
-   use adfric_periodic_maps, only: sum_of
+   use adfric_periodic_maps, only: is_shared, largest_difference, largest_excess, sum_of
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
@@ -97,7 +97,7 @@ contains
          if (has_found) has_found = is_bound(found%cohesion%share, is_adhered, share)
          call go_on(state, relaxation, is_adhered, share, step, change)
          if (has_found .and. k >= next_proof) then
-            if (maxval(abs(found%cohesion%share - share)) <= near_share) then
+            if (largest_difference(found%cohesion%share, share) <= near_share) then
                next_proof = k + proof_after
                if (.not. allocated(path)) then
                   ! what is open now covers what later rounds have open
@@ -137,40 +137,61 @@ contains
       !> Receives the largest of these changes.
       real(dp), intent(out) :: change
       logical, allocatable :: is_slow(:, :)
-      real(dp) :: margin
+      real(dp) :: margin, least
+      integer :: j
+      logical :: goes_on
 
       ! a pressure below 0 makes gaps too small, one above 0 too large: on one side that is safe
-      if (is_adhered) then
-         margin = 0
-         if (any(state%is_open)) margin = max(margin, maxval(state%pressure, mask=state%is_open))
-      else
-         margin = max(0.0_dp, -minval(state%pressure))
-      end if
-      call state%cohesion%set_share(state%gap)
-      change = maxval(abs(state%cohesion%share - share))
-      allocate (is_slow, source=abs(state%cohesion%share - share) > max(slow*step, min(part_of_largest*change, slow_share)))
-      step(:, :) = abs(state%cohesion%share - share)
-      if (change > resting_share) then
-         state%pressure(:, :) = state%pressure + state%cohesion%stress*(state%cohesion%share - share)
-         call relax(relaxation, is_adhered, margin, is_slow, state%cohesion, state%gap, state%pressure)
+      margin = 0
+      !$omp parallel do if(is_shared(size(share))) default(none) shared(state, is_adhered) private(j) reduction(max:margin)
+      do j = 1, size(share, 2)
          if (is_adhered) then
-            state%is_open(:, :) = state%is_open .or. state%gap > 0
+            margin = max(margin, maxval(state%pressure(:, j), mask=state%is_open(:, j)))
          else
-            state%is_open(:, :) = state%is_open .and. state%gap > 0
+            margin = max(margin, -minval(state%pressure(:, j)))
          end if
-      end if
-      share(:, :) = state%cohesion%share
+      end do
+      !$omp end parallel do
+      call state%cohesion%set_share(state%gap)
+      change = largest_difference(state%cohesion%share, share)
+      least = min(part_of_largest*change, slow_share)
+      allocate (is_slow, mold=state%is_open)
+      goes_on = change > resting_share
+      !$omp parallel do if(is_shared(size(share))) default(none) shared(state, share, step, is_slow, goes_on, least) private(j)
+      do j = 1, size(share, 2)
+         is_slow(:, j) = abs(state%cohesion%share(:, j) - share(:, j)) > max(slow*step(:, j), least)
+         step(:, j) = abs(state%cohesion%share(:, j) - share(:, j))
+         if (goes_on) state%pressure(:, j) = state%pressure(:, j) &
+            & + state%cohesion%stress*(state%cohesion%share(:, j) - share(:, j))
+      end do
+      !$omp end parallel do
+      if (goes_on) call relax(relaxation, is_adhered, margin, is_slow, state%cohesion, state%gap, state%pressure)
+      !$omp parallel do if(is_shared(size(share))) default(none) shared(state, share, is_adhered, goes_on) private(j)
+      do j = 1, size(share, 2)
+         share(:, j) = state%cohesion%share(:, j)
+         if (.not. goes_on) cycle
+         if (is_adhered) then
+            state%is_open(:, j) = state%is_open(:, j) .or. state%gap(:, j) > 0
+         else
+            state%is_open(:, j) = state%is_open(:, j) .and. state%gap(:, j) > 0
+         end if
+      end do
+      !$omp end parallel do
    end subroutine go_on
 
    !> Do shares stay on one side of a bound?
-   pure logical function is_bound(share, is_adhered, bound)
+   logical function is_bound(share, is_adhered, bound)
       !> The shares.
       real(dp), intent(in), contiguous :: share(:, :)
       logical, intent(in) :: is_adhered
       !> Shares of the bound.
       real(dp), intent(in), contiguous :: bound(:, :)
 
-      is_bound = maxval(merge(1, -1, is_adhered)*(share - bound)) <= like_share
+      if (is_adhered) then
+         is_bound = largest_excess(share, bound) <= like_share
+      else
+         is_bound = largest_excess(bound, share) <= like_share
+      end if
    end function is_bound
 
    !> Solve the contact with given shares.

@@ -27,7 +27,7 @@ module adfric_periodic_cohesion
    use adfric_base_kinds, only: dp
    use adfric_interface_attraction, only: attraction_t
    use adfric_periodic_cut_triangle, only: cut_depth, cut_line, cut_shares
-   use adfric_periodic_maps, only: sum_of
+   use adfric_periodic_maps, only: is_shared, sum_of
    implicit none (type, external)
    private
    public :: cohesion_t, far_share, new_cohesion, line_integrals, triangles, weight_of_triangle
@@ -126,24 +126,88 @@ contains
       class(cohesion_t), intent(inout) :: self
       !> Gap in the middles of the cells.
       real(dp), intent(in), contiguous :: gap(:, :)
-      type(square_t) :: square
-      integer :: i, j, first
+      integer :: j
 
       call self%hold()
       if (.not. allocated(self%share)) allocate (self%share(size(gap, 1), size(gap, 2)))
-      if (allocated(self%law)) then
-         self%share(:, :) = self%law%tension(max(gap, 0.0_dp))/self%law%stress
+      if (.not. allocated(self%law)) then
+         call sum_squares(self, gap, self%share)
          return
       end if
-      self%share(:, :) = 0
-      first = merge(0, 1, self%is_quarter)
-      do j = first, size(gap, 2)
-         do i = first, size(gap, 1)
-            square = square_at(i, j, shape(gap), self%is_quarter)
-            call add_shares(self, gap, square, self%share)
-         end do
+      !$omp parallel do if(is_shared(size(gap))) default(none) shared(self, gap) private(j)
+      do j = 1, size(gap, 2)
+         self%share(:, j) = self%law%tension(max(gap(:, j), 0.0_dp))/self%law%stress
       end do
+      !$omp end parallel do
    end subroutine set_share
+
+   !> The shares of all squares. Threads take parts of the rows. A part begins with the row of squares before it, whose second cells are its
+   !> own, so that each cell has its four sums in their order whatever the parts are.
+   subroutine sum_squares(self, gap, share)
+      class(cohesion_t), intent(in) :: self
+      real(dp), intent(in), contiguous :: gap(:, :)
+      !> Receives the shares; shape of the cells.
+      real(dp), intent(out), contiguous :: share(:, :)
+      !> Rows of a part.
+      integer, parameter :: n_rows = 32
+      integer :: part, j, last
+      logical :: has_last
+
+      ! behind the last row are a mirror, the first one, or itself
+      has_last = self%is_quarter .or. size(gap, 2) == 1
+      share(:, :) = 0
+      !$omp parallel do if(is_shared(size(gap))) schedule(dynamic) default(none) shared(self, gap, share, has_last) &
+      !$omp& private(part, j, last)
+      do part = 1, (size(gap, 2) - 1)/n_rows + 1
+         last = min(size(gap, 2), n_rows*part)
+         if (part == 1 .and. self%is_quarter) call add_row(self, gap, 0, [.true., .true.], share)
+         if (part > 1) call add_row(self, gap, n_rows*(part - 1), [.false., .true.], share)
+         do j = n_rows*(part - 1) + 1, last - 1
+            call add_row(self, gap, j, [.true., .true.], share)
+         end do
+         call add_row(self, gap, last, [.true., last == size(gap, 2) .and. has_last], share)
+      end do
+      !$omp end parallel do
+      if (.not. has_last) call add_row(self, gap, size(gap, 2), [.false., .true.], share)
+   end subroutine sum_squares
+
+   !> Add what a row of squares has within the range to the shares of their corners.
+   pure subroutine add_row(self, gap, j, is_added, share)
+      class(cohesion_t), intent(in) :: self
+      real(dp), intent(in), contiguous :: gap(:, :)
+      !> The row of cells before these squares; 0 before the first one in a mirror.
+      integer, intent(in) :: j
+      !> Is it added to the cells before the squares, and to those behind?
+      logical, intent(in) :: is_added(2)
+      !> Receives the shares; shape of the cells.
+      real(dp), intent(inout), contiguous :: share(:, :)
+      type(square_t) :: square
+      real(dp) :: corner(4), shares(4)
+      integer :: i, n(2)
+      logical :: is_plain
+
+      n = shape(gap)
+      is_plain = .not. (allocated(self%part) .or. allocated(self%beyond))
+      do i = merge(0, 1, self%is_quarter), n(1)
+         square = square_at(i, j, n, self%is_quarter)
+         corner = corners_of(gap, square)
+         if (min(corner(1), corner(2), corner(3), corner(4)) > self%range) cycle
+         shares = 0.25_dp
+         if (.not. (is_plain .and. max(corner(1), corner(2), corner(3), corner(4)) <= self%range)) &
+            & shares = self%shares_of(square, corner)
+         shares = square%weight*shares
+         associate (x => square%x, y => square%y)
+            if (is_added(1)) then
+               share(x(1), y(1)) = share(x(1), y(1)) + shares(1)
+               share(x(2), y(1)) = share(x(2), y(1)) + shares(2)
+            end if
+            if (is_added(2)) then
+               share(x(2), y(2)) = share(x(2), y(2)) + shares(3)
+               share(x(1), y(2)) = share(x(1), y(2)) + shares(4)
+            end if
+         end associate
+      end do
+   end subroutine add_row
 
    !> Shares of the cells' areas within the range, whatever the work of adhesion there is.
    function area_share(self, gap) result(share)

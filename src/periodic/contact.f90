@@ -196,11 +196,22 @@ contains
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Receives the largest values of gap and pressure.
       type(extremes_t), intent(out) :: extremes
-      real(dp) :: total
+      real(dp) :: total, lowest, highest
+      integer :: j
 
       if (.not. allocated(state%pressure)) allocate (state%pressure, mold=state%shape)
       call keep_region_sound(state)
-      where (.not. state%is_open) state%gap = 0
+      lowest = huge(lowest)
+      highest = -huge(highest)
+      !$omp parallel do if(is_shared(size(state%shape))) default(none) shared(state) private(j) &
+      !$omp& reduction(min:lowest) reduction(max:highest)
+      do j = 1, size(state%shape, 2)
+         where (.not. state%is_open(:, j)) state%gap(:, j) = 0
+         lowest = min(lowest, minval(state%shape(:, j)))
+         highest = max(highest, maxval(state%shape(:, j)))
+      end do
+      !$omp end parallel do
+      state%gap_scale = highest - lowest
       if (state%has_fixed_mean) then
          total = sum(state%gap)
          if (.not. total > 0) then
@@ -210,7 +221,6 @@ contains
          state%gap(:, :) = state%gap*(state%mean_gap*size(state%gap)/total)
       end if
       call update_pressure(state, operator)
-      state%gap_scale = maxval(state%shape) - minval(state%shape)
       state%cell_stiffness = operator%mean_stiffness(operator%n_cells)
       call gap_solver%forget()
       call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, .false.)
@@ -240,12 +250,24 @@ contains
       type(contact_state_t), intent(inout) :: state
       !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
+      real(dp), allocatable :: displacement(:, :)
+      integer :: j
 
-      call operator%apply_stiffness(state%gap - state%shape, state%pressure)
-      state%pressure(:, :) = state%mean_pressure + state%pressure
-      if (.not. allocated(state%cohesion)) return
-      if (state%cohesion%is_linear) call state%cohesion%follow(state%gap)
-      state%pressure(:, :) = state%pressure + state%cohesion%stress*state%cohesion%share
+      allocate (displacement, mold=state%gap)
+      !$omp parallel do if(is_shared(size(displacement))) default(none) shared(state, displacement) private(j)
+      do j = 1, size(displacement, 2)
+         displacement(:, j) = state%gap(:, j) - state%shape(:, j)
+      end do
+      !$omp end parallel do
+      call operator%apply_stiffness(displacement, state%pressure)
+      if (follows_gap(state)) call state%cohesion%follow(state%gap)
+      !$omp parallel do if(is_shared(size(displacement))) default(none) shared(state) private(j)
+      do j = 1, size(state%pressure, 2)
+         state%pressure(:, j) = state%mean_pressure + state%pressure(:, j)
+         if (allocated(state%cohesion)) state%pressure(:, j) = state%pressure(:, j) &
+            & + state%cohesion%stress*state%cohesion%share(:, j)
+      end do
+      !$omp end parallel do
    end subroutine update_pressure
 
    !> Find what is wrong by more than the tolerance.
@@ -289,17 +311,27 @@ contains
       end do
       !$omp end parallel do
       call search%choose_wrong(n_wrong, is_wrong)
-      state%is_open = state%is_open .neqv. is_wrong
+      !$omp parallel do if(is_shared(size(is_wrong))) default(none) shared(state, is_wrong) private(j)
+      do j = 1, size(is_wrong, 2)
+         state%is_open(:, j) = state%is_open(:, j) .neqv. is_wrong(:, j)
+      end do
+      !$omp end parallel do
       call keep_region_sound(state)
       state%n_rounds = state%n_rounds + 1
    end subroutine change_region
 
    !> Largest violation of p >= 0, g >= 0, p g = 0 in any cell, |min(p, g)|, and of a given mean of g, with p in units of the largest
    !> pressure and g in units of the range of the undeformed gap.
-   pure real(dp) function residual_of(state) result(residual)
+   real(dp) function residual_of(state) result(residual)
       type(contact_state_t), intent(in) :: state
+      integer :: j
 
-      residual = maxval(abs(min(state%pressure/state%pressure_scale, state%gap/state%gap_scale)))
+      residual = 0
+      !$omp parallel do if(is_shared(size(state%gap))) default(none) shared(state) private(j) reduction(max:residual)
+      do j = 1, size(state%gap, 2)
+         residual = max(residual, maxval(abs(min(state%pressure(:, j)/state%pressure_scale, state%gap(:, j)/state%gap_scale))))
+      end do
+      !$omp end parallel do
       if (state%has_fixed_mean) residual = max(residual, abs(sum(state%gap)/size(state%gap) - state%mean_gap)/state%gap_scale)
    end function residual_of
 

@@ -154,15 +154,20 @@ contains
       class(periodic_operator_t), intent(in) :: self
       !> Number of cells of the coarser grid in each direction, not more than here.
       integer, intent(in) :: n_cells(2)
-      integer :: n(2), half(2), j, n_rows
+      real(dp) :: rows(size(self%stiffness, 1))
+      integer :: n(2), half(2), i, j, n_rows
 
       half = merge(n_cells - 1, n_cells/2, self%is_quarter)
       n = [half(1) + 1, self%n_cells(2)]
+      rows = 0
+      do i = 1, n(1)
+         rows(:) = rows + self%stiffness(:, i)
+      end do
       mean = 0
       n_rows = 0
       do j = 1, n(2)
          if (abs(wave_number(j - 1, n(2), self%is_quarter)) > half(2)) cycle
-         mean = mean + sum(self%stiffness(j, :n(1)))/n(1)
+         mean = mean + rows(j)/n(1)
          n_rows = n_rows + 1
       end do
       mean = mean*self%filter%gain/n_rows

@@ -120,21 +120,19 @@ contains
       sweep%threads_of_point = max(1, n_threads/n_workers)
       n_levels = omp_get_max_active_levels()
       call omp_set_max_active_levels(max(2, n_levels))
-      ! a single block is solved by the thread that calls, so that no other one is woken for it
-      !$omp parallel default(none) shared(run, sink, progress, source, sweep, n_workers) &
-      !$omp& num_threads(n_workers + merge(1, 0, sink%has_own_thread))
-      !$omp single
-      call share_work(run, sink, source, n_workers, sweep)
-      !$omp end single
-      ! the last thread is the one that writes
-      if (omp_get_thread_num() < sweep%delivery%n_workers) then
-         call work(run, sink, progress, source, sweep)
-         if (omp_get_thread_num() == 0) call watch_others(progress, source, sweep)
-         call end_leaving(sweep%delivery)
-      else if (sweep%delivery%has_writer) then
-         call deliver(sink, sweep%delivery)
+      if (n_workers == 1 .and. n_threads > 1) then
+         ! no team around those of the point: the runtime makes new threads for each team within a team, which took a fifth of the time
+         call share_work(run, sink, source, n_workers, sweep)
+         call take_part(run, sink, progress, source, sweep)
+      else
+         !$omp parallel default(none) shared(run, sink, progress, source, sweep, n_workers) &
+         !$omp& num_threads(n_workers + merge(1, 0, sink%has_own_thread))
+         !$omp single
+         call share_work(run, sink, source, n_workers, sweep)
+         !$omp end single
+         call take_part(run, sink, progress, source, sweep)
+         !$omp end parallel
       end if
-      !$omp end parallel
       call omp_set_max_active_levels(n_levels)
       call sweep%delivery%remove_writer()
       if (allocated(sweep%delivery%error)) call move_alloc(sweep%delivery%error, error)
@@ -143,6 +141,24 @@ contains
       if (sweep%n_solved < source%blocks%n_points()) summary%signal = int(caught_signal())
       summary%wall_seconds = wall_clock() - start
    end subroutine run_source
+
+   !> What a thread of the run does: it solves, or it writes.
+   subroutine take_part(run, sink, progress, source, sweep)
+      class(run_t), intent(in) :: run
+      class(sink_t), intent(inout) :: sink
+      class(progress_t), intent(inout) :: progress
+      class(block_source_t), intent(inout) :: source
+      type(sweep_t), intent(inout) :: sweep
+
+      ! the last thread is the one that writes
+      if (omp_get_thread_num() < sweep%delivery%n_workers) then
+         call work(run, sink, progress, source, sweep)
+         if (omp_get_thread_num() == 0) call watch_others(progress, source, sweep)
+         call end_leaving(sweep%delivery)
+      else if (sweep%delivery%has_writer) then
+         call deliver(sink, sweep%delivery)
+      end if
+   end subroutine take_part
 
    !> Say who solves and who writes, as far as the threads that there are allow it.
    subroutine share_work(run, sink, source, n_threads, sweep)
