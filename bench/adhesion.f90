@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Surfaces that adhere to a half-space: time of a load and of the pull-off, on one thread. See bench/README.md.
+!> Surfaces that adhere to a half-space: time of a load and of the pull-off, on one thread, and of a large surface on all. See
+!> bench/README.md.
 !>
 !> The law of adhesion is Dugdale's, and an exponential one of the same work and range beside it.
 !>
@@ -7,6 +8,7 @@
 !>
 !> HEIGHTS receives the gaps of the rough surface, raw numbers, for `adhesion_public`.
 program adhesion
+   use omp_lib, only: omp_get_max_threads, omp_set_num_threads
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
    use adfric_interface_attraction, only: attraction_by_work, law_exponential
@@ -24,23 +26,26 @@ program adhesion
    real(dp), parameter :: tolerance = 1.0e-10_dp, two_pi = 6.283185307179586476925286766559_dp
    !> Stresses over p* and ranges over the amplitude of the wave.
    real(dp), parameter :: stresses(*) = [0.3_dp, 0.6_dp], ranges(*) = [0.3_dp, 0.1_dp], loads(*) = [0.02_dp, 0.2_dp]
-   !> Cells of the wave, of a finer one, and of the rough surface; repetitions.
-   integer, parameter :: n_wave = 256, n_fine = 1024, n_rough = 512, n_times = 3
+   !> Cells of the wave, of a finer one, of the rough surface, and of a large one; repetitions.
+   integer, parameter :: n_wave = 256, n_fine = 1024, n_rough = 512, n_large = 1024, n_times = 3
    !> Hurst exponent and height of the rough surface, its stresses and load over E*, and ranges over its height: 8 and 1.6 cells a
    !> zone.
    real(dp), parameter :: hurst = 0.8_dp, rough_height = 0.02_dp
    real(dp), parameter :: rough_stresses(*) = [0.05_dp, 0.1_dp], rough_ranges(*) = [0.05_dp, 0.02_dp], rough_load = 0.01_dp
    integer, parameter :: most_waves = 32
-   integer :: table
+   integer :: table, n_threads
 
+   n_threads = omp_get_max_threads()
+   call omp_set_num_threads(1)
    call print_heading('Surfaces that adhere to a half-space')
    table = open_table(text_argument(1, 'adhesion.csv'), &
-      & 'surface,law,cells,stress,range,branch,load,ms,pairs,residual,contact,mean_gap')
-   print '(a10, a12, a7, 2a9, a10, a10, a10, a8, 3a12)', 'surface', 'law', 'cells', 'stress', 'range', 'branch', 'load', 'ms', &
-      & 'pairs', 'residual', 'contact', 'mean gap'
+      & 'surface,law,cells,stress,range,branch,load,ms,pairs,residual,contact,mean_gap,threads')
+   print '(a10, a12, a7, 2a9, a10, a10, a10, a8, 3a12, a9)', 'surface', 'law', 'cells', 'stress', 'range', 'branch', 'load', 'ms', &
+      & 'pairs', 'residual', 'contact', 'mean gap', 'threads'
    call solve_waves(n_wave, n_times, .true.)
    call solve_waves(n_fine, 1, .false.)
    call solve_rough()
+   if (n_threads > 1) call share_large()
    close (table)
 
 contains
@@ -99,6 +104,25 @@ contains
          end do
       end do
    end subroutine solve_rough
+
+   !> A load of a large rough surface on one thread and on all.
+   subroutine share_large()
+      type(periodic_solver_t) :: solver
+      type(error_t), allocatable :: error
+      real(dp), allocatable :: shape(:, :)
+      integer :: branch, k
+
+      call make_surface(n_large, hurst, most_waves, shape)
+      shape(:, :) = rough_height*shape
+      call new_periodic_solver(solver, elastic_kernel_t(), [n_large, n_large], [1.0_dp, 1.0_dp], .false., error)
+      do branch = 1, 2
+         do k = 1, 2
+            call omp_set_num_threads(merge(1, n_threads, k == 1))
+            call solve(solver, 'large', shape, rough_load, periodic_adhesion_t(rough_stresses(1), rough_ranges(1)*rough_height, &
+               & branch == 1), .false., n_large, 1)
+         end do
+      end do
+   end subroutine share_large
 
    !> A line of the table: a load.
    subroutine solve(solver, name, shape, load, law, is_exponential, n, n_repeated)
@@ -164,10 +188,11 @@ contains
       character(8) :: branch
 
       branch = merge('adhered ', 'approach', law%is_adhered)
-      print '(a10, a12, i7, 2f9.4, a10, f10.5, f10.1, f8.0, es12.1, f12.6, f12.8)', name, name_of_law, n, law%stress, law%range, &
-         & branch, load, 1000*seconds, pairs, residual, contact, mean_gap
-      write (table, '(2(a, ","), i0, 2(",", es22.15), ",", a, ",", es22.15, ",", f0.2, ",", f0.1, ",", es9.2, 2(",", es22.15))') &
-         & name, trim(name_of_law), n, law%stress, law%range, trim(branch), load, 1000*seconds, pairs, residual, contact, mean_gap
+      print '(a10, a12, i7, 2f9.4, a10, f10.5, f10.1, f8.0, es12.1, f12.6, f12.8, i9)', name, name_of_law, n, law%stress, &
+         & law%range, branch, load, 1000*seconds, pairs, residual, contact, mean_gap, omp_get_max_threads()
+      write (table, '(2(a, ","), i0, 2(",", es22.15), ",", a, ",", es22.15, ",", f0.2, ",", f0.1, ",", es9.2, 2(",", es22.15), &
+         & ",", i0)') name, trim(name_of_law), n, law%stress, law%range, trim(branch), load, 1000*seconds, pairs, residual, &
+         & contact, mean_gap, omp_get_max_threads()
    end subroutine report
 
 end program adhesion

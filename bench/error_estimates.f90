@@ -5,8 +5,8 @@
 !> error_estimates [TABLE.csv [SEED]]
 !>
 !> True errors come from quadruple precision (strips, spheres), from the tightest tolerance and from thousands of equal strips
-!> (surfaces), from finer grids (2-D waves, rough surfaces that slide), from Westergaard (1-D wave) and from the closed form of the
-!> sliding 1-D wave. An error below the round-off of a number in double precision counts as that.
+!> (surfaces), from finer grids (2-D waves, rough surfaces that slide or are pulled off), from Westergaard (1-D wave) and from the
+!> closed form of the sliding 1-D wave. An error below the round-off of a number in double precision counts as that.
 program error_estimates
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
@@ -22,7 +22,7 @@ program error_estimates
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
    use stepped_estimates, only: count_cosines, count_lines, count_maps
    use measure, only: print_heading, text_argument, integer_argument, open_table
-   use periodic_estimates, only: count_waves_1d, count_waves_2d
+   use periodic_estimates, only: count_pull_offs, count_waves_1d, count_waves_2d
    use quad_dugdale, only: state_t, of_radius, of_load, of_approach, pull_off_of_load, pull_off_of_approach, &
       touching_approach, relative, qp
    use quad_strips, only: get_quad_forces
@@ -34,7 +34,7 @@ program error_estimates
    integer, parameter :: n_strips = 20000, n_surfaces = 400, n_spheres = 4000
    !> Sums below this share of their terms are as good as zero, as the solver has it.
    real(dp), parameter :: share_of_scale = 0.01_dp
-   type(counts_t) :: counts(21)
+   type(counts_t) :: counts(22)
    integer :: table, seed
 
    call print_heading('Error estimates beside true errors')
@@ -52,6 +52,7 @@ program error_estimates
    call count_sliding_lines(counts(17), counts(18), seed + 7)
    call count_sliding_waves(counts(19), seed + 8)
    call count_sliding_surfaces(counts(20), counts(21), seed + 9)
+   call count_pull_offs(counts(22))
    table = open_table(text_argument(1, 'error_estimates.csv'), 'cases,decade,count')
    call report_counts(table, counts)
    close (table)

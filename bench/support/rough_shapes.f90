@@ -4,6 +4,7 @@ module rough_shapes
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
+   use random_dice, only: dice_t
    implicit none (type, external)
    private
    public :: make_surface
@@ -11,7 +12,7 @@ module rough_shapes
 contains
 
    !> Gaps of a surface above its highest cell, from 0 to 1. The power of its waves is |k|^(-2 - 2 H) from a quarter of the period on.
-   subroutine make_surface(n, hurst, most_waves, shape)
+   subroutine make_surface(n, hurst, most_waves, shape, dice)
       !> Number of cells along x and y.
       integer, intent(in) :: n
       !> The exponent H.
@@ -20,6 +21,8 @@ contains
       integer, intent(in) :: most_waves
       !> Receives the gaps; shape `(n, n)`.
       real(dp), allocatable, intent(out) :: shape(:, :)
+      !> Where the noise comes from; absent: the same noise each time.
+      type(dice_t), intent(inout), optional :: dice
       integer, parameter :: fewest_waves = 4
       type(spectral_filter_t) :: filter
       type(error_t), allocatable :: error
@@ -30,8 +33,16 @@ contains
       call new_spectral_filter(filter, n, n, .false., .false., error)
       if (allocated(error)) error stop 'no transform'
       allocate (noise(n, n), shape(n, n), symbol(filter%n_modes(2), filter%n_modes(1)))
-      call random_init(.true., .true.)
-      call random_number(noise)
+      if (present(dice)) then
+         do j = 1, n
+            do i = 1, n
+               call dice%between(0.0_dp, 1.0_dp, noise(i, j))
+            end do
+         end do
+      else
+         call random_init(.true., .true.)
+         call random_number(noise)
+      end if
       do i = 1, size(symbol, 2)
          do j = 1, size(symbol, 1)
             waves = hypot(real(i - 1, dp), real(min(j - 1, n - j + 1), dp))

@@ -4,7 +4,7 @@ module case_share
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: share_of_cases, number_of_cases
+   public :: share_of_cases, number_of_cases, whole_or_part
 
 contains
 
@@ -24,5 +24,12 @@ contains
 
       number_of_cases = max(1, nint(n*share_of_cases()))
    end function number_of_cases
+
+   !> A number that a test takes, or a smaller one where it takes a part of its cases.
+   integer function whole_or_part(whole, part) result(number)
+      integer, intent(in) :: whole, part
+
+      number = merge(part, whole, share_of_cases() < 1)
+   end function whole_or_part
 
 end module case_share
