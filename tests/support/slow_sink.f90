@@ -2,7 +2,7 @@
 !> A sink that takes its time, and watches how it is called.
 module slow_sink
    use, intrinsic :: iso_c_binding, only: c_int
-   use omp_lib, only: omp_get_thread_num
+   use omp_lib, only: omp_get_level, omp_get_thread_num
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
    use counting_sink, only: counting_sink_t
@@ -21,6 +21,8 @@ module slow_sink
       integer :: n_too_early = 0, n_at_once = 0
       !> Least and largest number of the threads that called it.
       integer :: threads(2) = [huge(1), -1]
+      !> Most teams, one within another, around a call.
+      integer :: level = 0
       integer, private :: n_inside = 0
    contains
       procedure :: prepare => prepare_slowly
@@ -73,6 +75,7 @@ contains
       !$omp end atomic
       if (n_inside > 1) self%n_at_once = self%n_at_once + 1
       self%threads = [min(self%threads(1), omp_get_thread_num()), max(self%threads(2), omp_get_thread_num())]
+      self%level = max(self%level, omp_get_level())
       status = usleep(int(self%delay, c_int))
       if (status /= 0) error stop 'no sleep'
    end subroutine enter
