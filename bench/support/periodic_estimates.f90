@@ -63,11 +63,11 @@ contains
       end do
    end subroutine count_waves_2d
 
-   !> Pull-off of random rough surfaces on 64 and 128 cells a period, whose shortest wave is an eighth of it or less, against 512
+   !> Pull-off of random rough surfaces on 32 and 64 cells a period, whose shortest wave is a quarter to an eighth of it, against 256
    !> cells.
    subroutine count_pull_offs(counts)
       type(counts_t), intent(out) :: counts
-      integer, parameter :: n_finest = 512, n_wanted(*) = [128, 64], n_surfaces = 12
+      integer, parameter :: n_finest = 256, n_wanted(*) = [64, 32], n_surfaces = 12
       type(dice_t) :: dice
       type(periodic_adhesion_t) :: adhesion
       type(periodic_pull_off_t) :: truth, found(2)
@@ -79,10 +79,10 @@ contains
       call new_dice(dice, 6)
       do k = 1, n_surfaces
          call dice%between(0.3_dp, 0.9_dp, hurst)
-         call dice%decades(4.0_dp, 8.0_dp, waves)
-         call dice%decades(0.003_dp, 0.02_dp, height)
-         call dice%decades(0.02_dp, 0.15_dp, adhesion%stress)
-         call dice%decades(0.1_dp, 0.5_dp, part)
+         call dice%decades(0.6_dp, 0.9_dp, waves)
+         call dice%decades(-2.0_dp, -1.5_dp, height)
+         call dice%decades(-1.5_dp, -0.9_dp, adhesion%stress)
+         call dice%decades(-1.7_dp, -1.0_dp, part)
          adhesion%range = part*height
          call make_surface(n_finest, hurst, nint(waves), shape, dice)
          shape = height*shape

@@ -137,21 +137,21 @@ contains
       !> Receives the largest of these changes.
       real(dp), intent(out) :: change
       logical, allocatable :: is_slow(:, :)
-      real(dp) :: margin, least
+      real(dp) :: rows(size(share, 2)), margin, least
       integer :: j
       logical :: goes_on
 
       ! a pressure below 0 makes gaps too small, one above 0 too large: on one side that is safe
-      margin = 0
-      !$omp parallel do if(is_shared(size(share))) default(none) shared(state, is_adhered) private(j) reduction(max:margin)
+      !$omp parallel do if(is_shared(size(share))) default(none) shared(state, is_adhered, rows) private(j)
       do j = 1, size(share, 2)
          if (is_adhered) then
-            margin = max(margin, maxval(state%pressure(:, j), mask=state%is_open(:, j)))
+            rows(j) = maxval(state%pressure(:, j), mask=state%is_open(:, j))
          else
-            margin = max(margin, -minval(state%pressure(:, j)))
+            rows(j) = -minval(state%pressure(:, j))
          end if
       end do
       !$omp end parallel do
+      margin = max(0.0_dp, maxval(rows))
       call state%cohesion%set_share(state%gap)
       change = largest_difference(state%cohesion%share, share)
       least = min(part_of_largest*change, slow_share)

@@ -93,19 +93,17 @@ contains
       real(dp), intent(inout), contiguous :: gap(:, :)
       !> In: F of the gap [E*]. Out: F of the new one, as far as the table goes.
       real(dp), intent(inout), contiguous :: pressure(:, :)
-      real(dp) :: least, largest
+      real(dp) :: rows(size(gap, 2)), least
       integer :: n_colours(2), i, j, sign_of_step, n_steps, most_steps
 
       sign_of_step = merge(1, -1, is_adhered)
       most_steps = ceiling(most_steps_per_cell*size(gap))
-      largest = -huge(largest)
-      !$omp parallel do if(is_shared(size(gap))) default(none) shared(pressure, gap, is_adhered, sign_of_step) private(j) &
-      !$omp& reduction(max:largest)
+      !$omp parallel do if(is_shared(size(gap))) default(none) shared(pressure, gap, is_adhered, sign_of_step, rows) private(j)
       do j = 1, size(gap, 2)
-         largest = max(largest, maxval(-sign_of_step*pressure(:, j), mask=is_adhered .or. gap(:, j) > 0))
+         rows(j) = maxval(-sign_of_step*pressure(:, j), mask=is_adhered .or. gap(:, j) > 0)
       end do
       !$omp end parallel do
-      least = max(none*law%stress, margin/2, begun*(largest - margin))
+      least = max(none*law%stress, margin/2, begun*(maxval(rows) - margin))
       n_colours = [colours_of(size(gap, 1)), colours_of(size(gap, 2))]
       n_steps = 0
       do j = 1, n_colours(2)

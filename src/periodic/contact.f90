@@ -324,14 +324,16 @@ contains
    !> pressure and g in units of the range of the undeformed gap.
    real(dp) function residual_of(state) result(residual)
       type(contact_state_t), intent(in) :: state
+      real(dp) :: rows(size(state%gap, 2))
       integer :: j
 
-      residual = 0
-      !$omp parallel do if(is_shared(size(state%gap))) default(none) shared(state) private(j) reduction(max:residual)
+      !$omp parallel do if(is_shared(size(state%gap))) default(none) shared(state, rows) private(j)
       do j = 1, size(state%gap, 2)
-         residual = max(residual, maxval(abs(min(state%pressure(:, j)/state%pressure_scale, state%gap(:, j)/state%gap_scale))))
+         rows(j) = maxval(abs(min(state%pressure(:, j)/state%pressure_scale, state%gap(:, j)/state%gap_scale)))
       end do
       !$omp end parallel do
+      ! NaN where all are
+      residual = maxval(rows)
       if (state%has_fixed_mean) residual = max(residual, abs(sum(state%gap)/size(state%gap) - state%mean_gap)/state%gap_scale)
    end function residual_of
 

@@ -59,32 +59,34 @@ contains
       total = sum(rows)
    end function dot_of
 
-   !> The largest value by which a map is above another one, of all cells; below 0 where it is nowhere above.
+   !> The largest value by which a map is above another one, of all cells; below 0 where it is nowhere above, NaN where all are.
    real(dp) function largest_excess(a, b) result(largest)
       !> Maps of the same shape.
       real(dp), intent(in), contiguous :: a(:, :), b(:, :)
+      real(dp) :: rows(size(a, 2))
       integer :: j
 
-      largest = -huge(largest)
-      !$omp parallel do if(is_shared(size(a))) default(none) shared(a, b) private(j) reduction(max:largest)
+      !$omp parallel do if(is_shared(size(a))) default(none) shared(a, b, rows) private(j)
       do j = 1, size(a, 2)
-         largest = max(largest, maxval(a(:, j) - b(:, j)))
+         rows(j) = maxval(a(:, j) - b(:, j))
       end do
       !$omp end parallel do
+      largest = maxval(rows)
    end function largest_excess
 
-   !> The largest difference of two maps, without its sign.
+   !> The largest difference of two maps, without its sign; NaN where all are.
    real(dp) function largest_difference(a, b) result(largest)
       !> Maps of the same shape.
       real(dp), intent(in), contiguous :: a(:, :), b(:, :)
+      real(dp) :: rows(size(a, 2))
       integer :: j
 
-      largest = 0
-      !$omp parallel do if(is_shared(size(a))) default(none) shared(a, b) private(j) reduction(max:largest)
+      !$omp parallel do if(is_shared(size(a))) default(none) shared(a, b, rows) private(j)
       do j = 1, size(a, 2)
-         largest = max(largest, maxval(abs(a(:, j) - b(:, j))))
+         rows(j) = maxval(abs(a(:, j) - b(:, j)))
       end do
       !$omp end parallel do
+      largest = maxval(rows)
    end function largest_difference
 
    !> Add a multiple of a map to a map.
