@@ -122,15 +122,15 @@ contains
       call omp_set_max_active_levels(max(2, n_levels))
       if (n_workers == 1 .and. n_threads > 1) then
          ! no team around those of the point: the runtime makes new threads for each team within a team, which took a fifth of the time
-         call share_work(run, sink, source, n_workers, sweep)
-         call take_part(run, sink, progress, source, sweep)
+         call share_work(run, sink, source, n_workers, 1, sweep)
+         call take_part(run, sink, progress, source, 0, sweep)
       else
          !$omp parallel default(none) shared(run, sink, progress, source, sweep, n_workers) &
          !$omp& num_threads(n_workers + merge(1, 0, sink%has_own_thread))
          !$omp single
-         call share_work(run, sink, source, n_workers, sweep)
+         call share_work(run, sink, source, n_workers, omp_get_num_threads(), sweep)
          !$omp end single
-         call take_part(run, sink, progress, source, sweep)
+         call take_part(run, sink, progress, source, omp_get_thread_num(), sweep)
          !$omp end parallel
       end if
       call omp_set_max_active_levels(n_levels)
@@ -143,17 +143,19 @@ contains
    end subroutine run_source
 
    !> What a thread of the run does: it solves, or it writes.
-   subroutine take_part(run, sink, progress, source, sweep)
+   subroutine take_part(run, sink, progress, source, thread, sweep)
       class(run_t), intent(in) :: run
       class(sink_t), intent(inout) :: sink
       class(progress_t), intent(inout) :: progress
       class(block_source_t), intent(inout) :: source
+      !> Number of the thread among those of the run, from 0. The team of a caller has other numbers.
+      integer, intent(in) :: thread
       type(sweep_t), intent(inout) :: sweep
 
       ! the last thread is the one that writes
-      if (omp_get_thread_num() < sweep%delivery%n_workers) then
-         call work(run, sink, progress, source, sweep)
-         if (omp_get_thread_num() == 0) call watch_others(progress, source, sweep)
+      if (thread < sweep%delivery%n_workers) then
+         call work(run, sink, progress, source, thread, sweep)
+         if (thread == 0) call watch_others(progress, source, sweep)
          call end_leaving(sweep%delivery)
       else if (sweep%delivery%has_writer) then
          call deliver(sink, sweep%delivery)
@@ -161,20 +163,20 @@ contains
    end subroutine take_part
 
    !> Say who solves and who writes, as far as the threads that there are allow it.
-   subroutine share_work(run, sink, source, n_threads, sweep)
+   subroutine share_work(run, sink, source, n_wanted, n_threads, sweep)
       !> The run, whose model has so many results and counts.
       class(run_t), intent(in) :: run
       !> The sink, which is made ready here if no thread writes for the others.
       class(sink_t), intent(inout) :: sink
       class(block_source_t), intent(in) :: source
-      !> Number of threads that may solve.
-      integer, intent(in) :: n_threads
+      !> Number of threads that may solve, and of those that there are.
+      integer, intent(in) :: n_wanted, n_threads
       !> Receives the delivery, ready to take batches.
       type(sweep_t), intent(inout) :: sweep
 
-      call new_delivery(sweep%delivery, min(n_threads, omp_get_num_threads()), size(run%model%results), size(run%model%counts), &
+      call new_delivery(sweep%delivery, min(n_wanted, n_threads), size(run%model%results), size(run%model%counts), &
          source%blocks%size, largest_batch)
-      if (omp_get_num_threads() > sweep%delivery%n_workers) call sweep%delivery%make_writer()
+      if (n_threads > sweep%delivery%n_workers) call sweep%delivery%make_writer()
       ! the thread that writes does that itself, while the others begin
       if (.not. sweep%delivery%has_writer) call prepare_sink(sink, sweep%delivery)
    end subroutine share_work
@@ -196,11 +198,13 @@ contains
    end function memory_needed
 
    !> What each thread does.
-   subroutine work(run, sink, progress, source, sweep)
+   subroutine work(run, sink, progress, source, thread, sweep)
       class(run_t), intent(in) :: run
       class(sink_t), intent(inout) :: sink
       class(progress_t), intent(inout) :: progress
       class(block_source_t), intent(inout) :: source
+      !> Number of the thread, from 0.
+      integer, intent(in) :: thread
       !> What the threads share; receives what this thread has found.
       type(sweep_t), intent(inout) :: sweep
       type(worker_t) :: worker
@@ -209,7 +213,7 @@ contains
       integer :: n, i
       logical :: is_solved, is_cut_short
 
-      call new_worker(worker, run, source%blocks, sweep)
+      call new_worker(worker, run, source%blocks, thread, sweep)
       call omp_set_num_threads(sweep%threads_of_point)
       do
          call take_blocks(source, sweep, progress, worker%n_wanted, first, n)
@@ -229,7 +233,7 @@ contains
             sweep%n_solved = sweep%n_solved + source%blocks%n_points_of(first + i)
             n_solved = sweep%n_solved + source%n_points_elsewhere
             !$omp end critical (adfric_run_shared)
-            if (omp_get_thread_num() == 0) call progress%report(n_solved, source%blocks%n_points())
+            if (thread == 0) call progress%report(n_solved, source%blocks%n_points())
             if (must_end(sweep, progress)) exit
          end do
          call leave_batch(sink, sweep%delivery, worker%index)
@@ -267,13 +271,15 @@ contains
    end subroutine watch_others
 
    !> Make ready what a thread has for itself.
-   subroutine new_worker(self, run, blocks, sweep)
+   subroutine new_worker(self, run, blocks, thread, sweep)
       !> Receives space for the values, results and profiles of a block.
       type(worker_t), intent(out) :: self
       !> The run, whose numbers of variables and results count.
       class(run_t), intent(in) :: run
       !> The blocks of the run, which say how many points one has.
       type(blocks_t), intent(in) :: blocks
+      !> Number of the thread, from 0.
+      integer, intent(in) :: thread
       !> What the threads share; it says which shape profiles have.
       type(sweep_t), intent(in) :: sweep
 
@@ -281,7 +287,7 @@ contains
          allocate (self%values(size(run%model%variables), n), self%results(size(run%model%results), n))
          allocate (self%profiles(shape(1), shape(2), shape(3)))
       end associate
-      self%index = omp_get_thread_num() + 1
+      self%index = thread + 1
       call new_summary(self%summary, run%model%results)
    end subroutine new_worker
 
