@@ -155,22 +155,18 @@ contains
       !> Number of cells of the coarser grid in each direction, not more than here.
       integer, intent(in) :: n_cells(2)
       real(dp) :: rows(size(self%stiffness, 1))
-      integer :: n(2), half(2), i, j, n_rows
+      logical :: is_seen(self%n_cells(2))
+      integer :: half(2), i, j
 
       half = merge(n_cells - 1, n_cells/2, self%is_quarter)
-      n = [half(1) + 1, self%n_cells(2)]
       rows = 0
-      do i = 1, n(1)
+      do i = 1, half(1) + 1
          rows(:) = rows + self%stiffness(:, i)
       end do
-      mean = 0
-      n_rows = 0
-      do j = 1, n(2)
-         if (abs(wave_number(j - 1, n(2), self%is_quarter)) > half(2)) cycle
-         mean = mean + rows(j)/n(1)
-         n_rows = n_rows + 1
-      end do
-      mean = mean*self%filter%gain/n_rows
+      associate (n => self%n_cells(2))
+         is_seen = [(abs(wave_number(j - 1, n, self%is_quarter)) <= half(2), j=1, n)]
+         mean = sum(rows(:n)/(half(1) + 1), mask=is_seen)*self%filter%gain/count(is_seen)
+      end associate
    end function mean_stiffness
 
    !> Least real part of the stiffness of a wave over its size; 1 where all are real.
