@@ -18,7 +18,7 @@ module adfric_periodic_adhesive_contact
    use adfric_periodic_adhesive_relaxation, only: relaxation_t, new_relaxation, relax
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact
    use adfric_periodic_gap_solver, only: gap_solver_t
-   use adfric_periodic_maps, only: is_shared, largest_difference, largest_excess, sum_of
+   use adfric_periodic_maps, only: is_shared, largest_difference, sum_of
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
@@ -180,18 +180,14 @@ contains
    end subroutine go_on
 
    !> Do shares stay on one side of a bound?
-   logical function is_bound(share, is_adhered, bound)
+   pure logical function is_bound(share, is_adhered, bound)
       !> The shares.
       real(dp), intent(in), contiguous :: share(:, :)
       logical, intent(in) :: is_adhered
       !> Shares of the bound.
       real(dp), intent(in), contiguous :: bound(:, :)
 
-      if (is_adhered) then
-         is_bound = largest_excess(share, bound) <= like_share
-      else
-         is_bound = largest_excess(bound, share) <= like_share
-      end if
+      is_bound = maxval(merge(1, -1, is_adhered)*(share - bound)) <= like_share
    end function is_bound
 
    !> Solve the contact with given shares.

@@ -16,7 +16,7 @@ module adfric_periodic_adhesive_path
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_gap_path, only: gap_path_t, passing_tolerance
    use adfric_periodic_gap_solver, only: gap_solver_t
-   use adfric_periodic_maps, only: sum_of
+   use adfric_periodic_maps, only: largest_difference, sum_of
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
@@ -105,7 +105,7 @@ contains
    logical function is_near(state, next)
       type(contact_state_t), intent(in) :: state, next
 
-      is_near = maxval(abs(next%cohesion%share - state%cohesion%share)) &
+      is_near = largest_difference(next%cohesion%share, state%cohesion%share) &
          & <= merge(most_change_of_law, most_change, allocated(state%cohesion%law))
    end function is_near
 
@@ -150,13 +150,16 @@ contains
          share(:, :) = next%cohesion%share
          call next%cohesion%set_share(next%gap)
          change_before = change
-         change = maxval(abs(next%cohesion%share - share))
+         change = largest_difference(next%cohesion%share, share)
          if (k < next_try .and. change > resting_share) cycle
          next_try = k + max(3, k/4)
          found = next
          call find_state(found, self%operator, self%gap_solver, tolerance, has_found)
-         if (has_found .and. change > resting_share) has_found = change < change_before .and. &
-            & maxval(abs(found%cohesion%share - next%cohesion%share))*(1 - change/change_before) <= margin*change
+         if (has_found .and. change > resting_share) then
+            has_found = change < change_before
+            if (has_found) has_found = largest_difference(found%cohesion%share, next%cohesion%share) &
+               & *(1 - change/change_before) <= margin*change
+         end if
          if (has_found .or. change <= resting_share) exit
       end do
       if (has_found) then

@@ -18,6 +18,7 @@ module adfric_periodic_adhesive_proof
    use adfric_periodic_cohesion, only: cohesion_t
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_gap_solver, only: gap_solver_t, extremes_t
+   use adfric_periodic_maps, only: largest_difference
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
@@ -79,7 +80,7 @@ contains
       length = length_of(path, direction, slope > 0)
       path(:, :) = max(path, length*direction)
       call law%set_share(state%gap + sign_of_path*path)
-      if (maxval(abs(law%share - state%cohesion%share)) > farthest_change) return
+      if (largest_difference(law%share, state%cohesion%share) > farthest_change) return
       call set_largest_slope(state, sign_of_path, path, cost_of_secants*length, slope)
       is_alone = .not. maxval(slope) > 0
       if (is_alone) return

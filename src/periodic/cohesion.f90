@@ -177,35 +177,14 @@ contains
       real(dp), intent(in), contiguous :: gap(:, :)
       !> The row of cells before these squares; 0 before the first one in a mirror.
       integer, intent(in) :: j
-      !> Is it added to the cells before the squares, and to those behind?
+      !> See `add_to_cells`.
       logical, intent(in) :: is_added(2)
       !> Receives the shares; shape of the cells.
       real(dp), intent(inout), contiguous :: share(:, :)
-      type(square_t) :: square
-      real(dp) :: corner(4), shares(4)
-      integer :: i, n(2)
-      logical :: is_plain
+      integer :: i
 
-      n = shape(gap)
-      is_plain = .not. (allocated(self%part) .or. allocated(self%beyond))
-      do i = merge(0, 1, self%is_quarter), n(1)
-         square = square_at(i, j, n, self%is_quarter)
-         corner = corners_of(gap, square)
-         if (min(corner(1), corner(2), corner(3), corner(4)) > self%range) cycle
-         shares = 0.25_dp
-         if (.not. (is_plain .and. max(corner(1), corner(2), corner(3), corner(4)) <= self%range)) &
-            & shares = self%shares_of(square, corner)
-         shares = square%weight*shares
-         associate (x => square%x, y => square%y)
-            if (is_added(1)) then
-               share(x(1), y(1)) = share(x(1), y(1)) + shares(1)
-               share(x(2), y(1)) = share(x(2), y(1)) + shares(2)
-            end if
-            if (is_added(2)) then
-               share(x(2), y(2)) = share(x(2), y(2)) + shares(3)
-               share(x(1), y(2)) = share(x(1), y(2)) + shares(4)
-            end if
-         end associate
+      do i = merge(0, 1, self%is_quarter), size(gap, 1)
+         call add_shares(self, gap, square_at(i, j, shape(gap), self%is_quarter), share, is_added)
       end do
    end subroutine add_row
 
@@ -326,17 +305,19 @@ contains
    end function square_at
 
    !> Add what a square has within the range to the shares of its corners.
-   pure subroutine add_shares(self, gap, square, share)
+   pure subroutine add_shares(self, gap, square, share, is_added)
       class(cohesion_t), intent(in) :: self
       real(dp), intent(in), contiguous :: gap(:, :)
       type(square_t), intent(in) :: square
       !> Receives the shares; shape of the cells.
       real(dp), intent(inout), contiguous :: share(:, :)
+      !> See `add_to_cells`.
+      logical, intent(in), optional :: is_added(2)
       real(dp) :: corner(4)
 
       corner = corners_of(gap, square)
       if (min(corner(1), corner(2), corner(3), corner(4)) > self%range) return
-      call add_to_cells(square, self%shares_of(square, corner), share)
+      call add_to_cells(square, self%shares_of(square, corner), share, is_added)
    end subroutine add_shares
 
    !> What a square gives its corners as shares, but for its weight.
@@ -393,18 +374,27 @@ contains
    end function shares_in_triangle
 
    !> Add to the four cells of a square.
-   pure subroutine add_to_cells(square, values, field)
+   pure subroutine add_to_cells(square, values, field, is_added)
       type(square_t), intent(in) :: square
       !> What is added, by the corners round the square, but for its weight.
       real(dp), intent(in) :: values(4)
       !> Receives it; shape of the cells.
       real(dp), intent(inout), contiguous :: field(:, :)
+      !> Is it added to the first row of cells, and to the second one? Not given: to both.
+      logical, intent(in), optional :: is_added(2)
+      logical :: is_wanted(2)
 
+      is_wanted = .true.
+      if (present(is_added)) is_wanted = is_added
       associate (x => square%x, y => square%y, w => square%weight)
-         field(x(1), y(1)) = field(x(1), y(1)) + w*values(1)
-         field(x(2), y(1)) = field(x(2), y(1)) + w*values(2)
-         field(x(2), y(2)) = field(x(2), y(2)) + w*values(3)
-         field(x(1), y(2)) = field(x(1), y(2)) + w*values(4)
+         if (is_wanted(1)) then
+            field(x(1), y(1)) = field(x(1), y(1)) + w*values(1)
+            field(x(2), y(1)) = field(x(2), y(1)) + w*values(2)
+         end if
+         if (is_wanted(2)) then
+            field(x(2), y(2)) = field(x(2), y(2)) + w*values(3)
+            field(x(1), y(2)) = field(x(1), y(2)) + w*values(4)
+         end if
       end associate
    end subroutine add_to_cells
 

@@ -5,7 +5,7 @@ module adfric_periodic_maps
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: sum_of, dot_of, add_multiple, largest_excess, largest_difference, is_shared
+   public :: sum_of, dot_of, add_multiple, largest_difference, is_shared
 
    !> Cells that are worth the work of another thread.
    integer, parameter :: cells_of_part = 2**17
@@ -58,21 +58,6 @@ contains
       !$omp end parallel do
       total = sum(rows)
    end function dot_of
-
-   !> The largest value by which a map is above another one, of all cells; below 0 where it is nowhere above, NaN where all are.
-   real(dp) function largest_excess(a, b) result(largest)
-      !> Maps of the same shape.
-      real(dp), intent(in), contiguous :: a(:, :), b(:, :)
-      real(dp) :: rows(size(a, 2))
-      integer :: j
-
-      !$omp parallel do if(is_shared(size(a))) default(none) shared(a, b, rows) private(j)
-      do j = 1, size(a, 2)
-         rows(j) = maxval(a(:, j) - b(:, j))
-      end do
-      !$omp end parallel do
-      largest = maxval(rows)
-   end function largest_excess
 
    !> The largest difference of two maps, without its sign; NaN where all are.
    real(dp) function largest_difference(a, b) result(largest)

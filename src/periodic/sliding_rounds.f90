@@ -22,6 +22,7 @@ module adfric_periodic_sliding_rounds
    use adfric_periodic_adhesive_contact, only: find_state, solve_again, solve_with_share
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_gap_solver, only: gap_solver_t
+   use adfric_periodic_maps, only: largest_difference
    use adfric_periodic_operator, only: periodic_operator_t
    use adfric_periodic_ordered_rounds, only: has_order, is_extremal
    implicit none (type, external)
@@ -79,7 +80,7 @@ contains
          if (.not. has_contact) return
          if (operator%is_stopped()) exit
          call state%cohesion%set_share(state%gap)
-         change = maxval(abs(state%cohesion%share - share))
+         change = largest_difference(state%cohesion%share, share)
          rate = least_rate
          if (before > 0) rate = max(least_rate, change/before)
          has_rested = change <= resting_share .and. .not. is_ordered
@@ -90,7 +91,7 @@ contains
             if (has_found .and. is_ordered) then
                has_found = is_extremal(found, operator, gap_solver, is_adhered, state)
             else if (has_found) then
-               has_found = maxval(abs(found%cohesion%share - state%cohesion%share)) &
+               has_found = largest_difference(found%cohesion%share, state%cohesion%share) &
                   & <= nearby*(max(change, resting_share)*rate/(1 - min(rate, largest_rate)) + resting_share)
             end if
             if (has_found .or. has_rested) exit

@@ -22,7 +22,7 @@ module adfric_periodic_sliding_steps
    use adfric_periodic_contact, only: contact_state_t
    use adfric_periodic_gap_solver, only: gap_solver_t, new_gap_solver
    use adfric_periodic_kernel, only: kernel_t
-   use adfric_periodic_maps, only: sum_of
+   use adfric_periodic_maps, only: largest_difference, sum_of
    use adfric_periodic_operator, only: new_periodic_operator, periodic_operator_t
    use adfric_periodic_sliding_kernel, only: sliding_kernel_t
    implicit none (type, external)
@@ -109,7 +109,7 @@ contains
       found%mean_pressure = ride%load
       call found%cohesion%set_share(found%gap)
       call find_state(found, operator, gap_solver, tolerance, has_found)
-      if (has_found) has_found = maxval(abs(found%cohesion%share - ride%step%cohesion%share)) <= same_share
+      if (has_found) has_found = largest_difference(found%cohesion%share, ride%step%cohesion%share) <= same_share
       if (has_found) state = found
    end subroutine solve_by_steps
 
@@ -279,7 +279,7 @@ contains
             if (self%has_failed) return
          end if
          call self%step%cohesion%set_share(self%step%gap)
-         change = maxval(abs(self%step%cohesion%share - share))
+         change = largest_difference(self%step%cohesion%share, share)
          ! rounds that go on do so in the next step
          if (change <= resting_share) return
          share(:, :) = self%step%cohesion%share
