@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Steps in single cells from one side towards an extremal state of an adhesive surface; they never pass it.
 !>
-!> A gap g has the pressure F = q + A (g - g0) + sigma0 t(g), and a state has g >= 0, F >= 0, g F = 0. F_i falls with every other gap, as far
+!> A gap g has the pressure F = q + A (g - g0) + s(g), s being the tension, and a state has g >= 0, F >= 0, g F = 0. F_i falls with every other gap, as far
 !> as A has no positive entries off its diagonal. Let g be below the most adhered state in all cells. Where F_i < 0 a step of -F_i/A_ii in
 !> that cell leaves it below: else the cell would have the state's gap somewhere on the step, and there F_i <= 0 would fall further in
 !> going to the state in the other cells, which has F_i >= 0. The same holds from above the least adhered state where F_i > 0, g_i > 0.
@@ -14,14 +14,14 @@
 !>   come one after the other. So steps do not depend on threads.
 module adfric_periodic_adhesive_relaxation
    use adfric_base_kinds, only: dp
-   use adfric_periodic_cohesion, only: cohesion_t
+   use adfric_periodic_cell_law, only: cell_law_t
    use adfric_periodic_maps, only: is_shared
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
    public :: relaxation_t, new_relaxation, relax
 
-   !> Farthest cell of the table, cells along a tile, and cells beside it that take part.
+   !> The farthest cell that a table may have, cells along a tile, and cells beside it that take part.
    integer, parameter :: farthest = 10, cells_of_tile = 8, beside_tile = 6
    !> Tiles of one colour are so many apart, since steps reach `beside_tile` and `farthest` cells beyond a tile, on both sides.
    integer, parameter :: apart = 5
@@ -31,7 +31,7 @@ module adfric_periodic_adhesive_relaxation
    real(dp), parameter :: worthwhile = 0.4_dp
    !> Pressure over that of the first sweep at which a tile is left, and at which one is begun, over the largest of all tiles.
    real(dp), parameter :: enough = 0.1_dp, begun = 0.05_dp
-   !> Pressure over sigma0 that is none.
+   !> Pressure over the largest tension that is none.
    real(dp), parameter :: none = 1.0e-9_dp
    !> Steps over the number of cells of the surface, at most: as many take about the time of a round, and what they have not reached
    !> is left to the next one.
@@ -49,15 +49,18 @@ module adfric_periodic_adhesive_relaxation
 
 contains
 
-   !> Make the table of a grid.
-   pure subroutine new_relaxation(self, operator)
+   !> Make the table of a grid. A short one makes cheaper steps, a long one makes them longer.
+   pure subroutine new_relaxation(self, operator, reach)
       type(relaxation_t), intent(out) :: self
       !> Operator of the grid.
       type(periodic_operator_t), intent(in) :: operator
+      !> The farthest cell in each direction, 1 to 10; not given: 10.
+      integer, intent(in), optional :: reach
       integer :: k
 
       associate (n => operator%n_cells, r => self%reach)
          r = min(farthest, (n - 1)/2)
+         if (present(reach)) r = min(reach, r)
          allocate (self%influence(-r(1):r(1), -r(2):r(2)))
          call operator%get_influence(r, self%influence)
          allocate (self%along_x(1 - r(1):n(1) + r(1)), self%along_y(1 - r(2):n(2) + r(2)))
@@ -87,8 +90,8 @@ contains
       real(dp), intent(in) :: margin
       !> Cells that steps are for; shape of the cells.
       logical, intent(in), contiguous :: is_slow(:, :)
-      !> The law with the shares of the gap; they follow the steps.
-      type(cohesion_t), intent(inout) :: law
+      !> The law; what it keeps of the gap follows the steps.
+      class(cell_law_t), intent(inout) :: law
       !> In: a gap that has not passed the state. Out: one that is nearer to it; shape of the cells.
       real(dp), intent(inout), contiguous :: gap(:, :)
       !> In: F of the gap [E*]. Out: F of the new one, as far as the table goes.
@@ -103,7 +106,7 @@ contains
          rows(j) = maxval(-sign_of_step*pressure(:, j), mask=is_adhered .or. gap(:, j) > 0)
       end do
       !$omp end parallel do
-      least = max(none*law%stress, margin/2, begun*(maxval(rows) - margin))
+      least = max(none*law%largest_tension(), margin/2, begun*(maxval(rows) - margin))
       n_colours = [colours_of(size(gap, 1)), colours_of(size(gap, 2))]
       n_steps = 0
       do j = 1, n_colours(2)
@@ -160,7 +163,7 @@ contains
       real(dp), intent(in) :: least
       !> Cells that steps are for; shape of the cells.
       logical, intent(in), contiguous :: is_slow(:, :)
-      type(cohesion_t), intent(inout) :: law
+      class(cell_law_t), intent(inout) :: law
       real(dp), intent(inout), contiguous :: gap(:, :)
       !> F [E*].
       real(dp), intent(inout), contiguous :: pressure(:, :)
@@ -192,7 +195,7 @@ contains
       real(dp), intent(in) :: margin
       !> Pressure beyond the margin that makes a tile worth it [E*].
       real(dp), intent(in) :: least
-      type(cohesion_t), intent(inout) :: law
+      class(cell_law_t), intent(inout) :: law
       real(dp), intent(inout), contiguous :: gap(:, :)
       !> F [E*].
       real(dp), intent(inout), contiguous :: pressure(:, :)

@@ -21,7 +21,8 @@
 !> problem has the state as a supersolution, so it never passes the state; without slopes it is a round with the tension as it is. From
 !> the other side, from the gap without tension, the same holds with the largest chord downwards. For a convex law that is the
 !> tangent, so from that side a step is one of Newton's method and the bound falls to the state quadratically. Where the matrix is
-!> not positive definite, slopes are halved, which keeps what was said.
+!> not positive definite, slopes are halved, which keeps what was said. Between the steps slow cells go on by themselves
+!> (`adfric_periodic_attracted_bound`).
 !>
 !> **States.** Newton's method finds a state nearby. Any state lies beyond the bound, so it ends the interval of the chords. It is the extremal
 !> one if there is w > 0 with (A + diag(c)) w > 0 on the open cells, c the smallest chord from the state towards the bound: with
@@ -29,49 +30,28 @@
 !> a state itself is the extremal one.
 module adfric_periodic_attracted_contact
    use adfric_base_kinds, only: dp
-   use adfric_periodic_attracted_state, only: find_state_near, has_contact, mean_of, set_force, set_linear_force, set_scales
+   use adfric_periodic_attracted_bound, only: begin, bound_t, judge, step
+   use adfric_periodic_attracted_state, only: find_state_near, has_contact, mean_of, set_scales
    use adfric_periodic_attraction_cells, only: attraction_cells_t
    use adfric_periodic_contact, only: contact_state_t
-   use adfric_periodic_linear_step, only: linear_step_t, new_linear_step, step_solved
+   use adfric_periodic_linear_step, only: linear_step_t, new_linear_step
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
    public :: solve_attracted_contact
 
-   !> Steps of a bound at most.
-   integer, parameter :: most_steps = 300
-   !> What a linear problem may leave, in units of the residual before it.
-   real(dp), parameter :: next_goal = 0.01_dp
-   !> Part of the slopes below which they are left out.
-   real(dp), parameter :: least_part = 0.05_dp
+   !> Steps of a bound at most, and on a grid whose state is only where a finer one begins.
+   integer, parameter :: most_steps = 300, most_coarse_steps = 75
    !> How far a bound without a wall strays on maps, in ranges.
    real(dp), parameter :: stray = 1.0e-2_dp
    !> What may be left, over what is usual, below which a bound does not go on.
    real(dp), parameter :: least_care = 1.0e-9_dp
 
-   !> A bound that moves to the state.
-   type :: bound_t
-      !> Does the bound fall to the least adhered state? Else it rises to the most adhered one.
-      logical :: falls = .false.
-      !> Part of the slopes that the last step could take.
-      real(dp) :: part = 1
-      !> What a linear problem may leave, over what is usual.
-      real(dp) :: care = 1
-      !> Gap b, what presses the cells together there [E*]; shape of the cells.
-      real(dp), allocatable :: gap(:, :), force(:, :)
-      !> Has the cell a gap? All have where there is no wall. Shape of the cells.
-      logical, allocatable :: is_open(:, :)
-      !> A gap that no state has less of.
-      real(dp) :: least_gap = 0
-      !> Residual of b as a state [-].
-      real(dp) :: residual = huge(1.0_dp)
-   end type bound_t
-
 contains
 
    !> Find the extremal state of a grid. Without a wall the most adhered state is found first where the other one is wanted: it ends the
    !> interval of the chords, which without it would reach to gaps at which the law is stiffest.
-   subroutine solve_attracted_contact(state, operator, cells, tolerance, falls, has_guess, has_state, start)
+   subroutine solve_attracted_contact(state, operator, cells, tolerance, falls, has_guess, has_state, start, is_coarse)
       !> In: shape and mean pressure; with a guess also gap and region. Out: the state with F for its pressure; `is_converged` tells
       !> whether it was found.
       type(contact_state_t), intent(inout) :: state
@@ -88,12 +68,17 @@ contains
       logical, intent(out) :: has_state
       !> Gap from which the bound begins; not given: without tension (falling) or 0 (rising).
       real(dp), intent(in), optional :: start(:, :)
+      !> Is the state only where a finer grid begins?
+      logical, intent(in), optional :: is_coarse
       type(linear_step_t) :: work
       type(contact_state_t) :: other, adhered
+      integer :: n_steps
       logical :: has_other
 
       call new_linear_step(work, operator, state%shape, cells%has_wall())
       call set_scales(state, operator)
+      n_steps = most_steps
+      if (present(is_coarse)) n_steps = merge(most_coarse_steps, most_steps, is_coarse)
       has_other = .false.
       if (has_guess) then
          other = state
@@ -101,21 +86,23 @@ contains
       end if
       if (falls .and. .not. (has_other .or. cells%has_wall())) then
          adhered = state
-         call move_bound(work, adhered, operator, cells, tolerance, .false., other, has_other, has_state)
+         call move_bound(work, adhered, operator, cells, tolerance, n_steps, .false., other, has_other, has_state)
          has_other = has_state .and. adhered%is_converged
          if (has_other) other = adhered
       end if
-      call move_bound(work, state, operator, cells, tolerance, falls, other, has_other, has_state, start)
+      call move_bound(work, state, operator, cells, tolerance, n_steps, falls, other, has_other, has_state, start)
    end subroutine solve_attracted_contact
 
    !> Move a bound to the extremal state. It is long by its comments.
-   subroutine move_bound(work, state, operator, cells, tolerance, falls, other, has_other, has_state, start)
+   subroutine move_bound(work, state, operator, cells, tolerance, n_steps, falls, other, has_other, has_state, start)
       type(linear_step_t), intent(inout) :: work
       !> In: shape, mean pressure and scales. Out: the state with F for its pressure; `is_converged` tells whether it was found.
       type(contact_state_t), intent(inout) :: state
       type(periodic_operator_t), intent(inout) :: operator
       type(attraction_cells_t), intent(in) :: cells
       real(dp), intent(in) :: tolerance
+      !> Steps of the bound, at most.
+      integer, intent(in) :: n_steps
       logical, intent(in) :: falls
       !> A state that is known; receives the one that is nearest to the bound.
       type(contact_state_t), intent(inout) :: other
@@ -134,7 +121,7 @@ contains
       call begin(work, bound, state, operator, cells, has_state, start)
       if (.not. has_state) return
       next_try = merge(2, 1, has_other)
-      do k = 1, most_steps
+      do k = 1, n_steps
          if (operator%is_stopped()) exit
          call judge(bound, state, operator, cells)
          if (bound%residual <= tolerance) then
@@ -214,151 +201,6 @@ contains
       state%is_open = bound%is_open
       state%pressure = bound%force
    end subroutine take
-
-   !> Where the bound begins.
-   subroutine begin(work, bound, state, operator, cells, has_state, start)
-      type(linear_step_t), intent(inout) :: work
-      type(bound_t), intent(inout) :: bound
-      !> Shape and mean pressure.
-      type(contact_state_t), intent(in) :: state
-      type(periodic_operator_t), intent(inout) :: operator
-      type(attraction_cells_t), intent(in) :: cells
-      !> Receives whether there may be a state.
-      logical, intent(out) :: has_state
-      !> Gap to begin from, if it is given.
-      real(dp), intent(in), optional :: start(:, :)
-      type(linear_step_t) :: walled
-      real(dp), allocatable :: nothing(:, :)
-      integer :: outcome
-
-      allocate (bound%gap, bound%force, mold=state%shape)
-      allocate (bound%is_open(size(state%shape, 1), size(state%shape, 2)))
-      call set_least_gap(bound, state, operator, cells, has_state)
-      if (.not. has_state) return
-      bound%gap(:, :) = bound%least_gap
-      if (present(start)) then
-         bound%gap(:, :) = start
-      else if (bound%falls .and. state%mean_pressure > 0) then
-         bound%gap(:, :) = 0
-         call set_linear_force(state, operator, bound%gap, bound%force)
-         bound%is_open(:, :) = bound%force < 0
-         allocate (nothing, source=0*state%shape)
-         associate (goal => 1.0e-6_dp*maxval(abs(bound%force)))
-            ! a little less load leaves the bound on its side
-            bound%force(:, :) = bound%force - goal
-            if (cells%has_wall()) then
-               call work%solve(operator, nothing, goal, bound%is_open, bound%gap, bound%force, outcome)
-            else
-               call new_linear_step(walled, operator, state%shape, .true.)
-               call walled%solve(operator, nothing, goal, bound%is_open, bound%gap, bound%force, outcome)
-            end if
-         end associate
-         bound%gap(:, :) = max(bound%gap, 0.0_dp)
-      else if (bound%falls) then
-         bound%gap(:, :) = state%shape
-         ! apart, a layer is as it was
-         if (state%resists_mean) bound%gap(:, :) = state%shape - operator%mean_compliance*state%mean_pressure
-      end if
-      bound%is_open(:, :) = bound%gap > 0 .or. .not. cells%has_wall()
-   end subroutine begin
-
-   !> A gap that no state has less of: 0 at a wall. Without one it is where the push, or the least tension, carries the full contact at
-   !> its lowest pressure. Where a state has its least gap, F is not above that of this gap everywhere, since all others only take
-   !> from it.
-   subroutine set_least_gap(bound, state, operator, cells, has_state)
-      type(bound_t), intent(inout) :: bound
-      !> Shape and mean pressure.
-      type(contact_state_t), intent(in) :: state
-      type(periodic_operator_t), intent(inout) :: operator
-      type(attraction_cells_t), intent(in) :: cells
-      !> Receives whether there is such a gap; else the load pulls more than all cells do.
-      logical, intent(out) :: has_state
-      real(dp) :: needed, part(2)
-
-      has_state = .true.
-      bound%least_gap = 0
-      if (cells%has_wall()) return
-      call set_linear_force(state, operator, 0*state%shape, bound%force)
-      needed = -maxval(bound%force)
-      part = 1
-      if (allocated(cells%part)) part = [minval(cells%part), maxval(cells%part)]
-      needed = needed/merge(part(1), part(2), needed < 0)
-      has_state = needed < cells%law%stress
-      if (has_state) bound%least_gap = cells%law%gap_before_largest(needed)
-   end subroutine set_least_gap
-
-   !> What presses the cells of a bound together, and how far the bound is from being a state.
-   subroutine judge(bound, state, operator, cells)
-      type(bound_t), intent(inout) :: bound
-      !> Shape and mean pressure; receives the scale of pressures.
-      type(contact_state_t), intent(inout) :: state
-      type(periodic_operator_t), intent(inout) :: operator
-      type(attraction_cells_t), intent(in) :: cells
-
-      call set_force(state, operator, cells, bound%gap, bound%force, bound%residual)
-   end subroutine judge
-
-   !> A step of the bound towards the state, which it does not pass.
-   subroutine step(work, bound, state, operator, cells, tolerance, other)
-      type(linear_step_t), intent(inout) :: work
-      !> In: with its force. Out: nearer to the state.
-      type(bound_t), intent(inout) :: bound
-      !> Scales.
-      type(contact_state_t), intent(in) :: state
-      type(periodic_operator_t), intent(inout) :: operator
-      type(attraction_cells_t), intent(in) :: cells
-      real(dp), intent(in) :: tolerance
-      !> A state at the other end of the interval, if one is known.
-      real(dp), intent(in), optional :: other(:, :)
-      real(dp), allocatable :: slope(:, :), gap(:, :), force(:, :)
-      logical, allocatable :: is_open(:, :)
-      real(dp) :: goal, carried
-      integer :: outcome
-
-      allocate (slope, source=0*bound%gap)
-      if (present(other)) then
-         slope(:, :) = cells%largest_chord(bound%gap, other)
-      else if (bound%falls) then
-         slope(:, :) = cells%largest_chord(bound%gap, bound%least_gap + 0*bound%gap)
-      else if (.not. cells%has_wall()) then
-         ! no chord to a larger gap is larger
-         slope(:, :) = max(0.0_dp, cells%slope(bound%gap))
-      end if
-      if (.not. any(slope < 0)) bound%part = 0
-      goal = next_goal*bound%care*min(bound%residual, 1.0_dp)*state%pressure_scale
-      ! nor may what is left count beside what contact carries in all
-      if (state%resists_mean) then
-         carried = abs(mean_of(bound%force))
-      else
-         carried = abs(state%mean_pressure + mean_of(cells%tension(bound%gap)))
-      end if
-      if (cells%has_wall()) goal = min(goal, next_goal*bound%care*carried)
-      goal = max(tolerance/4*state%pressure_scale, goal)
-      do
-         if (bound%part < least_part) bound%part = 0
-         gap = bound%gap
-         is_open = bound%is_open
-         ! the problem of a load that differs by what may be left lies on the safe side
-         force = bound%force + merge(-goal, goal, bound%falls)
-         call work%solve(operator, max(slope, bound%part*slope), goal, is_open, gap, force, outcome)
-         if (outcome == step_solved .or. .not. bound%part > 0) exit
-         bound%part = bound%part/2
-         if (operator%is_stopped()) return
-      end do
-      if (outcome /= step_solved .or. .not. any(merge(gap < bound%gap, gap > bound%gap, bound%falls))) then
-         ! nothing was gained but what was left has lost
-         bound%care = bound%care/100
-         return
-      end if
-      bound%care = 1
-      if (bound%falls) then
-         bound%gap(:, :) = max(min(gap, bound%gap), bound%least_gap)
-      else
-         bound%gap(:, :) = max(gap, bound%gap)
-      end if
-      bound%is_open(:, :) = bound%gap > 0 .or. .not. cells%has_wall()
-      bound%part = min(1.0_dp, max(2*bound%part, 2*least_part))
-   end subroutine step
 
    !> Gap by which a state may lie on the wrong side of a bound. On maps, whose stiffness has some positive entries, a bound strays.
    pure real(dp) function slack(state, cells, tolerance)

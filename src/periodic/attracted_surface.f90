@@ -276,9 +276,11 @@ contains
                   has_state = allocated(turned(k)%gap)
                   if (.not. has_state) cycle
                   start = turned(k)%gap
-                  call solve_attracted_contact(state, grid%operator, cells(k), grid_tolerance, falls, has_guess, has_state, start)
+                  call solve_attracted_contact(state, grid%operator, cells(k), grid_tolerance, falls, has_guess, has_state, start, &
+                     & is_coarse=k < n)
                else
-                  call solve_attracted_contact(state, grid%operator, cells(k), grid_tolerance, falls, has_guess, has_state)
+                  call solve_attracted_contact(state, grid%operator, cells(k), grid_tolerance, falls, has_guess, has_state, &
+                     & is_coarse=k < n)
                end if
             end associate
             has_guess = has_state .and. state%is_converged

@@ -7,6 +7,7 @@
 module adfric_periodic_attraction_cells
    use adfric_base_kinds, only: dp
    use adfric_interface_attraction, only: attraction_t, law_lennard_jones, law_table
+   use adfric_periodic_cell_law, only: cell_law_t
    implicit none (type, external)
    private
    public :: attraction_cells_t
@@ -17,7 +18,7 @@ module adfric_periodic_attraction_cells
    integer, parameter :: n_halvings = 30
 
    !> Attraction of cells.
-   type :: attraction_cells_t
+   type, extends(cell_law_t) :: attraction_cells_t
       !> The law, in the units of the contact.
       type(attraction_t) :: law
       !> Work of adhesion of each cell over that of the law, >= 0; not allocated: 1. Shape of the cells.
@@ -31,6 +32,8 @@ module adfric_periodic_attraction_cells
       procedure :: opening_loss
       procedure :: tension
       procedure :: tension_beyond
+      procedure :: largest_tension
+      procedure :: move_cell
       procedure :: slope
       procedure :: has_wall
       procedure :: contact_gap
@@ -89,6 +92,41 @@ contains
 
       tensions = self%tension(max(gap, self%contact_gap()))
    end function tension_beyond
+
+   !> The largest tension of all cells [E*].
+   pure real(dp) function largest_tension(self)
+      class(attraction_cells_t), intent(in) :: self
+
+      largest_tension = self%law%stress
+   end function largest_tension
+
+   !> Change the gap of one cell, whose tension follows; that of no other cell does.
+   pure subroutine move_cell(self, i, j, step, gap, tension)
+      class(attraction_cells_t), intent(inout) :: self
+      !> The cell.
+      integer, intent(in) :: i, j
+      !> Change of its gap.
+      real(dp), intent(in) :: step
+      !> In: the gap in all cells. Out: with the change.
+      real(dp), intent(inout), contiguous :: gap(:, :)
+      !> A field that the change of the tension [E*] is added to; shape of the cells.
+      real(dp), intent(inout), contiguous :: tension(:, :)
+      real(dp) :: change
+      logical :: has_touched
+
+      has_touched = .false.
+      if (allocated(self%has_touched)) has_touched = self%has_touched(i, j)
+      associate (before => gap(i, j), behind => gap(i, j) + step)
+         if (has_touched) then
+            change = self%opening%tension(behind) - self%opening%tension(before)
+         else
+            change = self%law%tension(behind) - self%law%tension(before)
+         end if
+      end associate
+      if (allocated(self%part)) change = self%part(i, j)*change
+      gap(i, j) = gap(i, j) + step
+      tension(i, j) = tension(i, j) + change
+   end subroutine move_cell
 
    !> Is there a hard wall at the gap 0? Else the law pushes by itself.
    pure logical function has_wall(self)

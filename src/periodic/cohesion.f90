@@ -26,6 +26,7 @@
 module adfric_periodic_cohesion
    use adfric_base_kinds, only: dp
    use adfric_interface_attraction, only: attraction_t
+   use adfric_periodic_cell_law, only: cell_law_t
    use adfric_periodic_cut_triangle, only: cut_depth, cut_line, cut_shares
    use adfric_periodic_maps, only: is_shared, sum_of
    implicit none (type, external)
@@ -41,7 +42,7 @@ module adfric_periodic_cohesion
    end type square_t
 
    !> The law, the shares of a gap, and how they change.
-   type :: cohesion_t
+   type, extends(cell_law_t) :: cohesion_t
       !> Tension sigma0 [E*]; range h0, in the unit of the gap.
       real(dp) :: stress = 0, range = 0
       !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
@@ -74,6 +75,7 @@ module adfric_periodic_cohesion
       procedure :: shares_of
       procedure :: area_share
       procedure :: open_by
+      procedure :: largest_tension
       procedure :: move_cell
       procedure :: follow
       procedure :: far_range
@@ -417,6 +419,13 @@ contains
       call add_triangle(range, corner(1), corner(2), corner(4), shares(1), shares(2), shares(4))
       call add_triangle(range, corner(2), corner(3), corner(4), shares(2), shares(3), shares(4))
    end function shares_in_square
+
+   !> The largest tension [E*].
+   pure real(dp) function largest_tension(self)
+      class(cohesion_t), intent(in) :: self
+
+      largest_tension = self%stress
+   end function largest_tension
 
    !> Change the gap in one cell, and with it the shares there and in the cells beside, and a tension that follows them.
    pure subroutine move_cell(self, i, j, step, gap, tension)
