@@ -110,6 +110,7 @@ AREAS = {
         one("wave_2d_coating", options="--y contact_fraction peak_pressure penetration"),
         one("lecture_wave_cuts", options="--cut y=0 y=x"), one("surface_elastic"), one("free_rough_tip"),
         one("theories_pressure", options="--y contact_fraction_wang_mueser mean_gap_wang_mueser"),
+        one("theories_of_map", options="--y contact_fraction_persson contact_fraction_wang_mueser mean_gap_wang_mueser"),
         one("spectrum_seeds", options="--y contact_fraction mean_gap"), one("spectrum_ensemble"),
         one("surface_hardness", options="--y contact_fraction plastic_fraction"),
         one("contact_conductance", "contact_conductance_theory", options="--y electrical_conductance thermal_conductance"),

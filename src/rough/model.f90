@@ -24,7 +24,7 @@ module adfric_rough_model
       & n_theories, out => rough_output, share_plain
    use adfric_rough_wave_nodes, only: least_for_squares, new_wave_nodes
    use adfric_shape_height_spectrum, only: height_spectrum_t
-   use adfric_shape_power_spectrum, only: derive_moments, given_density_t, make_spectrum, n_density_rows
+   use adfric_shape_power_spectrum, only: derive_moments, doubt_density, given_density_t, make_spectrum, n_density_rows
    use adfric_solid_contact_modulus, only: contact_modulus_of, derive_contact_modulus
    use adfric_solid_given_spectrum, only: given_spectrum_t
    use adfric_solid_prony, only: prony_t
@@ -160,7 +160,7 @@ contains
       type(problems_t), intent(inout) :: problems
 
       if (index <= n_density_rows) then
-         call self%density%take(index, values(:, 1))
+         call self%density%take(index, values)
       else
          call take_spectrum(self%given, index - in%material(1) + 1, values)
       end if
@@ -227,7 +227,7 @@ contains
          & /spectrum%root_mean_square_slope(), values(in%yang_persson_constant))
    end function describe_case
 
-   !> See `model_t`: frequencies beyond those of the solid.
+   !> See `model_t`: a map that has no end or is not isotropic, and frequencies beyond those of the solid.
    function describe_doubts(self, values) result(text)
       class(rough_theories_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
@@ -235,10 +235,10 @@ contains
       type(height_spectrum_t) :: spectrum
       logical :: is_possible
 
-      text = ''
+      text = doubt_density(values(:n_density_rows), self%density)
       if (.not. relaxes(values)) return
       call make_spectrum(values(:n_density_rows), self%density, spectrum, is_possible)
-      if (is_possible) text = doubt_spectrum(values(in%material(1):in%temperature), self%given, &
+      if (is_possible) text = text//doubt_spectrum(values(in%material(1):in%temperature), self%given, &
          & abs(values(in%velocity))*[spectrum%q(0), spectrum%q(size(spectrum%power))])
    end function describe_doubts
 
@@ -320,11 +320,11 @@ contains
       class(rough_theories_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(surface_state_t), intent(inout) :: surface
-      real(dp) :: of_spectrum(in%convention + 2)
+      real(dp) :: of_spectrum(in%map_length_y + 2)
 
-      of_spectrum(:in%convention) = values(:in%convention)
-      of_spectrum(in%convention + 1) = values(in%yang_persson_constant)
-      of_spectrum(in%convention + 2) = merge(1, 0, relaxes(values))
+      of_spectrum(:in%map_length_y) = values(:in%map_length_y)
+      of_spectrum(in%map_length_y + 1) = values(in%yang_persson_constant)
+      of_spectrum(in%map_length_y + 2) = merge(1, 0, relaxes(values))
       if (allocated(surface%values)) then
          if (all(abs(of_spectrum - surface%values) <= 0)) return
       end if

@@ -33,8 +33,8 @@ module adfric_rough_spectrum_model
       & theory_of_result
    use adfric_shape_drawn_heights, only: can_hold, draw_heights, has_longest, waves_along
    use adfric_shape_height_spectrum, only: height_spectrum_t
-   use adfric_shape_power_spectrum, only: check_density, derive_moments, given_density_t, make_spectrum, n_density_rows, &
-      & set_density_rows
+   use adfric_shape_power_spectrum, only: check_density, derive_moments, doubt_density, given_density_t, make_spectrum, &
+      & n_density_rows, set_density_rows
    implicit none (type, external)
    private
    public :: spectrum_model_t, new_spectrum_model
@@ -199,7 +199,7 @@ contains
       type(problems_t), intent(inout) :: problems
 
       if (index <= n_density_rows) then
-         call self%given%take(index, values(:, 1))
+         call self%given%take(index, values)
       else
          call self%take_law(index, values, problems)
       end if
@@ -534,7 +534,7 @@ contains
       type(periodic_surface_t) :: surface
       logical :: is_possible
 
-      text = self%doubt_interface(values)
+      text = self%doubt_interface(values)//doubt_density(values(:n_density_rows), self%given)
       call get_spectrum(self, values, spectrum, surface, is_possible)
       if (.not. is_possible) return
       if (maxval(waves_along(spectrum, surface%period)/surface%n_cells) <= 1.0_dp/cells_of_wave) return

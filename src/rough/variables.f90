@@ -32,9 +32,10 @@ module adfric_rough_variables
       !> Indices of the rows.
       integer :: hurst_exponent = 0, shortest_wavelength = 0, rolloff_wavelength = 0, longest_wavelength = 0, &
          & root_mean_square_height = 0, root_mean_square_slope = 0, plateau_density = 0, wave_numbers = 0, densities = 0, &
-         & convention = 0, contact_modulus = 0, young_modulus = 0, poisson_ratio = 0, second_young_modulus = 0, &
-         & second_poisson_ratio = 0, material(n_spectrum_rows - 1) = 0, temperature = 0, velocity = 0, mean_pressure = 0, &
-         & adhesion(n_stress_rows) = 0, yang_persson_constant = 0, conduction(n_conduction_rows) = 0
+         & convention = 0, heights = 0, map_length_x = 0, map_length_y = 0, contact_modulus = 0, young_modulus = 0, &
+         & poisson_ratio = 0, second_young_modulus = 0, second_poisson_ratio = 0, material(n_spectrum_rows - 1) = 0, &
+         & temperature = 0, velocity = 0, mean_pressure = 0, adhesion(n_stress_rows) = 0, yang_persson_constant = 0, &
+         & conduction(n_conduction_rows) = 0
    end type rough_input_t
    type(rough_input_t), parameter, public :: rough_input = transfer(counting, rough_input_t())
    integer, parameter, public :: n_rough_variables = storage_size(rough_input)/storage_size(1)
@@ -61,7 +62,7 @@ contains
 
       allocate (v(n_rough_variables))
       associate (in => rough_input)
-         call set_density_rows(v(in%hurst_exponent:in%convention))
+         call set_density_rows(v(in%hurst_exponent:in%map_length_y))
          call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
             & v(in%contact_modulus:in%second_poisson_ratio))
          call set_spectrum_rows(v(in%material(1):in%temperature))

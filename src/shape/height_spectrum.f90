@@ -16,7 +16,7 @@ module adfric_shape_height_spectrum
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: height_spectrum_t, new_self_affine, new_tabulated, in_this_convention
+   public :: height_spectrum_t, new_self_affine, new_tabulated, new_pieces, in_this_convention, exponential_ratio
    public :: convention_words, convention_variance, convention_transform, convention_cycles
 
    !> Words of the conventions of a density that is given, and their indices: the variance per area of wave numbers, the squared
@@ -39,6 +39,7 @@ module adfric_shape_height_spectrum
       procedure :: piece_of_slope
       procedure :: density_at
       procedure :: scale_by
+      procedure :: stretch
       procedure :: root_mean_square_height
       procedure :: root_mean_square_slope
       procedure :: root_mean_square_curvature
@@ -69,7 +70,7 @@ contains
          q = [q_long, q_rolloff, q_short]
          powers = [0.0_dp, -2 - 2*hurst_exponent]
       end if
-      call set_pieces(self, q, spread(1/q_rolloff**4, 1, size(powers)), powers)
+      call new_pieces(self, q, spread(1/q_rolloff**4, 1, size(powers)), powers)
    end subroutine new_self_affine
 
    !> A spectrum of a table: powers of the wave number between its rows, and nothing outside of them.
@@ -80,12 +81,14 @@ contains
       integer :: n
 
       n = size(q)
-      call set_pieces(self, q, density(:n - 1), log(density(2:)/density(:n - 1))/log(q(2:)/q(:n - 1)))
+      call new_pieces(self, q, density(:n - 1), log(density(2:)/density(:n - 1))/log(q(2:)/q(:n - 1)))
    end subroutine new_tabulated
 
-   !> Set the pieces and their sums.
-   pure subroutine set_pieces(self, q, density, power)
-      type(height_spectrum_t), intent(inout) :: self
+   !> A spectrum of pieces.
+   pure subroutine new_pieces(self, q, density, power)
+      type(height_spectrum_t), intent(out) :: self
+      !> Wave numbers [rad/m] at the ends of the pieces, rising; density at the beginning of each [m^4], and its power. There is one
+      !> end more than pieces.
       real(dp), intent(in) :: q(:), density(:), power(:)
       integer :: i, n
 
@@ -99,7 +102,7 @@ contains
             self%sums(n, i) = self%sums(n, i - 1) + moment_of_piece(self, i, n, q(i + 1))
          end do
       end do
-   end subroutine set_pieces
+   end subroutine new_pieces
 
    !> Part of a moment from the beginning of a piece up to a wave number in it.
    pure real(dp) function moment_of_piece(self, i, n, q) result(moment)
@@ -180,6 +183,7 @@ contains
 
    !> (exp(y) - 1)/y.
    elemental real(dp) function exponential_ratio(y) result(value)
+      !> Any number.
       real(dp), intent(in) :: y
       real(dp) :: u
 
@@ -227,6 +231,20 @@ contains
       self%density = self%density*factor
       self%sums = self%sums*factor
    end subroutine scale_by
+
+   !> Multiply all wavelengths, and leave the heights.
+   pure subroutine stretch(self, factor)
+      class(height_spectrum_t), intent(inout) :: self
+      !> Factor, > 0.
+      real(dp), intent(in) :: factor
+      integer :: n
+
+      self%q = self%q/factor
+      self%density = self%density*factor**2
+      do n = 0, 4
+         self%sums(n, :) = self%sums(n, :)/factor**n
+      end do
+   end subroutine stretch
 
    !> Root mean square height h [m].
    pure real(dp) function root_mean_square_height(self) result(h)

@@ -1,40 +1,62 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The rows of a power spectrum that an input gives, self-affine or as a table, what they may not say, and the spectrum of their
-!> values. The models that read `&power_spectrum` share them.
+!> The rows of a power spectrum that an input gives, self-affine, as a table or by a map of heights, what they may not say, and
+!> the spectrum of their values. The models that read `&power_spectrum` share them.
 module adfric_shape_power_spectrum
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_constants, only: pi
    use adfric_base_counting, only: counting
+   use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: show_number
+   use adfric_base_text, only: newline, show_number
    use adfric_base_unset, only: is_set
    use adfric_describe_check, only: checks_t, new_checks
    use adfric_describe_derived, only: add_derived, derived_t
-   use adfric_describe_rows, only: any_number, choice, list_row, positive
+   use adfric_describe_rows, only: any_number, choice, dataset, list_row, positive
    use adfric_describe_table, only: variable_t
    use adfric_shape_height_spectrum, only: convention_words, height_spectrum_t, in_this_convention, new_self_affine, new_tabulated
+   use adfric_shape_measured_spectrum, only: map_waves_t, new_map_waves, new_measured, slope_ratio
+   use adfric_shape_period_seam, only: seam_of, seam_t
    implicit none (type, external)
    private
-   public :: set_density_rows, check_density, make_spectrum, derive_moments, given_density_t
+   public :: set_density_rows, check_density, make_spectrum, derive_moments, doubt_density, given_density_t
 
    !> Rows of the spectrum; a component is the position of its row.
    type :: density_input_t
       !> Positions of the rows.
       integer :: hurst_exponent = 0, shortest_wavelength = 0, rolloff_wavelength = 0, longest_wavelength = 0, &
          & root_mean_square_height = 0, root_mean_square_slope = 0, plateau_density = 0, wave_numbers = 0, densities = 0, &
-         & convention = 0
+         & convention = 0, heights = 0, map_length_x = 0, map_length_y = 0
    end type density_input_t
    type(density_input_t), parameter :: at = transfer(counting, density_input_t())
    integer, parameter, public :: n_density_rows = storage_size(at)/storage_size(1)
 
    !> Names of the variables that say the spectrum, separated by a blank.
    character(*), parameter :: spectrum_sources = 'hurst_exponent shortest_wavelength rolloff_wavelength longest_wavelength '// &
-      & 'root_mean_square_height root_mean_square_slope plateau_density wave_numbers densities convention'
+      & 'root_mean_square_height root_mean_square_slope plateau_density wave_numbers densities convention '// &
+      & 'heights map_length_x map_length_y'
 
-   !> A table of a spectrum as the input gives it.
+   !> What is said of the lengths of no map.
+   character(*), parameter :: without_map = 'is the length of a map; give its heights'
+   !> Cells of a map in each direction at least, so that it can hold a wave.
+   integer, parameter :: fewest_cells = 4
+   !> Mean square slope along one direction over that along the other from which on a surface is not isotropic.
+   real(dp), parameter :: unlike = 1.5_dp
+
+   !> A table of a spectrum, or a map of heights, as the input gives it.
    type :: given_density_t
       !> Wave numbers, and densities in their convention; not allocated: none are given.
       real(dp), allocatable :: wave_numbers(:), densities(:)
+      !> Numbers of heights of a map along x and y; 0: there is none.
+      integer :: n_heights(2) = 0
+      !> Is each height a number? And was there memory for their transform?
+      logical :: is_whole = .true., has_memory = .true.
+      !> Waves of the map.
+      type(map_waves_t) :: waves
+      !> Its spectrum where it has square cells and the length 1 in x.
+      type(height_spectrum_t) :: of_squares
+      !> Steps across the ends of its periods along x and y.
+      type(seam_t) :: seams(2)
    contains
       procedure :: take
    end type given_density_t
@@ -71,18 +93,36 @@ contains
       rows(at%convention) = choice(group=group, name='convention', &
          & meaning='h^2 = int C d^2q (variance), int C d^2q/(2 pi)^2 (transform), or int C d^2f, q = 2 pi f (cycles)', &
          & choices=convention_words)
+      rows(at%heights) = dataset(group=group, name='heights', unit='m', &
+         & meaning='heights (ny, nx) of a map that fills a period, whose spectrum is taken', largest_rank=2, &
+         & least_count=fewest_cells)
+      rows(at%map_length_x) = positive(group=group, name='map_length_x', unit='m', &
+         & meaning='length of the map in x, along which the heights vary fastest')
+      rows(at%map_length_y) = positive(group=group, name='map_length_y', unit='m', &
+         & meaning='length of the map in y; its cells are squares if not given')
    end subroutine set_density_rows
 
-   !> Keep a list of the input.
+   !> Keep a list or the waves of a map of the input.
    subroutine take(self, row, values)
       class(given_density_t), intent(inout) :: self
-      !> Position of its row; others than those of lists are left.
+      !> Position of its row; others than those of lists and maps are left.
       integer, intent(in) :: row
-      !> Its values.
-      real(dp), intent(in) :: values(:)
+      !> Its values; shape `(n, 1)`, of a map `(nx, ny)`.
+      real(dp), intent(in) :: values(:, :)
+      type(error_t), allocatable :: error
+      integer :: k
 
-      if (row == at%wave_numbers) self%wave_numbers = values
-      if (row == at%densities) self%densities = values
+      if (row == at%wave_numbers) self%wave_numbers = values(:, 1)
+      if (row == at%densities) self%densities = values(:, 1)
+      if (row /= at%heights) return
+      self%n_heights = shape(values)
+      self%is_whole = all(ieee_is_finite(values))
+      if (.not. self%is_whole .or. size(values, 2) < fewest_cells) return
+      self%seams(:) = [(seam_of(values, k), k=1, 2)]
+      call new_map_waves(self%waves, values, error)
+      self%has_memory = .not. allocated(error)
+      if (allocated(self%waves%squares)) call new_measured(self%of_squares, self%waves, [1.0_dp, real(self%n_heights(2), dp) &
+         & /self%n_heights(1)])
    end subroutine take
 
    !> Add to `problems` what is missing or impossible.
@@ -104,7 +144,9 @@ contains
 
       before = problems%count()
       call new_checks(c, rows, values, problems, is_swept)
-      if (c%has_any([at%wave_numbers, at%densities])) then
+      if (c%has(at%heights)) then
+         call check_map(c, given)
+      else if (c%has_any([at%wave_numbers, at%densities])) then
          call check_table(c, given)
       else
          call check_self_affine(c, values)
@@ -112,7 +154,9 @@ contains
       if (problems%count() > before) return
       call make_spectrum(values, given, spectrum, is_possible)
       if (is_possible) return
-      if (c%has(at%densities)) then
+      if (c%has(at%heights)) then
+         call c%add(at%heights, 'leads to moments above 1e120 or below 1e-120')
+      else if (c%has(at%densities)) then
          call c%add(at%densities, 'leads to moments above 1e120 or below 1e-120, or waves of lengths above 1e12 times the shortest')
       else
          call c%add(at%shortest_wavelength, 'leads to moments above 1e120 or below 1e-120, or is below 1e-12 of the longest')
@@ -129,6 +173,7 @@ contains
          & .not. c%has_any([at%longest_wavelength, at%rolloff_wavelength]))
       call c%need_one([at%root_mean_square_height, at%root_mean_square_slope, at%plateau_density], .true.)
       call c%refuse([at%convention], 'is one of a table; wavelengths and plateau_density need none')
+      call c%refuse([at%map_length_x, at%map_length_y], without_map)
       if (.not. c%has(at%shortest_wavelength) .or. .not. c%has_any([at%longest_wavelength, at%rolloff_wavelength])) return
       if (is_rising(values)) return
       call c%add(at%shortest_wavelength, 'is not below rolloff_wavelength and longest_wavelength in this order, given '// &
@@ -144,12 +189,67 @@ contains
       call c%need([at%wave_numbers, at%densities, at%convention])
       call c%refuse([at%hurst_exponent, at%shortest_wavelength, at%rolloff_wavelength, at%longest_wavelength, &
          & at%root_mean_square_height, at%root_mean_square_slope, at%plateau_density], 'stands beside a table of densities')
+      call c%refuse([at%map_length_x, at%map_length_y], without_map)
       if (.not. (allocated(density%wave_numbers) .and. allocated(density%densities))) return
       n = size(density%wave_numbers)
       call c%add(at%densities, 'has another number of values than wave_numbers', size(density%densities) /= n)
       call c%add(at%wave_numbers, 'does not rise from value to value', &
          & any(.not. density%wave_numbers(2:) > density%wave_numbers(:n - 1)*(1 + 1.0e-12_dp)))
    end subroutine check_table
+
+   !> A map of heights.
+   subroutine check_map(c, given)
+      type(checks_t), intent(in) :: c
+      type(given_density_t), intent(in) :: given
+
+      call c%need([at%map_length_x])
+      call c%refuse([at%hurst_exponent, at%shortest_wavelength, at%rolloff_wavelength, at%longest_wavelength, &
+         & at%root_mean_square_height, at%root_mean_square_slope, at%plateau_density, at%wave_numbers, at%densities, &
+         & at%convention], 'stands beside the heights of a map, which say the spectrum')
+      if (.not. given%n_heights(1) > 0) return
+      if (given%n_heights(2) < fewest_cells) then
+         call c%add(at%heights, 'is a line, or a map of fewer than 4 cells along y; theories need a map')
+      else if (.not. given%is_whole) then
+         call c%add(at%heights, 'has cells without a height; a spectrum needs all of them')
+      else if (.not. given%has_memory) then
+         call c%add(at%heights, 'is too large for its transform: no memory')
+      else if (.not. given%waves%scale > 0) then
+         call c%add(at%heights, 'is the same everywhere')
+      end if
+   end subroutine check_map
+
+   !> Lengths of a map along x and y.
+   pure function lengths_of(values, given) result(lengths)
+      real(dp), intent(in) :: values(:)
+      type(given_density_t), intent(in) :: given
+      real(dp) :: lengths(2)
+
+      lengths = values(at%map_length_x)
+      lengths(2) = lengths(1)*(real(given%n_heights(2), dp)/given%n_heights(1))
+      if (is_set(values(at%map_length_y))) lengths(2) = values(at%map_length_y)
+   end function lengths_of
+
+   !> Lines for a map that does not fill a period, or is not isotropic.
+   function doubt_density(values, given) result(text)
+      !> Values of the rows; shape `(n_density_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Table or map of the input.
+      type(given_density_t), intent(in) :: given
+      character(:), allocatable :: text
+      character(*), parameter :: axes = 'xy'
+      real(dp) :: ratio
+      integer :: k
+
+      text = ''
+      if (.not. is_set(values(at%heights)) .or. .not. allocated(given%waves%squares)) return
+      do k = 1, 2
+         if (given%seams(k)%is_open()) text = text//'the map of heights does not meet itself along '//axes(k:k)// &
+            & ': if it is a part of a larger surface, a table by adfric import_surface has the right spectrum'//newline
+      end do
+      ratio = slope_ratio(given%waves, lengths_of(values, given))
+      if (max(ratio, 1/ratio) > unlike) text = text//'the slopes of the map along x and y differ by a factor of '// &
+         & show_number(anint(10*sqrt(max(ratio, 1/ratio)))/10)//'; the spectrum is that of an isotropic surface'//newline
+   end function doubt_density
 
    !> Do wavelengths that are set make a spectrum?
    pure logical function is_rising(values)
@@ -186,7 +286,17 @@ contains
       real(dp), allocatable :: q(:), density(:)
 
       is_possible = .false.
-      if (is_set(values(at%wave_numbers))) then
+      if (is_set(values(at%heights))) then
+         if (.not. allocated(given%waves%squares)) return
+         if (.not. all(lengths_of(values, given) > 1/farthest .and. lengths_of(values, given) < farthest)) return
+         if (.not. (given%waves%scale > 1/farthest .and. given%waves%scale < farthest)) return
+         if (is_set(values(at%map_length_y))) then
+            call new_measured(spectrum, given%waves, lengths_of(values, given))
+         else
+            spectrum = given%of_squares
+            call spectrum%stretch(values(at%map_length_x))
+         end if
+      else if (is_set(values(at%wave_numbers))) then
          allocate (q(size(given%wave_numbers)), density(size(given%wave_numbers)))
          associate (first => given%wave_numbers(1), last => given%wave_numbers(size(q)))
             if (.not. (first > 1/farthest .and. last < farthest .and. last < widest*first)) return
