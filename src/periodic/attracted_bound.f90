@@ -216,10 +216,12 @@ contains
       real(dp), allocatable :: change(:, :)
       logical, allocatable :: is_slow(:, :)
 
-      change = cells%tension(gap) - cells%tension(bound%gap)
+      allocate (change, source=cells%tension(gap))
+      change(:, :) = change - cells%tension(bound%gap)
       force(:, :) = force + change
       change(:, :) = abs(change)
-      is_slow = change > max(slow*bound%change, min(part_of_largest*maxval(change), slow_tension*cells%law%stress))
+      allocate (is_slow, mold=bound%is_open)
+      is_slow(:, :) = change > max(slow*bound%change, min(part_of_largest*maxval(change), slow_tension*cells%law%stress))
       bound%change(:, :) = change
       if (.not. any(is_slow)) return
       law = cells

@@ -11,7 +11,7 @@
 !> Rings are as wide as the larger of the two steps of wave numbers along x and y, and where there are many waves 3 %.
 module adfric_shape_measured_spectrum
    use adfric_base_constants, only: two_pi
-   use adfric_base_error, only: error_t
+   use adfric_base_error, only: error_t, file_failure, set_error
    use adfric_base_kinds, only: dp
    use adfric_numerics_wave_sum, only: find_waves
    use adfric_shape_height_spectrum, only: exponential_ratio, height_spectrum_t, new_pieces
@@ -46,15 +46,19 @@ contains
       type(error_t), allocatable, intent(out) :: error
       complex(dp), allocatable :: waves(:, :)
       real(dp), allocatable :: field(:, :)
-      integer :: n(2), mx, my
+      integer :: n(2), mx, my, failure
 
       n = shape(heights)
-      allocate (field, source=heights)
+      allocate (field(n(1), n(2)), waves(0:n(1)/2, 0:n(2) - 1), stat=failure)
+      if (failure /= 0) then
+         call set_error(error, file_failure, 'there is no memory for the waves of a map')
+         return
+      end if
+      field(:, :) = heights
       field(:, :) = field - sum(field)/size(field)
       self%scale = maxval(abs(field))
       if (.not. self%scale > 0) return
       field(:, :) = field/self%scale
-      allocate (waves(0:n(1)/2, 0:n(2) - 1))
       call find_waves(field, waves, error)
       if (allocated(error)) return
       allocate (self%squares(0:n(1)/2, 0:n(2)/2), source=0.0_dp)
@@ -191,11 +195,12 @@ contains
 
    end function power_of_ring
 
-   !> Mean square slope along x over that along y: 1 for a map whose directions are alike.
+   !> Mean square slope along x over that along y: 1 for a map whose directions are alike, and 1e30 or 1e-30 where there is but one.
    pure real(dp) function slope_ratio(waves, period)
       type(map_waves_t), intent(in) :: waves
       !> Periods along x and y [m].
       real(dp), intent(in) :: period(2)
+      real(dp), parameter :: most = 1.0e30_dp
       real(dp) :: along(2)
       integer :: mx, my
 
@@ -205,8 +210,7 @@ contains
             along = along + waves%squares(mx, my)*([mx, my]*(minval(period)/period))**2
          end do
       end do
-      slope_ratio = huge(slope_ratio)
-      if (along(2) > 0) slope_ratio = along(1)/along(2)
+      slope_ratio = min(most, max(1/most, along(1)/max(along(2), along(1)/most)))
    end function slope_ratio
 
 end module adfric_shape_measured_spectrum

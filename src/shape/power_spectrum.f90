@@ -42,6 +42,8 @@ module adfric_shape_power_spectrum
    integer, parameter :: fewest_cells = 4
    !> Mean square slope along one direction over that along the other from which on a surface is not isotropic.
    real(dp), parameter :: unlike = 1.5_dp
+   !> The same from which on there is but one direction.
+   real(dp), parameter :: alone = 1.0e6_dp
 
    !> A table of a spectrum, or a map of heights, as the input gives it.
    type :: given_density_t
@@ -247,8 +249,14 @@ contains
             & ': if it is a part of a larger surface, a table by adfric import_surface has the right spectrum'//newline
       end do
       ratio = slope_ratio(given%waves, lengths_of(values, given))
-      if (max(ratio, 1/ratio) > unlike) text = text//'the slopes of the map along x and y differ by a factor of '// &
-         & show_number(anint(10*sqrt(max(ratio, 1/ratio)))/10)//'; the spectrum is that of an isotropic surface'//newline
+      if (.not. max(ratio, 1/ratio) > unlike) return
+      if (max(ratio, 1/ratio) > alone) then
+         text = text//'the map varies along one direction alone'
+      else
+         text = text//'the slopes of the map along x and y differ by a factor of '// &
+            & show_number(anint(10*sqrt(max(ratio, 1/ratio)))/10)
+      end if
+      text = text//'; the spectrum is that of an isotropic surface'//newline
    end function doubt_density
 
    !> Do wavelengths that are set make a spectrum?
