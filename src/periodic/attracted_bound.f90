@@ -27,6 +27,8 @@ module adfric_periodic_attracted_bound
    !> A cell is slow whose tension changes by more than this part of its change before, and by more than a part of the largest change, or of
    !> the largest tension.
    real(dp), parameter :: slow = 0.5_dp, part_of_largest = 0.3_dp, slow_tension = 0.02_dp
+   !> Change of a tension over the largest tension up to which a bound that falls needs no steps in single cells.
+   real(dp), parameter :: last_change = 1.0e-4_dp
 
    !> A bound that moves to the state.
    type :: bound_t
@@ -154,6 +156,7 @@ contains
       logical, allocatable :: is_open(:, :)
       real(dp) :: goal, carried
       integer :: outcome
+      logical :: has_gained
 
       allocate (slope, source=0*bound%gap)
       if (present(other)) then
@@ -185,19 +188,20 @@ contains
          bound%part = bound%part/2
          if (operator%is_stopped()) return
       end do
-      if (outcome /= step_solved .or. .not. any(merge(gap < bound%gap, gap > bound%gap, bound%falls))) then
-         ! nothing was gained but what was left has lost
-         bound%care = bound%care/100
-         return
-      end if
-      bound%care = 1
+      has_gained = any(merge(gap < bound%gap, gap > bound%gap, bound%falls))
+      ! where nothing was gained, what was left has lost
+      bound%care = merge(1.0_dp, bound%care/100, outcome == step_solved .and. has_gained)
+      if (outcome /= step_solved .or. .not. (has_gained .or. cells%has_wall())) return
       force(:, :) = force - merge(-goal, goal, bound%falls) - max(slope, bound%part*slope)*(gap - bound%gap)
-      if (bound%falls) then
+      if (cells%has_wall()) then
+         ! on maps a step in single cells may pass the state by a little, and the next step of all cells comes back
+         gap(:, :) = max(gap, 0.0_dp)
+         call go_on(bound, cells, gap, force)
+      else if (bound%falls) then
          gap(:, :) = max(min(gap, bound%gap), bound%least_gap)
       else
          gap(:, :) = max(gap, bound%gap)
       end if
-      if (cells%has_wall()) call go_on(bound, cells, gap, force)
       bound%gap(:, :) = gap
       bound%is_open(:, :) = bound%gap > 0 .or. .not. cells%has_wall()
       bound%part = min(1.0_dp, max(2*bound%part, 2*least_part))
@@ -224,6 +228,8 @@ contains
       is_slow(:, :) = change > max(slow*bound%change, min(part_of_largest*maxval(change), slow_tension*cells%law%stress))
       bound%change(:, :) = change
       if (.not. any(is_slow)) return
+      ! from above the step of all cells is one of Newton's method, which ends by itself
+      if (bound%falls .and. .not. maxval(change) > last_change*cells%law%stress) return
       law = cells
       call relax(bound%relaxation, .not. bound%falls, 0.0_dp, is_slow, law, gap, force)
    end subroutine go_on
