@@ -94,7 +94,7 @@ module adfric_command_help_phenomena
       & 'spectrum psd persson roughness road rubber bush gibson thomas nayak', &
       & 'rough surfaces by statistical theories of their power spectrum (Persson; Bush, Gibson, Thomas)', &
       & '&surface kind = ''spectrum'', seeds; &power_spectrum; &estimates theories; &operating mean_pressure, velocity', &
-      & 'theories_pressure theories_rubber spectrum_seeds spectrum_ensemble', &
+      & 'theories_pressure theories_of_map theories_rubber spectrum_seeds spectrum_ensemble', &
       & 'theory/rough_theories guide/from_a_spectrum_to_friction', &
       & 'afm force_curve cantilever', 'force curves and force maps of a force microscope, and their fits', &
       & '&data file, abscissa, ordinate; &free variable', 'fit_force_distance fit_map force_map', &

@@ -276,7 +276,7 @@ contains
       else if (.not. has_longest(spectrum, surface%period)) then
          longest = trim(merge('length_x', 'length_y', surface%period(1) <= surface%period(2)))
          call problems%add('surface', longest, 'is less than the longest wave of the spectrum, given '// &
-            & show_number(minval(surface%period))//' [m], allowed: '//show_number(two_pi/spectrum%q(0))//' or more')
+            & show_number(minval(surface%period))//' [m], allowed: '//show_number(two_pi/spectrum%longest)//' or more')
       else if (.not. can_hold(spectrum, surface%period, surface%n_cells)) then
          call problems%add('numerics', 'cells', 'is '//show_number(real(surface%n_cells(1), dp))// &
             & ', too few for the shortest wave; '//what_would_do(spectrum, surface%period, 2))

@@ -120,7 +120,7 @@ contains
       !> Periods along x and y [m].
       real(dp), intent(in) :: period(2)
 
-      has_longest = all(period*spectrum%q(0) > two_pi*(1 - round_off))
+      has_longest = all(period*spectrum%longest > two_pi*(1 - round_off))
    end function has_longest
 
 end module adfric_shape_drawn_heights

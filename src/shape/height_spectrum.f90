@@ -28,6 +28,8 @@ module adfric_shape_height_spectrum
    type :: height_spectrum_t
       !> Wave numbers [rad/m] at the ends of the pieces, rising; shape `(0:n_pieces)`.
       real(dp), allocatable :: q(:)
+      !> Wave number [rad/m] of the longest wave that a drawn surface has to have: that of the first piece, or of a map.
+      real(dp) :: longest = 0
       !> Density at the beginning of each piece [m^4], and the power of the wave number in it; shape `(n_pieces)`.
       real(dp), allocatable :: density(:), power(:)
       !> M_0 to M_4 [m^(2-n)] up to the ends of the pieces; shape `(0:4, 0:n_pieces)`.
@@ -94,6 +96,7 @@ contains
 
       allocate (self%q(0:size(power)), self%density(size(power)), self%power(size(power)), self%sums(0:4, 0:size(power)))
       self%q(:) = q
+      self%longest = q(1)
       self%density(:) = density
       self%power(:) = power
       self%sums = 0
@@ -240,6 +243,7 @@ contains
       integer :: n
 
       self%q = self%q/factor
+      self%longest = self%longest/factor
       self%density = self%density*factor**2
       do n = 0, 4
          self%sums(n, :) = self%sums(n, :)/factor**n

@@ -5,10 +5,11 @@
 !>
 !> A ring is a piece C_i (q/q_i)^s_i of the spectrum (`adfric_shape_height_spectrum`). Its two numbers are those with which it has
 !> the mean square height and the mean square slope of its waves, so both are those of the map. The power s_i is the one root of a
-!> rising function: with x = ln(q/q_i) the ring weighs q^2 by exp((2 + s) x), and more of it lies at its outer end as s grows. It is
-!> bounded, which counts where all waves of a ring lie at one of its ends: then the slope is that of the waves but for 1 %.
+!> rising function: with x = ln(q/q_i) the ring weighs q^2 by exp((2 + s) x), and more of it lies at its outer end as s grows. Where
+!> all waves of a ring lie at one of its ends, the next ring is one with it.
 !>
-!> Rings are as wide as the larger of the two steps of wave numbers along x and y, and where there are many waves 3 %.
+!> Rings are as wide as the wave number of the longest period, which is in the middle of the first one, and where there are many
+!> waves 3 %.
 module adfric_shape_measured_spectrum
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t, file_failure, set_error
@@ -24,6 +25,8 @@ module adfric_shape_measured_spectrum
    !> Largest power of a ring times its width in ln q, and halvings of the interval to it.
    real(dp), parameter :: steepest = 300
    integer, parameter :: n_halvings = 60
+   !> Round-off of a wave number at the end of a ring.
+   real(dp), parameter :: round_off = 1.0e-9_dp
    !> Part of the fourth moment that is round-off of waves which the map does not have.
    real(dp), parameter :: no_part = 1.0e-12_dp
 
@@ -54,10 +57,10 @@ contains
          call set_error(error, file_failure, 'there is no memory for the waves of a map')
          return
       end if
+      if (.not. maxval(heights) > minval(heights)) return
       field(:, :) = heights
       field(:, :) = field - sum(field)/size(field)
       self%scale = maxval(abs(field))
-      if (.not. self%scale > 0) return
       field(:, :) = field/self%scale
       call find_waves(field, waves, error)
       if (allocated(error)) return
@@ -81,14 +84,13 @@ contains
       !> Periods along x and y [m].
       real(dp), intent(in) :: period(2)
       real(dp), allocatable :: ends(:), sums(:, :), q(:), density(:), power(:)
-      real(dp) :: first, step, total
+      real(dp) :: longest, total, x, of_ring(2)
       integer :: n, i, last
 
-      first = two_pi/maxval(period)
-      step = two_pi/minval(period)
-      call set_rings(first, step, hypot(two_pi*ubound(waves%squares, 1)/period(1), two_pi*ubound(waves%squares, 2)/period(2)), ends)
+      longest = two_pi/maxval(period)
+      call set_rings(longest, hypot(two_pi*ubound(waves%squares, 1)/period(1), two_pi*ubound(waves%squares, 2)/period(2)), ends)
       call gather(waves, period, ends, sums)
-      ! rings of round-off at the outer end, and rings without waves, which take the next one with them
+      ! rings of round-off at the outer end; and rings without waves, or with all of them at one end, which take the next one along
       total = sum(sums(3, :))
       last = size(sums, 2)
       do while (last > 1)
@@ -97,29 +99,33 @@ contains
       end do
       allocate (q(last + 1), density(last), power(last))
       n = 0
+      of_ring = 0
       q(1) = ends(1)
       do i = 1, last
-         if (i < last .and. .not. sums(2, i) > 0) cycle
+         of_ring = of_ring + sums(:2, i)
+         if (i < last .and. .not. of_ring(2) > 0) cycle
+         q(n + 2) = ends(i + 1)
+         x = log(q(n + 2)/q(n + 1))
+         power(n + 1) = power_of_ring(x, of_ring(2)/of_ring(1)*(longest/q(n + 1))**2)
+         if (i < last .and. abs(power(n + 1))*x > 0.99_dp*steepest) cycle
          n = n + 1
-         q(n + 1) = ends(i + 1)
-         associate (square => waves%scale**2*sums(1, i), x => log(q(n + 1)/q(n)))
-            power(n) = power_of_ring(x, sums(2, i)/sums(1, i)*(step/q(n))**2)
-            density(n) = square/(two_pi*q(n)**2*x*exponential_ratio((2 + power(n))*x))
-         end associate
+         density(n) = waves%scale**2*of_ring(1)/(two_pi*q(n)**2*x*exponential_ratio((2 + power(n))*x))
+         of_ring = 0
       end do
       call new_pieces(self, q(:n + 1), density(:n), power(:n))
+      self%longest = longest
    end subroutine new_measured
 
    !> Ends of the rings, from the longest wave to beyond the shortest one.
-   pure subroutine set_rings(first, step, shortest, ends)
-      !> Wave numbers of the longest wave, of the step, and of the shortest wave, in any unit.
-      real(dp), intent(in) :: first, step, shortest
+   pure subroutine set_rings(longest, shortest, ends)
+      !> Wave numbers of the longest wave and of the shortest one, in any unit.
+      real(dp), intent(in) :: longest, shortest
       real(dp), allocatable, intent(out) :: ends(:)
       real(dp), allocatable :: longer(:)
       integer :: n
 
       allocate (ends(64))
-      ends(1) = first
+      ends(1) = longest/2
       n = 1
       do while (.not. ends(n) > shortest)
          if (n == size(ends)) then
@@ -127,18 +133,13 @@ contains
             longer(:n) = ends
             call move_alloc(longer, ends)
          end if
-         if (n == 1) then
-            ! the wave of the longest period lies within its ring
-            ends(2) = max(1.5_dp*step, ends(1)*(1 + width))
-         else
-            ends(n + 1) = max(ends(n) + step, ends(n)*(1 + width))
-         end if
+         ends(n + 1) = max(ends(n) + longest, ends(n)*(1 + width))
          n = n + 1
       end do
       ends = ends(:n)
    end subroutine set_rings
 
-   !> Sums over the waves of each ring: of their squares, and of those times q^2 and q^4 in units of the step.
+   !> Sums over the waves of each ring: of their squares, and of those times q^2 and q^4, q in units of the longest wave's.
    pure subroutine gather(waves, period, ends, sums)
       type(map_waves_t), intent(in) :: waves
       real(dp), intent(in) :: period(2)
@@ -146,10 +147,10 @@ contains
       real(dp), intent(in) :: ends(:)
       !> Receives the sums; shape `(3, n)`.
       real(dp), allocatable, intent(out) :: sums(:, :)
-      real(dp) :: step, q, q_x, q_y
+      real(dp) :: longest, q, q_x, q_y
       integer :: mx, my, i
 
-      step = two_pi/minval(period)
+      longest = two_pi/maxval(period)
       allocate (sums(3, size(ends) - 1), source=0.0_dp)
       do my = 0, ubound(waves%squares, 2)
          q_y = two_pi*my/period(2)
@@ -158,10 +159,11 @@ contains
             q_x = two_pi*mx/period(1)
             q = hypot(q_x, q_y)
             do while (i < size(sums, 2))
-               if (q <= ends(i + 1)) exit
+               ! a wave at an end is inside, whatever the unit of length
+               if (q <= ends(i + 1)*(1 + round_off)) exit
                i = i + 1
             end do
-            sums(:, i) = sums(:, i) + waves%squares(mx, my)*[1.0_dp, (q/step)**2, (q/step)**4]
+            sums(:, i) = sums(:, i) + waves%squares(mx, my)*[1.0_dp, (q/longest)**2, (q/longest)**4]
          end do
       end do
    end subroutine gather

@@ -36,8 +36,6 @@ module adfric_shape_power_spectrum
       & 'root_mean_square_height root_mean_square_slope plateau_density wave_numbers densities convention '// &
       & 'heights map_length_x map_length_y'
 
-   !> What is said of the lengths of no map.
-   character(*), parameter :: without_map = 'is the length of a map; give its heights'
    !> Cells of a map in each direction at least, so that it can hold a wave.
    integer, parameter :: fewest_cells = 4
    !> Mean square slope along one direction over that along the other from which on a surface is not isotropic.
@@ -146,7 +144,7 @@ contains
 
       before = problems%count()
       call new_checks(c, rows, values, problems, is_swept)
-      if (c%has(at%heights)) then
+      if (c%has_any([at%heights, at%map_length_x, at%map_length_y])) then
          call check_map(c, given)
       else if (c%has_any([at%wave_numbers, at%densities])) then
          call check_table(c, given)
@@ -175,7 +173,6 @@ contains
          & .not. c%has_any([at%longest_wavelength, at%rolloff_wavelength]))
       call c%need_one([at%root_mean_square_height, at%root_mean_square_slope, at%plateau_density], .true.)
       call c%refuse([at%convention], 'is one of a table; wavelengths and plateau_density need none')
-      call c%refuse([at%map_length_x, at%map_length_y], without_map)
       if (.not. c%has(at%shortest_wavelength) .or. .not. c%has_any([at%longest_wavelength, at%rolloff_wavelength])) return
       if (is_rising(values)) return
       call c%add(at%shortest_wavelength, 'is not below rolloff_wavelength and longest_wavelength in this order, given '// &
@@ -191,7 +188,6 @@ contains
       call c%need([at%wave_numbers, at%densities, at%convention])
       call c%refuse([at%hurst_exponent, at%shortest_wavelength, at%rolloff_wavelength, at%longest_wavelength, &
          & at%root_mean_square_height, at%root_mean_square_slope, at%plateau_density], 'stands beside a table of densities')
-      call c%refuse([at%map_length_x, at%map_length_y], without_map)
       if (.not. (allocated(density%wave_numbers) .and. allocated(density%densities))) return
       n = size(density%wave_numbers)
       call c%add(at%densities, 'has another number of values than wave_numbers', size(density%densities) /= n)
@@ -204,6 +200,12 @@ contains
       type(checks_t), intent(in) :: c
       type(given_density_t), intent(in) :: given
 
+      if (.not. c%has(at%heights)) then
+         ! heights that cannot be read have been told
+         if (c%problems%count() > 0) return
+         call c%refuse([at%map_length_x, at%map_length_y], 'is the length of a map; give its heights')
+         return
+      end if
       call c%need([at%map_length_x])
       call c%refuse([at%hurst_exponent, at%shortest_wavelength, at%rolloff_wavelength, at%longest_wavelength, &
          & at%root_mean_square_height, at%root_mean_square_slope, at%plateau_density, at%wave_numbers, at%densities, &
@@ -251,7 +253,7 @@ contains
       ratio = slope_ratio(given%waves, lengths_of(values, given))
       if (.not. max(ratio, 1/ratio) > unlike) return
       if (max(ratio, 1/ratio) > alone) then
-         text = text//'the map varies along one direction alone'
+         text = text//'the slopes of the map along one direction are more than 1000 times those along the other'
       else
          text = text//'the slopes of the map along x and y differ by a factor of '// &
             & show_number(anint(10*sqrt(max(ratio, 1/ratio)))/10)
