@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A bound of the gaps of a surface whose cells attract each other: where it begins, and how it moves to the extremal state without passing
-!> it (`adfric_periodic_attracted_contact`).
+!> A bound of the gaps of a surface whose cells attract each other: where it begins, and how it moves to the extremal state
+!> (`adfric_periodic_attracted_contact`). Where the order is exact it does not pass it.
 !>
 !> - A linear problem moves all cells at once. It is slow where a patch of cells is near its own jump: others wait for it.
 !> - So cells whose tension changes slowly less go on in steps of their own (`adfric_periodic_adhesive_relaxation`), which pass no
@@ -140,7 +140,7 @@ contains
       call set_force(state, operator, cells, bound%gap, bound%force, bound%residual)
    end subroutine judge
 
-   !> A step of the bound towards the state, which it does not pass.
+   !> A step of the bound towards the state.
    subroutine step(work, bound, state, operator, cells, tolerance, other)
       type(linear_step_t), intent(inout) :: work
       !> In: with its force. Out: nearer to the state.
@@ -191,17 +191,11 @@ contains
       has_gained = any(merge(gap < bound%gap, gap > bound%gap, bound%falls))
       ! where nothing was gained, what was left has lost
       bound%care = merge(1.0_dp, bound%care/100, outcome == step_solved .and. has_gained)
-      if (outcome /= step_solved .or. .not. (has_gained .or. cells%has_wall())) return
+      if (outcome /= step_solved) return
       force(:, :) = force - merge(-goal, goal, bound%falls) - max(slope, bound%part*slope)*(gap - bound%gap)
-      if (cells%has_wall()) then
-         ! on maps a step in single cells may pass the state by a little, and the next step of all cells comes back
-         gap(:, :) = max(gap, 0.0_dp)
-         call go_on(bound, cells, gap, force)
-      else if (bound%falls) then
-         gap(:, :) = max(min(gap, bound%gap), bound%least_gap)
-      else
-         gap(:, :) = max(gap, bound%gap)
-      end if
+      ! on maps, whose order is not exact, a bound may pass the state by a little, and the next step of all cells comes back
+      gap(:, :) = max(gap, bound%least_gap)
+      if (cells%has_wall()) call go_on(bound, cells, gap, force)
       bound%gap(:, :) = gap
       bound%is_open(:, :) = bound%gap > 0 .or. .not. cells%has_wall()
       bound%part = min(1.0_dp, max(2*bound%part, 2*least_part))
