@@ -146,6 +146,7 @@ contains
       call new_checks(c, rows, values, problems, is_swept)
       if (c%has_any([at%heights, at%map_length_x, at%map_length_y])) then
          call check_map(c, given)
+         if (.not. c%has(at%heights)) return
       else if (c%has_any([at%wave_numbers, at%densities])) then
          call check_table(c, given)
       else
