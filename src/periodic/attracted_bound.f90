@@ -3,9 +3,9 @@
 !> (`adfric_periodic_attracted_contact`). Where the order is exact it does not pass it.
 !>
 !> - A linear problem moves all cells at once. It is slow where a patch of cells is near its own jump: others wait for it.
-!> - So cells whose tension changes slowly less go on in steps of their own (`adfric_periodic_adhesive_relaxation`), which pass no
-!>   state whatever the law, since the tension of a cell is that of its own gap. They need a wall: without one a step may be too long
-!>   where the law rises.
+!> - So slow cells, whose tension goes on to change, go on in steps of their own (`adfric_periodic_adhesive_relaxation`). Where the
+!>   order is exact these pass no state, since the tension of a cell is that of its own gap. They need a wall: without one a step may
+!>   be too long where the law rises.
 module adfric_periodic_attracted_bound
    use adfric_base_kinds, only: dp
    use adfric_periodic_adhesive_relaxation, only: relaxation_t, new_relaxation, relax

@@ -293,16 +293,17 @@ contains
       !> Do the wavelengths rise, and are the moments within the numbers?
       logical, intent(out) :: is_possible
       real(dp), parameter :: most = 1.0e120_dp, farthest = 1.0e30_dp, widest = 1.0e12_dp
-      real(dp) :: waves(3), factor
+      real(dp) :: waves(3), lengths(2), factor
       real(dp), allocatable :: q(:), density(:)
 
       is_possible = .false.
       if (is_set(values(at%heights))) then
          if (.not. allocated(given%waves%squares)) return
-         if (.not. all(lengths_of(values, given) > 1/farthest .and. lengths_of(values, given) < farthest)) return
+         lengths = lengths_of(values, given)
+         if (.not. all(lengths > 1/farthest .and. lengths < farthest)) return
          if (.not. (given%waves%scale > 1/farthest .and. given%waves%scale < farthest)) return
          if (is_set(values(at%map_length_y))) then
-            call new_measured(spectrum, given%waves, lengths_of(values, given))
+            call new_measured(spectrum, given%waves, lengths)
          else
             spectrum = given%of_squares
             call spectrum%stretch(values(at%map_length_x))
